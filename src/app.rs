@@ -34,9 +34,7 @@ pub use snapshot::FlightSnapshot;
 /// The initial content of the console.
 #[derive(Debug, Clone)]
 pub struct Setup {
-    /// The user's settings.
     pub config: Config,
-    /// The key bindings.
     pub keymap: Keymap,
     /// The texts of the language in use.
     pub locale: Arc<Locale>,
@@ -44,7 +42,6 @@ pub struct Setup {
     pub theme: String,
     /// The names of the available themes.
     pub themes: Vec<String>,
-    /// The available missions.
     pub missions: Vec<MissionListing>,
     /// The attempts at current revisions of missions, by mission id, oldest first.
     pub tries: BTreeMap<String, Vec<TryReport>>,

@@ -68,7 +68,6 @@ pub struct CareerFlight {
     pub reward: u32,
     /// The number of vehicles.
     pub vehicles: u8,
-    /// Its stake.
     pub stake: Stake,
     /// The source of the commands; `None` in older careers.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -58,7 +58,6 @@ pub use speeds::{CHANGE_SPEED, asked_again};
 /// A command to one vehicle, by subject. Every variant has one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
-    /// Arms and disarms.
     Arming(ArmingCommand),
     /// Begins, ends and interrupts a flight.
     Flight(FlightCommand),
@@ -66,7 +65,6 @@ pub enum Command {
     Motion(MotionCommand),
     /// Outputs, and the autopilot as a device.
     Device(DeviceCommand),
-    /// Requests messages.
     Query(QueryCommand),
     Parameter(ParameterCommand),
     /// The logs that the vehicle keeps of its flights.

@@ -44,7 +44,6 @@ pub struct ComparedFlight {
 /// A bookmark of a flight.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FlightBookmark {
-    /// Mission time.
     pub at: Duration,
     pub text: String,
 }

@@ -91,9 +91,7 @@ pub type NumberedSenders = BTreeMap<(SystemId, ComponentId), NumberedFrames>;
 /// Frames of one sender, by their numbers.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct NumberedFrames {
-    /// Frames received.
     pub came: u64,
-    /// Frames missing.
     pub lost: u64,
     /// Frames with a number before one already received.
     pub late: u64,

@@ -134,7 +134,6 @@ pub struct HangarSetup {
     pub programs: BTreeMap<SitlKind, PathBuf>,
     /// The folder for the instances' folders.
     pub folder: PathBuf,
-    /// Its limits.
     pub limits: HangarLimits,
     /// What happens to instances that end without a request.
     pub restart: Restart,
@@ -316,7 +315,6 @@ impl Hangar {
         self.shared.run.path()
     }
 
-    /// Its load.
     pub fn capacity(&self) -> Capacity {
         self.shared.roster.capacity()
     }

@@ -62,7 +62,6 @@ pub type Groups = BTreeMap<String, Vec<VehicleId>>;
 /// The names that a line may refer to.
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
-    /// The known groups.
     pub groups: &'a Groups,
     /// Named places; names with blanks cannot be used. `None` if they are not known yet: then every name is accepted,
     /// which suffices for a check, but the built command has no position.
@@ -108,11 +107,9 @@ impl Default for Context<'_> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     pub targets: Targets,
-    /// Its verb.
     pub verb: &'static Verb,
     /// Where the verb is allowed.
     pub scope: Scope,
-    /// Its meaning.
     pub meaning: Meaning,
     /// The line in its canonical spelling: single blanks, no comment, no aliases.
     pub line: String,

@@ -112,7 +112,6 @@ pub struct RowUpdate {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerRow {
     pub vehicle: VehicleId,
-    /// Its state.
     pub state: RowState,
     /// How often it has been sent.
     pub tries: u8,
@@ -145,7 +144,6 @@ pub struct Given<'a> {
     /// The whole line in the console's grammar, with its targets.
     pub line: &'a str,
     pub verb: &'static Verb,
-    /// Its risk.
     pub risk: Risk,
 }
 
@@ -158,7 +156,6 @@ pub struct LedgerEntry {
     /// The whole line in the console's grammar, with its targets.
     pub line: String,
     pub verb: &'static Verb,
-    /// Its risk.
     pub risk: Risk,
     /// A row per target, in the order of the targets.
     pub rows: Vec<LedgerRow>,

@@ -62,10 +62,8 @@ pub struct LinkId(pub u16);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkPeer(pub u32);
 
-/// Frames received together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inbound {
-    /// Their link.
     pub link: LinkId,
     pub peer: LinkPeer,
     /// The frames, at least one.

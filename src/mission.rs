@@ -118,7 +118,6 @@ pub struct Mission {
     written: format::WrittenValue,
     /// The title that is shown.
     pub title: Text,
-    /// The briefing text.
     pub brief: Text,
     /// Texts that have no translation; not faults.
     pub untranslated: Vec<Diagnostic>,

@@ -156,7 +156,6 @@ impl Operator {
         (rows.collect(), assignment.alone)
     }
 
-    /// Advances joint manoeuvres.
     pub fn conduct(&mut self, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
         let turn = self.conductor.step(now, vehicles);
         let mut late = std::mem::take(&mut self.undelivered);
@@ -179,7 +178,6 @@ impl Operator {
         }
     }
 
-    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         self.conductor.paths()
     }

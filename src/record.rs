@@ -94,7 +94,6 @@ impl Subject {
         }
     }
 
-    /// Its title.
     pub fn text(&self) -> Text {
         match self {
             Self::Mission(id) => id.as_str().into(),

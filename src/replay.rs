@@ -62,7 +62,6 @@ pub struct Replay {
     goal: Duration,
     /// When time was looked at last, on the program's clock.
     looked: Option<Duration>,
-    /// The user's review.
     review: Review,
     /// All moments: those indexed so far, and the bookmarks.
     moments: Arc<Vec<Moment>>,
@@ -208,7 +207,6 @@ impl Replay {
         self.stage.inspect(wanted)
     }
 
-    /// The recording.
     pub fn film(&self) -> &Film {
         &self.film
     }
@@ -239,7 +237,6 @@ impl Replay {
         &self.moments
     }
 
-    /// The user's review.
     pub fn reviewed(&self) -> &Review {
         &self.review
     }

@@ -150,11 +150,9 @@ pub struct Product {
 pub struct Facts {
     /// The results of the objectives, in file order.
     pub objectives: Vec<ObjectiveFact>,
-    /// Mission time used.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
     pub energy_wh: Option<f64>,
-    /// The broken rules.
     pub safety: Vec<SafetyEvent>,
     /// The tally of commands.
     pub commands: CommandTally,

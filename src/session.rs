@@ -138,7 +138,6 @@ impl Session {
         self
     }
 
-    /// The present model.
     pub fn vehicle(&self) -> &Vehicle {
         &self.vehicle
     }

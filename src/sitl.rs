@@ -117,7 +117,6 @@ pub struct CommandLine {
 
 /// The system ids that a vehicle may have: 255 is the ground station's.
 const SYSTEMS: RangeInclusive<u8> = 1..=254;
-/// The valid speed-ups.
 const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
 /// The valid altitudes, in metres above mean sea level.
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;

@@ -110,7 +110,6 @@ pub struct Assignment {
 pub struct StepOutcome {
     /// The vehicles' present setpoints.
     pub steering: Vec<(VehicleId, Steering)>,
-    /// Changed rows.
     pub rows: Vec<RowUpdate>,
     /// Notices for the user.
     pub notices: Vec<Notice>,
@@ -231,7 +230,6 @@ impl Conductor {
         outcome
     }
 
-    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         self.acts.iter().flat_map(ActiveManoeuvre::paths).collect()
     }
@@ -301,7 +299,6 @@ fn is_guided(command: &Command) -> bool {
     matches!(command, Command::Flight(FlightCommand::SetMode { name }) if name.eq_ignore_ascii_case("GUIDED"))
 }
 
-/// A formation's destination.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct FormationGoal {
     /// The destination of the first vehicle.

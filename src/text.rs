@@ -21,7 +21,6 @@ pub use figure::{clock, figure, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
-/// A supported language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub enum Language {
     #[default]

@@ -49,7 +49,6 @@ pub const HIGHEST_VEHICLE: VehicleId = 9999;
 /// Everything known about one vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
-    /// Its number.
     pub id: VehicleId,
     /// Its MAVLink system id: the address of messages to it.
     pub system: SystemId,

@@ -32,7 +32,6 @@ pub enum Action {
     Again,
     /// Fly the same mission again with the same seed.
     AgainAlike,
-    /// Choose the profile.
     Profiles,
     /// Change the level of automatic advice.
     Aids,
@@ -44,12 +43,10 @@ pub enum Action {
     UsualPace,
     /// End the mission now.
     Abandon,
-    /// Control the replay.
     #[strum(disabled)]
     Replay(ReplayAction),
     /// Return to the home screen.
     Leave,
-    /// Acknowledge the alerts.
     Acknowledge,
     /// List order, filter and vehicle, for the rooms that have them.
     #[strum(disabled)]
@@ -166,7 +163,6 @@ pub enum ViewAction {
     Filter,
     /// Sort by the next column.
     Sort,
-    /// Reverse the order.
     SortReverse,
     /// The next vehicle by number.
     NextVehicle,
@@ -222,9 +218,7 @@ pub enum StartAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ReplayAction {
-    /// Play or pause.
     PlayReplay,
-    /// Play backwards.
     Rewind,
     /// Jump ten seconds back.
     ReplayBack,
@@ -367,7 +361,6 @@ pub enum WorkshopAction {
     CompareDesign,
     /// Save a copy of the design.
     CopyDesign,
-    /// Rename the design.
     RenameDesign,
     /// Write the design to a file.
     ExportDesign,

@@ -65,7 +65,6 @@ pub enum Effect {
     Career(CareerEffect),
     /// Start, change or end a session.
     Session(SessionEffect),
-    /// Control the replay.
     Replay(ReplayEffect),
     /// Change the terminal's display, or notify the user.
     Terminal(TerminalEffect),
@@ -117,7 +116,6 @@ impl IntoIterator for Effects {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {
     Read {
-        /// The expected content.
         kind: FileKind,
         path: String,
     },
@@ -150,7 +148,6 @@ pub enum CareerEffect {
     KeepDesign(Design),
     /// Store a design under another name.
     RenameDesign {
-        /// The old name.
         from: String,
         /// The design with its new name.
         design: Design,
@@ -188,7 +185,6 @@ pub enum SessionEffect {
     Ghost(GhostSource),
     /// Stop simulated time, and every deadline with it.
     Pause,
-    /// Resume simulated time.
     Continue,
     /// Change the speed-up of simulated time.
     Speedup(PaceChange),
@@ -206,9 +202,7 @@ pub enum SessionEffect {
 /// Control of a replay.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReplayEffect {
-    /// Play or pause.
     Play(bool),
-    /// Play backwards.
     Rewind,
     /// Play at this multiple of the recorded speed.
     Rate(f64),
@@ -234,7 +228,6 @@ pub enum ReplayEffect {
 /// A change of the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TerminalEffect {
-    /// Use this theme.
     SetTheme(String),
     /// Limit the frames per second.
     SetFps(u8),

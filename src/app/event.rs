@@ -88,7 +88,6 @@ pub enum TerminalEvent {
     SlowLine(Option<u32>),
 }
 
-/// News of vehicles.
 #[derive(Debug, Clone)]
 pub enum VehicleEvent {
     /// A vehicle's telemetry changed.
@@ -96,7 +95,6 @@ pub enum VehicleEvent {
     /// A vehicle's parameters, or the progress of their download, changed.
     Parameters {
         vehicle: VehicleId,
-        /// The known parameters.
         snapshot: ParameterSnapshot,
     },
     /// A command was given in a replay.
@@ -117,7 +115,6 @@ pub enum VehicleEvent {
     Paths(Vec<Path>),
 }
 
-/// News of links.
 #[derive(Debug, Clone)]
 pub enum LinkEvent {
     /// The state of each link.
@@ -177,7 +174,6 @@ pub enum ReplayEvent {
     },
     /// The console must return to an earlier or later state.
     Restored(Box<FlightSnapshot>),
-    /// The present position.
     At(ReplayPosition),
 }
 
@@ -201,7 +197,6 @@ pub enum CareerEvent {
 pub enum FileEvent {
     /// A file was read.
     Read {
-        /// The expected content.
         kind: FileKind,
         path: String,
         text: String,
@@ -210,7 +205,6 @@ pub enum FileEvent {
     Written { path: String },
     /// A file was not written because it exists already.
     Exists {
-        /// The intended content.
         kind: FileKind,
         path: String,
         /// The text to write.

@@ -75,7 +75,6 @@ impl Place {
 /// The effect of a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Meaning {
-    /// Performs an action.
     Do(Action),
     /// Opens the command line with this text.
     Write(Cow<'static, str>),

@@ -62,7 +62,6 @@ pub trait RoomModel: Default {
         None
     }
 
-    /// Changes the selection.
     fn select(_state: &mut State, _action: SelectAction) -> Answer {
         None
     }

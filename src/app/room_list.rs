@@ -15,7 +15,6 @@ macro_rules! for_each_room {
             /// One vehicle in detail.
             Vehicle, vehicle, "vehicle", 'V', vehicle::Vehicle;
             Map, map, "map", 'M', map::Map;
-            /// All commands.
             Ledger, ledger, "commands", 'C', ledger::Ledger;
             /// All messages on the links.
             Messages, messages, "messages", 'I', messages::Messages;
@@ -30,7 +29,6 @@ macro_rules! for_each_room {
             Debrief, debrief, "debrief", 'D', Option<debrief::Debrief>;
             /// The review of a recorded flight.
             Review, review, "review", 'A', review::Review;
-            /// The trainee's progress.
             Standing, standing, "standing", 'T', standing::Standing;
             /// The workshop for designs.
             Workshop, workshop, "workshop", 'W', workshop::Workshop;
@@ -95,7 +93,6 @@ impl Room {
         Listed::Names(Self::ALL.map(named).into())
     }
 
-    /// Its purpose.
     pub fn explained(self) -> Text {
         Text::new(format!("action-{}", self.name()), Vec::new())
     }

@@ -80,13 +80,11 @@ pub struct State<R> {
     pub(in crate::app) replay: Option<ReplayView>,
     /// Another flight of the mission, shown beside this one.
     pub(in crate::app) ghost: Option<Ghost>,
-    /// The present room.
     pub(in crate::app) room: Room,
     /// The state of every room.
     pub(in crate::app) rooms: R,
     /// The overlay over the room.
     pub(in crate::app) overlay: Option<Overlay>,
-    /// The session.
     pub(in crate::app) session: FlightView,
     /// The vehicle list being typed, `3-9`; empty without one.
     pub(in crate::app) typed: String,
@@ -94,14 +92,12 @@ pub struct State<R> {
     pub(in crate::app) wall: Duration,
     /// When the previous key answered a question that changed the session, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
-    /// The user's settings.
     pub(in crate::app) config: Config,
     /// The texts of the language in use.
     pub(in crate::app) locale: Arc<Locale>,
     /// Lines of a macro that wait for an answer.
     pub(in crate::app) pending: VecDeque<String>,
     pub(in crate::app) notices: NoticeLog,
-    /// The available missions.
     pub(in crate::app) missions: Vec<MissionListing>,
     /// The trainee's attempts at their current revisions, by the mission's id, oldest first.
     pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
@@ -122,7 +118,6 @@ pub struct State<R> {
     pub(in crate::app) themes: Vec<String>,
     /// The name of the theme in use.
     pub(in crate::app) theme: String,
-    /// The key bindings.
     pub(in crate::app) keymap: Keymap,
     /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
@@ -290,7 +285,6 @@ impl<R> State<R> {
         }));
     }
 
-    /// Removes the message.
     pub fn hush(&mut self) {
         self.message = None;
     }

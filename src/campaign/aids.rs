@@ -26,12 +26,10 @@ const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum Aids {
-    /// All automatic advice.
     Full,
     /// Less advice the better a skill is mastered.
     #[default]
     Fading,
-    /// No automatic advice.
     None,
 }
 

@@ -32,7 +32,6 @@ pub struct Attempt {
 pub struct AttemptTerms<'a> {
     /// The mission, under the rules of what it is flown for ([`Mission::flown_for`]).
     pub mission: &'a Mission,
-    /// The requested stake.
     pub wanted: Stake,
     /// The seed chosen by the user.
     pub seed: Option<u64>,
@@ -49,7 +48,6 @@ pub struct AttemptTerms<'a> {
 /// The trainee of an attempt.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTrainee<'a> {
-    /// The trainee's standing.
     pub standing: &'a CareerStanding,
     /// The missions of the career.
     pub course: &'a MissionCourse,

@@ -11,7 +11,6 @@ use crate::text::Text;
 pub struct Offer {
     /// The id of the mission.
     pub id: String,
-    /// Its title.
     pub title: Text,
     /// Difficulty, 0 to 3.
     pub tier: u8,
@@ -19,7 +18,6 @@ pub struct Offer {
     pub vehicles: u8,
     /// The mission that it is a drill for.
     pub drill_of: Option<String>,
-    /// Its requirements.
     pub requires: Requires,
     /// Credits for a perfect first pass.
     pub credits: u32,
@@ -40,7 +38,6 @@ pub struct MissionCourse {
 /// Whether a mission may be flown.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MissionStage {
-    /// Locked, and why.
     Locked(Vec<LockReason>),
     /// Open, and not passed yet.
     Open,

@@ -35,7 +35,6 @@ pub struct Try {
     pub passed: bool,
     /// The medal, if any.
     pub medal: Option<Medal>,
-    /// Its stake.
     pub stake: Stake,
 }
 
@@ -52,7 +51,6 @@ pub struct SkillMove {
     pub outcome: f64,
     /// The probability of mastery on that day before, 0 to 1.
     pub before: f64,
-    /// The probability afterwards.
     pub after: f64,
 }
 

@@ -16,7 +16,6 @@ pub struct CareerProgress {
     pub credits: u32,
     /// Experience points in all.
     pub experience: u64,
-    /// The level.
     pub level: u32,
     /// Experience that the next level needs.
     pub next_level_experience: u64,
@@ -26,7 +25,6 @@ pub struct CareerProgress {
     pub flights: u32,
     /// The number of them from an imported profile, which are unverified.
     pub imported_flights: usize,
-    /// The recommended training.
     pub next: Option<TrainingAdvice>,
     /// The missions, in the order of the course; others that were flown come last.
     pub missions: Vec<MissionProgress>,
@@ -34,7 +32,6 @@ pub struct CareerProgress {
     pub skills: Vec<SkillProgress>,
 }
 
-/// Recommended training.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrainingAdvice {
     /// The skill to train.
@@ -78,7 +75,6 @@ pub struct MissionProgress {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum MissionState {
-    /// Locked.
     Locked,
     /// Open, not passed yet.
     Open,
@@ -89,7 +85,6 @@ pub enum MissionState {
 /// The progress of a skill.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
-    /// The skill.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,

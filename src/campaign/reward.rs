@@ -17,13 +17,10 @@ pub struct Reward {
     /// Whether the exam was passed, if it was one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exam_passed: Option<bool>,
-    /// Credits earned.
     pub pay_credits: u32,
     /// Credits deducted for wear and loss of own drones.
     pub wear_credits: u32,
-    /// The resulting credits.
     pub credits: u32,
-    /// Experience earned.
     pub experience: u64,
     /// The level before the flight.
     pub level_before: u32,
@@ -45,7 +42,6 @@ pub struct Reward {
     pub unpaid: Option<Text>,
 }
 
-/// Something newly unlocked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OpenedItem {
     /// The id of the mission or part.
@@ -57,7 +53,6 @@ pub struct OpenedItem {
 /// A skill before and after the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillChange {
-    /// The skill.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,
@@ -67,7 +62,6 @@ pub struct SkillChange {
     pub before_percent: u8,
     /// The probability now, in percent.
     pub after_percent: u8,
-    /// The evidence.
     pub why: Vec<Evidence>,
 }
 

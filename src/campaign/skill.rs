@@ -25,7 +25,6 @@ fn shown_by(component: Component) -> Option<Skill> {
 /// One opportunity to show a skill, and its outcome.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evidence {
-    /// The skill.
     pub skill: Skill,
     /// The outcome, 0 to 1.
     pub outcome: f64,

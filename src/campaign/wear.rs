@@ -12,7 +12,6 @@ const CRASH_SHARE: f64 = 0.5;
 /// A drone of the trainee's own on a flight.
 #[derive(Debug, Clone, Copy)]
 pub struct FlownDesign<'a> {
-    /// Its design.
     pub design: &'a Design,
     /// Time in the air, in seconds.
     pub airborne_s: f64,

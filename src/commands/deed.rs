@@ -73,7 +73,6 @@ impl Deed {
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
     Spot(Spot),
-    /// Each unreported contact.
     Contacts {
         /// Only contacts seen by two kinds of sensors.
         confirmed: bool,
@@ -112,7 +111,6 @@ pub enum Goal {
 }
 
 impl Goal {
-    /// Its description.
     pub fn title(self) -> Text {
         match self {
             Self::Time(most) => text!("mission-goal-time", seconds = most.as_secs()),

@@ -33,7 +33,6 @@ pub enum Destination {
 pub enum Heading {
     /// As the autopilot is configured (ArduCopter by default faces the direction of flight).
     Auto,
-    /// The present heading.
     Keep,
     /// A fixed heading, degrees clockwise from north.
     Fixed(f64),

@@ -43,7 +43,6 @@ pub enum Manoeuvre {
     Spread { spacing_m: f64 },
     /// Search around a place.
     Search {
-        /// The search pattern.
         pattern: Pattern,
         /// The most likely position of the object.
         datum: Datum,
@@ -85,7 +84,6 @@ pub enum FarEnd {
 /// An area as given.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ground {
-    /// A named area.
     Outline(Outline),
     /// A rectangle along the axes, by two opposite corners.
     Between(Datum, Datum),

@@ -13,7 +13,6 @@ pub struct Order {
     pub verb: &'static Verb,
     /// The vehicles; where the order matters, the leader is first.
     pub targets: Vec<VehicleId>,
-    /// The action.
     pub act: Act,
 }
 
@@ -39,7 +38,6 @@ pub enum Act {
 }
 
 impl Act {
-    /// Its risk.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Command(command) => command.risk(),

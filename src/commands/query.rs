@@ -4,7 +4,6 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::encode::LongFields;
 
-/// Requests messages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum QueryCommand {
     /// Ask for a message at a rate on this link.

@@ -66,7 +66,6 @@ impl Request {
 /// Setpoints that must be repeated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Repeat {
-    /// Their interval.
     pub every: Duration,
     pub lasting: Duration,
 }

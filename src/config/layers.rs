@@ -141,7 +141,6 @@ impl Layers {
         }
     }
 
-    /// The resulting configuration.
     pub fn config(&self) -> Config {
         let mut table = Table::new();
         for (name, (value, _)) in &self.values {

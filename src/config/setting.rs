@@ -14,7 +14,6 @@ use crate::text::{Language, Text};
 pub struct Setting {
     /// Its name with its section, `alerts.bell`.
     pub name: &'static str,
-    /// Its valid values.
     pub kind: SettingKind,
     /// The variable that sets it.
     pub variable: Option<&'static str>,

@@ -42,7 +42,6 @@ pub enum Column {
     Gps,
     /// The share of its messages that arrive.
     Link,
-    /// Distance to home.
     Home,
     /// The newest command and its state.
     Command,
@@ -93,7 +92,6 @@ impl Column {
         self.into()
     }
 
-    /// Its heading.
     pub fn title(self) -> Text {
         Text::new(format!("column-{}", self.name()), Vec::new())
     }

@@ -112,7 +112,6 @@ pub struct LogDamage {
 pub struct LoggedFlight {
     /// The vehicle, by the system id among the parameters.
     pub vehicle: Option<VehicleId>,
-    /// Earliest first.
     pub moments: Vec<LoggedMoment>,
     /// Microseconds since boot of the first and last record.
     pub span_us: Option<(u64, u64)>,

@@ -100,7 +100,6 @@ impl Record<'_> {
         (0.0..=255.0).contains(&value).then_some(value as u8)
     }
 
-    /// A text.
     pub fn text(&self, label: &str) -> Option<String> {
         let (letter, bytes) = self.column(label)?;
         matches!(letter, b'n' | b'N' | b'Z').then(|| text(bytes))

@@ -11,7 +11,6 @@ use crate::text::{Locale, Text};
 /// Columns before a strip, and of its longest label.
 const LEAD: usize = 2;
 const LABEL: usize = 11;
-/// The widest strip.
 const STRIP: usize = 60;
 /// Utilisation is shown in tenths.
 const TENTHS: f64 = 10.0;

@@ -61,7 +61,6 @@ pub enum Cause {
     NotOpen,
     /// Nothing arrives at all.
     Nothing,
-    /// Readable text arrives.
     Text,
     /// Bytes arrive, but no frame is in them.
     NoFrame,

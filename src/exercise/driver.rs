@@ -52,7 +52,6 @@ impl FlightDriver {
         &self.flight
     }
 
-    /// The flight.
     pub fn flight_mut(&mut self) -> &mut Flight {
         &mut self.flight
     }

@@ -13,7 +13,6 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 impl<L> Exercise<L> {
-    /// Advances joint manoeuvres.
     pub(super) fn conduct(&mut self, now: Duration) {
         for work in self.operator.conduct(&self.vehicles, now) {
             self.dispatch(work, now);

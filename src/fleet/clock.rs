@@ -46,7 +46,6 @@ impl FleetClock {
         self.start.elapsed()
     }
 
-    /// Stops the clock.
     pub fn stop(&self) {
         self.stand.send_modify(|stand| {
             stand.since.get_or_insert_with(Instant::now);

@@ -45,16 +45,11 @@ pub enum ClientError {
     #[error("{address} has not answered within {seconds} s")]
     Late {
         address: HangarAddress,
-        /// The time waited.
         seconds: u64,
     },
     /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
-    NotAHangar {
-        address: HangarAddress,
-        /// The reason.
-        why: String,
-    },
+    NotAHangar { address: HangarAddress, why: String },
     /// It requires a token, or another one.
     #[error(
         "{address} wants its token ({why}): copy its token file here and name it with --hangar-token FILE"

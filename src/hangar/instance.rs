@@ -49,7 +49,6 @@ struct InstanceTask {
 enum InstanceEvent {
     /// End for good, and tell the requester.
     Over(Option<oneshot::Sender<()>>),
-    /// Start again.
     Restart,
     /// Bytes were passed on.
     Passed(Passed),

@@ -98,13 +98,11 @@ pub enum Missing {
         file: PathBuf,
         /// Where it was named.
         by: String,
-        /// The fault.
         reason: String,
     },
     /// It is neither on the PATH nor in these folders.
     #[error("no {program} on the PATH nor in {}", list(.tried))]
     Nowhere {
-        /// Its name.
         program: &'static str,
         /// The usual build folders.
         tried: Vec<PathBuf>,

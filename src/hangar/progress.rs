@@ -84,7 +84,6 @@ impl StartProgress {
         self.probe.is_some()
     }
 
-    /// Its stage.
     pub fn stage(&self, now: Duration) -> SitlStage {
         self.stages.stage(now)
     }

@@ -43,7 +43,6 @@ pub enum HangarRefusal {
     /// A remote hangar refuses.
     #[error("hangar {hangar}: {source}")]
     Far {
-        /// Its address.
         hangar: String,
         /// Its answer, or why there is none.
         source: ClientError,

@@ -104,7 +104,6 @@ impl Roster {
         }
     }
 
-    /// An instance's output.
     pub fn output(&self, id: InstanceId) -> Option<ProcessOutput> {
         self.entries().get(&id)?.output.clone()
     }
@@ -119,7 +118,6 @@ impl Roster {
         self.seen.subscribe()
     }
 
-    /// The load.
     pub fn capacity(&self) -> Capacity {
         let running = running(&self.entries());
         Capacity {
@@ -139,7 +137,6 @@ impl Roster {
         });
     }
 
-    /// Removes an instance.
     pub fn forget(&self, id: InstanceId) {
         self.entries().remove(&id);
         self.seen

@@ -22,7 +22,6 @@ pub enum Protocol {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ListeningSocket {
     pub protocol: Protocol,
-    /// Its local address.
     pub at: SocketAddr,
     /// Its owner, by user id.
     pub uid: u32,

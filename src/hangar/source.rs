@@ -40,7 +40,6 @@ impl SitlSource {
     }
 }
 
-/// The simulated vehicles.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleBackend {
     /// ArduPilot's SITL; `None` for the embedded simulator.

@@ -215,7 +215,6 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Its symbol.
     pub fn symbol(self) -> &'static str {
         self.spellings().first().map_or("", |&(symbol, _)| symbol)
     }
@@ -242,7 +241,6 @@ impl Unit {
     }
 }
 
-/// A parsed value.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
     Flag,

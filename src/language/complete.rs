@@ -16,7 +16,6 @@ use super::{Context, Targets, rows};
 use crate::text;
 use crate::text::Text;
 
-/// The most completions.
 const SHOWN: usize = 200;
 
 /// A possible word at the cursor.

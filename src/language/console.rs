@@ -14,7 +14,6 @@ pub enum ConsoleLine {
     /// Show a report: in its room, or as text without a screen.
     Report(Report),
     Select(VehicleChoice),
-    /// Define a group.
     Group {
         /// The name, without `@`.
         name: String,
@@ -35,7 +34,6 @@ pub enum ConsoleLine {
     Connect(Vec<String>),
     /// Trigger an inject of the mission.
     Inject(String),
-    /// Run a macro.
     Macro(String),
     /// Change a setting for this session.
     Set(LiveSetting),
@@ -52,11 +50,8 @@ pub enum ConsoleLine {
     Table(TableLine),
     /// Acknowledge, mute or list alerts.
     Alerts(AlertLine),
-    /// Pause the session.
     Pause,
-    /// Resume it.
     Continue,
-    /// Set the speed-up.
     Speedup(f64),
     /// A command about the replay.
     Replay(ReplayLine),
@@ -96,7 +91,6 @@ pub enum Report {
     Status(Option<VehicleChoice>),
     /// The state of the mission.
     Objectives,
-    /// The contacts.
     Contacts,
 }
 
@@ -116,7 +110,6 @@ pub enum ParametersLine {
 /// An action on the process of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProcessDeed {
-    /// Restart it.
     Restart,
     /// Stop it for good.
     Stop,
@@ -144,7 +137,6 @@ pub enum ReplayLine {
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds; empty for none.
     StopAt(Vec<MomentKind>),
-    /// Play backwards.
     Rewind,
 }
 
@@ -170,11 +162,9 @@ pub enum ReviewLine {
 /// A command about the other flight beside this one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostLine {
-    /// Show this flight.
     Show(GhostSource),
     /// Align it with this one at an event of both flights.
     AlignedBy(Alignment),
-    /// Hide it.
     Off,
 }
 

@@ -39,7 +39,6 @@ pub(super) enum Expected {
 }
 
 impl Expected {
-    /// Its argument.
     pub fn argument(self) -> &'static Argument {
         match self {
             Self::Keyword(argument) | Self::Value(argument) => argument,

@@ -5,7 +5,6 @@ use std::ops::Range;
 /// A word and its position, in bytes of the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Word<'a> {
-    /// As typed.
     pub text: &'a str,
     pub span: Range<usize>,
     /// The line from here to the end, without a comment.

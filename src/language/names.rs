@@ -25,7 +25,6 @@ pub enum NameList {
 pub struct Named {
     /// The name as it is typed.
     pub name: String,
-    /// Its meaning.
     pub meaning: Text,
 }
 

@@ -105,7 +105,6 @@ pub enum PilotEvent {
     Finished,
 }
 
-/// A running script.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pilot {
     script: Script,

@@ -12,7 +12,6 @@ use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 /// The targets of a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Targets {
-    /// The selected vehicles.
     Selection,
     All,
     /// These, sorted, each once.

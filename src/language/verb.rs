@@ -14,11 +14,9 @@ pub struct VerbRow {
     pub verb: Verb,
     /// Where it is allowed.
     pub scope: Scope,
-    /// Its aliases.
     pub aliases: &'static [&'static str],
     /// Lines that use it.
     pub examples: &'static [&'static str],
-    /// Its forms.
     pub forms: &'static [Form],
 }
 
@@ -92,7 +90,6 @@ pub enum Meaning {
 }
 
 impl VerbRow {
-    /// Its name.
     pub fn name(&self) -> &'static str {
         self.verb.name
     }

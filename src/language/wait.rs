@@ -17,14 +17,12 @@ const STILL_M_S: f32 = 0.5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wait {
     pub until: Until,
-    /// The time-out.
     pub timeout: Duration,
 }
 
 /// What a script can see to evaluate a wait.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
-    /// The known vehicles.
     pub vehicles: &'a Vehicles,
     /// The commands with their outcome.
     pub ledger: &'a Ledger,
@@ -53,7 +51,6 @@ pub enum Until {
     /// A value is above or below a bound.
     Compared {
         field: Field,
-        /// The comparison.
         relation: Relation,
         /// The bound, in the field's unit.
         value: f64,
@@ -95,7 +92,6 @@ pub enum Field {
     Contacts,
 }
 
-/// A comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
     Above,

@@ -145,7 +145,6 @@ impl From<watch::Receiver<SimulatorPace>> for PaceFeed {
 }
 
 impl From<f64> for PaceFeed {
-    /// A constant pace.
     fn from(speedup: f64) -> Self {
         let pace = SimulatorPace {
             speedup,
@@ -159,7 +158,6 @@ impl From<f64> for PaceFeed {
 #[derive(Debug)]
 pub struct Simulator;
 
-/// A running simulator.
 #[derive(Debug)]
 pub struct StartedSimulator {
     /// One pipe per vehicle, in order, if requested.
@@ -335,7 +333,6 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     threads: usize,
-    /// Records its inputs.
     record: Option<WorldRecord>,
 }
 

@@ -78,7 +78,6 @@ impl FrameSink {
         self.waiting().dropped
     }
 
-    /// Stops recording.
     pub fn close(&self) {
         self.waiting().is_closed = true;
     }

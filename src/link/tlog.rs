@@ -177,7 +177,6 @@ impl<W: Write> TlogWriter<W> {
         self.output.write_all(frame)
     }
 
-    /// Returns the output.
     pub fn into_inner(self) -> W {
         self.output
     }

@@ -6,7 +6,6 @@ use mavlink::dialects::ardupilotmega::{MavSysStatusSensor, SYS_STATUS_DATA};
 
 use crate::vehicle::{Health, Vehicle};
 
-/// An unknown load.
 const UNKNOWN_LOAD: u16 = u16::MAX;
 
 /// Applies the health bits of `SYS_STATUS`. Reasons not to arm go when the pre-arm bit turns healthy, and the

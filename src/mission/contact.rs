@@ -58,7 +58,6 @@ pub(crate) enum Seen {
     Confirmed(usize),
     /// It turns out to need no report.
     Harmless(usize),
-    /// Nothing new.
     Again,
 }
 

@@ -71,7 +71,6 @@ pub(crate) enum Action {
     Zone(usize, bool),
     Spawn(Spawn),
     Fault(Fault),
-    /// Fails the mission.
     Fail(Text),
     /// Triggers another event, by its index in the file.
     Event(usize),

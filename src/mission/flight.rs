@@ -66,7 +66,6 @@ pub struct Flight {
     crafts: Vec<Craft>,
     /// The loads on board, and the releases.
     loads: Loads,
-    /// Contacts and reports.
     search: Search,
     surveys: Surveys,
     tracks: Tracks,

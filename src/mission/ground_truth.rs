@@ -147,7 +147,6 @@ pub(crate) struct LoadEffect {
     pub text: Text,
 }
 
-/// A released load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Release {
     pub load: Load,

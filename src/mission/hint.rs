@@ -19,7 +19,6 @@ pub struct Hint {
 pub enum Phase {
     /// On the ground, disarmed, with tasks left.
     Ground,
-    /// Armed, not flying.
     Armed,
     /// In the air, with tasks left.
     Air,

@@ -21,7 +21,6 @@ pub struct Listing {
     pub rev: u32,
     /// The title that is shown.
     pub title: Text,
-    /// The briefing text.
     pub brief: Text,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
@@ -50,7 +49,6 @@ pub struct Listing {
     pub areas: Vec<Area>,
     /// The places named from the start, and the pads.
     pub places: BTreeMap<String, LatLon>,
-    /// The objectives.
     pub objectives: Vec<ObjectiveListing>,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,

@@ -251,7 +251,6 @@ impl DetectorWatch<'_> {
     }
 }
 
-/// A detection.
 struct Find {
     /// The error of its position.
     error_m: Point,

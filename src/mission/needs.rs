@@ -30,7 +30,6 @@ const GUSTY_THRUST: f64 = GOOD_THRUST;
 pub struct Need {
     /// The seats, by vehicle number.
     pub seats: Vec<VehicleId>,
-    /// Sensors, by id.
     pub sensors: Vec<&'static str>,
     /// Loads, and the parts that release or spray them, by id and count.
     pub loads: Vec<(&'static str, u32)>,
@@ -42,7 +41,6 @@ pub struct Need {
     pub height_m: f64,
     /// The strongest wind in which to hold a position, in m/s.
     pub wind_m_s: f64,
-    /// The flight time.
     pub time: Duration,
     /// The battery required at landing, in percent.
     pub reserve_percent: f64,
@@ -58,7 +56,6 @@ pub struct FitLine {
     pub what: Text,
     /// The required value with its unit.
     pub required: Text,
-    /// The design's value.
     pub has: Text,
     /// Whether the design meets it.
     pub met: bool,

@@ -62,7 +62,6 @@ pub(crate) struct Sought {
 /// What counts as an attempt at an objective; without one, the trainee has not failed at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trying {
-    /// Every flight counts.
     Always,
     /// The trainee has reported a find.
     Report,
@@ -143,7 +142,6 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 
 /// The state of a flight that trackers see in one step.
 pub(crate) struct ObjectiveScene<'a> {
-    /// Mission time.
     pub now: Duration,
     /// Whether the flight is over, or its time is up.
     pub over: bool,
@@ -153,7 +151,6 @@ pub(crate) struct ObjectiveScene<'a> {
     pub marks: &'a [Mark],
     /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
-    /// The releases.
     pub releases: &'a [Release],
 }
 

@@ -16,7 +16,6 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
     pub title: Text,
-    /// Mission time.
     pub elapsed: Duration,
     pub limit: Duration,
     /// The score if it ended now, 0 to 1000; `None` before the first takeoff.
@@ -147,7 +146,6 @@ pub struct ShownContact {
     pub name: String,
     /// What detectors take it for.
     pub kind: FindKind,
-    /// Its estimated position.
     pub at: LatLon,
     /// How well it is confirmed.
     pub trust: Trust,
@@ -169,7 +167,6 @@ pub enum Trust {
 pub struct ShownMark {
     /// The reported kind; `None` where the trainee gave none.
     pub kind: Option<FindKind>,
-    /// The reported position.
     pub at: LatLon,
 }
 

@@ -101,7 +101,6 @@ pub struct Occasion {
     pub flown_by: FlownBy,
     /// The name of the pilot's profile, if there is one.
     pub profile: Option<String>,
-    /// Its purpose.
     pub stake: Stake,
 }
 

@@ -7,7 +7,6 @@ use crate::commands::FindKind;
 use crate::geo::maths;
 use crate::vehicle::VehicleId;
 
-/// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mark {
     pub at: Point,

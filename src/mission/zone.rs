@@ -44,18 +44,31 @@ pub(crate) enum ZoneKind {
     /// Objectives refer to it.
     Task,
     /// Vehicles must stay inside, below the ceiling.
-    Geofence { ceiling_m: Option<f64> },
+    Geofence {
+        ceiling_m: Option<f64>,
+    },
     /// Vehicles must stay out between these heights.
-    NoFly { floor_m: f64, ceiling_m: f64 },
+    NoFly {
+        floor_m: f64,
+        ceiling_m: f64,
+    },
     /// Satellite navigation fails in it; within the edge around it, satellites drop out one by one.
-    GnssJam { edge_m: f64 },
+    GnssJam {
+        edge_m: f64,
+    },
     /// Satellite navigation is off by this much to the east and north.
-    GnssGlitch { offset_m: Point },
+    GnssGlitch {
+        offset_m: Point,
+    },
     /// People are below: vehicles must stay above this height.
-    People { below_m: f64 },
+    People {
+        below_m: f64,
+    },
     /// Radio noise rises by this much in it, and falls off across the edge around it.
-    RadioJam { noise_db: f64, edge_m: f64 },
-    /// It obstructs radio.
+    RadioJam {
+        noise_db: f64,
+        edge_m: f64,
+    },
     CommShadow(Shadow),
 }
 

@@ -50,7 +50,6 @@ impl FlightLog {
         self.note(self.last_at, Happening::End);
     }
 
-    /// Bytes that wait.
     pub fn waiting(&self) -> usize {
         self.frames.len() + self.lines.len()
     }

@@ -105,7 +105,6 @@ pub enum Entered {
     On(usize, u64, u8),
     /// A connection was ended: vehicle and number.
     Off(usize, u64),
-    /// Frames reached vehicles.
     In(Vec<Frames>),
     /// The speed-up over the wall clock has changed.
     Pace(f64),
@@ -160,7 +159,6 @@ impl InputLog {
         }
     }
 
-    /// Ends the log.
     pub fn end(&mut self, world: &mut World) {
         self.take_inputs(world);
         self.note_state(world);

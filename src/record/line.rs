@@ -75,7 +75,6 @@ pub enum Happening {
     End,
 }
 
-/// A command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EntryLine {
     /// Its number in the ledger.
@@ -84,10 +83,8 @@ pub struct EntryLine {
     pub line: String,
     #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
     pub verb: &'static Verb,
-    /// Its risk.
     #[serde(default, skip_serializing_if = "is_none")]
     pub risk: Risk,
-    /// Its targets.
     pub vehicles: Vec<VehicleId>,
 }
 
@@ -111,7 +108,6 @@ pub struct RowLine {
     /// The number of its entry in the ledger.
     pub id: u32,
     pub vehicle: VehicleId,
-    /// Its state.
     pub state: RowState,
     /// How often it has been sent.
     pub tries: u8,

@@ -96,7 +96,6 @@ impl Film {
         })
     }
 
-    /// Its name.
     pub fn name(&self) -> String {
         self.files.stem.clone()
     }

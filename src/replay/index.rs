@@ -35,12 +35,10 @@ impl KeyFrame {
         self.cast.at()
     }
 
-    /// The console's snapshot.
     pub fn flight(&self) -> FlightSnapshot {
         self.flight.clone()
     }
 
-    /// The players' snapshot.
     pub fn cast(&self) -> Cast {
         self.cast.clone()
     }

@@ -32,7 +32,6 @@ pub(super) struct Lookout {
     revision: u64,
     /// The last revision returned.
     given: Option<u64>,
-    /// The active alerts.
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
     pairs: BTreeMap<Pair, Approach>,

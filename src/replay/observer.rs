@@ -35,7 +35,6 @@ impl Observer {
         FlightSnapshot::of(self.0.state())
     }
 
-    /// The console.
     pub fn app(&self) -> &App {
         &self.0
     }

@@ -241,7 +241,6 @@ impl Stage {
         }
     }
 
-    /// The vehicles' events.
     fn tell(&mut self, now: Duration) -> Vec<Event> {
         let is_gap = self.cast.gap.is_some();
         let actors = self.cast.vehicles.values_mut();

@@ -20,7 +20,6 @@ const SHOWN: usize = 5;
 /// The quality that advice aims at; no map is perfect.
 const GOOD_QUALITY: f64 = 0.9;
 
-/// One improvement.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Improvement {
     /// The points that it would have gained.
@@ -105,7 +104,6 @@ impl Remedy<'_> {
     }
 }
 
-/// All possible remedies.
 fn remedies<'a>(rules: &'a ScoreRules, facts: &'a Facts) -> Vec<Remedy<'a>> {
     let mut remedies = Remedies {
         facts,

@@ -45,7 +45,6 @@ impl AlertLevel {
 pub struct AlertFact {
     /// The text of the alert.
     pub text: Text,
-    /// Its urgency.
     pub level: AlertLevel,
     /// Mission time when it was raised.
     pub at: Duration,

@@ -106,11 +106,9 @@ pub struct CommandLog {
 /// A fault of a command, as [`CommandLog::step`] finds it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CommandEvent {
-    /// Refused or unanswered.
     Rejected {
         /// The command that failed.
         command: EntryId,
-        /// The vehicle.
         vehicle: VehicleId,
         /// The line and the reason.
         text: Text,

@@ -143,7 +143,6 @@ pub struct ComponentReport {
     pub moved_by: Text,
 }
 
-/// One command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LedgerReport {
     /// Mission time, in seconds.
@@ -159,7 +158,6 @@ pub struct LedgerReport {
 #[serde(into = "RowDocument")]
 pub struct RowReport {
     pub vehicle: u16,
-    /// The final state.
     #[serde(with = "row_state")]
     pub state: RowState,
     /// The number of transmissions.
@@ -213,7 +211,6 @@ pub struct TryReport {
     pub is_practice: bool,
 }
 
-/// A requested hint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct HintReport {
     /// Mission time, in seconds.
@@ -249,7 +246,6 @@ pub struct GoalReport {
 pub struct AlertReport {
     /// Mission time when it was raised, in seconds.
     pub at_s: f64,
-    /// Its urgency.
     pub level: AlertLevel,
     /// The text of the alert.
     pub text: Text,

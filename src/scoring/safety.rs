@@ -154,9 +154,7 @@ impl SafetyAdvice {
 /// One breach of a rule.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SafetyEvent {
-    /// The rule.
     pub kind: SafetyKind,
-    /// The vehicle.
     pub vehicle: VehicleId,
     /// Mission time of its start.
     pub at: Duration,

@@ -12,9 +12,7 @@ type Place = [f64; 2];
 pub struct TruthReport {
     /// The strength of hazards, in squares.
     pub squares: Vec<SquareReport>,
-    /// The objects.
     pub objects: Vec<ObjectReport>,
-    /// The trainee's reports.
     pub marks: Vec<MarkReport>,
     /// The uncovered ground of the task, in squares with strength 0.
     pub gaps: Vec<SquareReport>,
@@ -39,7 +37,6 @@ pub struct SquareReport {
     pub strength: f64,
 }
 
-/// An object.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectReport {
     pub at: Place,
@@ -65,7 +62,6 @@ pub enum ObjectKind {
 /// A report of the trainee's.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
-    /// The reported position.
     pub at: Place,
     /// The reported kind, if any.
     pub kind: Option<FindKind>,
@@ -76,7 +72,6 @@ pub struct MarkReport {
 /// The track of a vehicle in the air.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackReport {
-    /// The vehicle.
     pub vehicle: u16,
     /// Points of the track, at least 5 m apart.
     pub points: Vec<Place>,

@@ -105,7 +105,6 @@ impl WorkloadCourse {
         now >= POINT_EVERY * self.loads.len() as u32
     }
 
-    /// Notes a point.
     pub fn note(&mut self, load: VehicleLoad) {
         self.loads.push(load);
     }

@@ -111,7 +111,6 @@ impl Download {
         }
     }
 
-    /// The progress.
     pub fn fetching(&self) -> Fetching {
         match self.phase {
             Phase::Idle => Fetching::NotAsked,

@@ -91,7 +91,6 @@ impl LogReader {
         self.job.is_some()
     }
 
-    /// Takes an order.
     pub fn order(
         &mut self,
         order: VehicleCommand,

@@ -76,7 +76,6 @@ pub(super) struct Search {
 
 /// The result of a search.
 pub(super) enum Searching {
-    /// Send these requests.
     Ask(Vec<Outgoing>),
     Wait,
     /// The order's deadline passed before enough requests were sent.

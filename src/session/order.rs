@@ -27,7 +27,6 @@ pub struct VehicleCommand {
 pub struct Steering {
     /// The manoeuvre's verb, for explanations.
     pub verb: &'static Verb,
-    /// The vehicle's setpoint.
     pub setpoint: Setpoint,
 }
 

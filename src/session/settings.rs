@@ -77,7 +77,6 @@ impl Settings {
         self.wanted.values().all(|setting| setting.holds)
     }
 
-    /// Takes an answer.
     pub fn receive(&mut self, frame: &Frame) {
         self.is_there = true;
         let Content::Message(MavMessage::PARAM_VALUE(data)) = &frame.content else {

@@ -23,7 +23,6 @@ pub(super) enum Progress {
     Waiting,
     /// The line is free; the effect is still awaited.
     Watching,
-    /// It is over.
     Ended,
 }
 
@@ -39,14 +38,16 @@ enum Phase {
         rejected: bool,
     },
     /// Refused; the reason may still come.
-    AwaitingReason { result: AckResult, until: Duration },
+    AwaitingReason {
+        result: AckResult,
+        until: Duration,
+    },
     /// Accepted, or sent where no answer exists.
     AwaitingEffect {
         since: Duration,
         /// How often a setpoint, which has no answer, was repeated.
         repeated: u8,
     },
-    /// Carried out.
     Done,
     /// Refused, unanswered, without effect, or taken over.
     Over,
@@ -130,7 +131,6 @@ impl Transaction {
         Some(transaction)
     }
 
-    /// Its verb.
     pub fn verb(&self) -> &'static Verb {
         self.order.verb
     }

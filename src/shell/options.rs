@@ -43,7 +43,6 @@ pub struct ConsoleOptions {
     pub flown_by: FlownBy,
     /// What it looks like.
     pub look: Look,
-    /// The user's preferences.
     pub preferences: Preferences,
 }
 
@@ -71,9 +70,7 @@ pub struct Preferences {
     pub config: Config,
     /// Whether the command line sets the language: then no profile changes it.
     pub is_lang_given: bool,
-    /// The key bindings.
     pub keymap: Keymap,
-    /// The available themes.
     pub themes: Themes,
     /// The command history; `None` for measurements.
     pub history: Option<History>,

@@ -189,7 +189,6 @@ impl Plain {
         self.output.prompt();
     }
 
-    /// Advances a wait.
     fn hold(&mut self) {
         let Some(pilot) = &mut self.pilot else { return };
         let state = self.console.app.state();

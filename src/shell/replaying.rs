@@ -79,7 +79,6 @@ impl Console {
         }
     }
 
-    /// Advances the replay.
     pub(super) async fn go_on_replaying(&mut self, now: Duration) {
         let Some(replaying) = &mut self.replaying else {
             return;

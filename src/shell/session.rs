@@ -58,7 +58,6 @@ pub(super) struct RunningSession {
     operator: Operator,
     /// The paths of manoeuvres, as last shown.
     paths: Vec<Path>,
-    /// The vehicles' clock.
     vehicle_time: PacedClock,
     /// The processes of its vehicles.
     processes: Option<Processes>,

@@ -17,7 +17,6 @@ pub(super) struct Sight {
     pub fps: Option<u8>,
     /// Whether the bell must ring.
     pub bell: bool,
-    /// Pending desktop notifications.
     pub notes: Vec<String>,
 }
 

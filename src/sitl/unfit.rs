@@ -33,7 +33,6 @@ pub enum SitlUnfit {
     /// There is no such model.
     #[error("a {} has no model `{name}`: use {}", .kind.name(), .known.join(", "))]
     UnknownModel {
-        /// The requested name.
         name: String,
         kind: SitlKind,
         /// The models that there are.
@@ -67,9 +66,7 @@ pub enum SitlUnfit {
     Frame {
         model: &'static str,
         parameter: &'static str,
-        /// The required value.
         needed: f64,
-        /// The requested value.
         asked: f64,
         /// The models that fit.
         fitting: Vec<&'static str>,

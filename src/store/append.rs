@@ -12,7 +12,6 @@ use super::{StoreError, sharing};
 pub(super) struct AppendFile {
     file: File,
     path: PathBuf,
-    /// Bytes written completely.
     len: u64,
 }
 

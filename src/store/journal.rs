@@ -71,7 +71,6 @@ impl RunEntry {
 pub struct Recovery {
     pub profile: String,
     pub mission: String,
-    /// Its score.
     pub score: u16,
     /// Whether it is an abandoned exam.
     pub is_left_exam: bool,
@@ -234,7 +233,6 @@ impl<'a> LeftRun<'a> {
         reasons
     }
 
-    /// Its profile's entry.
     fn entry(&self, is_reduced: bool) -> RunEntry {
         let stake = if is_reduced {
             Stake::Practice

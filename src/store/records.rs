@@ -68,7 +68,6 @@ pub struct RecordFiles {
     pub stem: String,
     /// The frames of its links.
     pub frames: Option<PathBuf>,
-    /// Its journal.
     pub journal: Option<PathBuf>,
     /// The record of the mission's run.
     pub run: Option<PathBuf>,

@@ -32,7 +32,6 @@ const STAMP: &str = "0000-00-00T00-00-00Z_";
 const RUNS_KEPT: usize = 300;
 /// The most bytes of all runs.
 const BYTES_KEPT: u64 = 256 * 1024 * 1024;
-/// The largest run.
 const LARGEST_RUN: u64 = 64 * 1024 * 1024;
 /// The most bytes of the head with the mission's text, and of the end.
 const HEAD_LEN: u64 = 2 * 1024 * 1024;
@@ -163,7 +162,6 @@ impl Runs {
         scored.max_by_key(|(score, _)| *score).map(|(_, path)| path)
     }
 
-    /// The newest run.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()
     }

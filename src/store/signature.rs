@@ -166,7 +166,6 @@ pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf,
     Ok(into)
 }
 
-/// A checked signature.
 #[derive(Debug)]
 pub(super) struct FileSignature {
     /// The id of the key.

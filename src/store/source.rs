@@ -48,9 +48,7 @@ pub enum StoreError {
     Unknown {
         /// The message that says what was expected.
         kind: &'static str,
-        /// The requested name.
         name: String,
-        /// The known names.
         known: String,
     },
     /// It was read, but has faults.

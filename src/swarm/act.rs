@@ -281,7 +281,6 @@ impl ActiveManoeuvre {
         who
     }
 
-    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         let path = |(index, member): (usize, &Member)| {
             let place = |point: &DVec3| self.site.place(point.truncate());

@@ -57,7 +57,6 @@ pub(super) struct MovingPoint {
 }
 
 impl MovingPoint {
-    /// A fixed point.
     pub fn still(at: DVec3) -> Self {
         Self {
             at,

@@ -26,7 +26,6 @@ pub(super) struct Leg {
     pub to: DVec3,
 }
 
-/// The required separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Clearance {
     pub aside_m: f64,

@@ -61,7 +61,6 @@ pub enum Role {
     Contact,
     /// A hazard: gas, fire, water, radiation.
     Hazard,
-    /// Something locked.
     Locked,
     /// The colours that distinguish drones and teams.
     Drone1,
@@ -160,7 +159,6 @@ impl Theme {
         EMBEDDED.iter().map(|&(name, _)| name)
     }
 
-    /// An embedded theme.
     pub fn named(name: &str) -> Option<Self> {
         let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
         Themes::default().read(name, source).ok()

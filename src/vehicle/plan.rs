@@ -64,7 +64,6 @@ pub struct Stored<T> {
 /// How far reading a list is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Transfer {
-    /// Not requested yet.
     #[default]
     Unasked,
     Coming {

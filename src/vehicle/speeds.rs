@@ -31,7 +31,6 @@ impl AskedSpeeds {
         self.ground_m_s
     }
 
-    /// All commanded speeds.
     pub fn all(&self) -> impl Iterator<Item = (SpeedAxis, f64)> {
         let ground = self.ground_m_s.map(|speed| (SpeedAxis::Ground, speed));
         ground.into_iter().chain(self.vertical)

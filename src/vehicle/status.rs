@@ -112,7 +112,6 @@ impl fmt::Display for FixType {
 /// Whether the vehicle is on the ground, by `MAV_LANDED_STATE`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum LandedState {
-    /// Unknown.
     #[default]
     Undefined,
     OnGround,

@@ -74,7 +74,6 @@ pub enum FindingSeverity {
 /// A problem of a design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignFinding {
-    /// Its subject.
     pub kind: FindingKind,
     /// The slot in which it can be mended.
     pub slot: PartSlot,

@@ -22,7 +22,6 @@ const OTHER_POWER_W: f64 = 1.0;
 /// A choice of parts. It may be incomplete: [`super::DesignFinding`]s list what is missing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
-    /// Its name.
     pub name: String,
     slots: BTreeMap<PartSlot, Vec<&'static Part>>,
 }

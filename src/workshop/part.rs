@@ -199,7 +199,6 @@ pub(super) struct PowerModule {
 /// The properties of a radio that decide its range.
 #[derive(Debug, PartialEq)]
 pub struct Radio {
-    /// The transmit power.
     pub power_dbm: f64,
     /// Its frequency within the band.
     pub frequency_mhz: f64,

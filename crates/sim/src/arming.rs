@@ -53,7 +53,6 @@ impl Default for Safety {
 /// The inputs of the landing detection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GroundInputs {
-    /// Time since boot.
     pub(super) now: Duration,
     pub(super) on_ground: bool,
     /// When a landing touched the ground.
@@ -76,7 +75,6 @@ impl Safety {
         }
     }
 
-    /// Stops the motors.
     pub(super) fn disarm(&mut self) {
         self.armed = false;
         self.aligns_above_m = None;

@@ -25,7 +25,6 @@ pub(super) enum BootEvent {
 
 use BootEvent::{Elevation, Initialised, Origin, Print, Ready, Say};
 
-/// A quick boot.
 const QUICK: &[Entry] = &[
     (30, false, Say("ArduPilot Ready")),
     (50, false, Say("EKF3 IMU0 initialised")),

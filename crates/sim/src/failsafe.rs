@@ -142,7 +142,6 @@ impl Failsafe {
         self.battery.has_triggered()
     }
 
-    /// The battery's level.
     pub(super) fn charge_state(&self) -> MavBatteryChargeState {
         self.battery.charge_state()
     }

@@ -134,7 +134,6 @@ impl FlightLog {
         }
     }
 
-    /// Adds a text.
     pub(super) fn note(&mut self, text: &str, now: Duration) {
         if let Some(log) = self.current()
             && log.texts.len() < MOST_NOTES

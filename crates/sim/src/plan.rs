@@ -38,7 +38,6 @@ impl ListKind {
         self as u8
     }
 
-    /// The most items.
     pub(super) fn most(self) -> usize {
         match self {
             Self::Mission => 650,

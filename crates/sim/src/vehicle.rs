@@ -140,7 +140,6 @@ impl Vehicle {
         self.radio.sticks(self.uptime())
     }
 
-    /// The receiver's output.
     pub(super) fn reception(&self) -> RadioInputs {
         let is_overridden = self.uptime() < self.radio.until;
         RadioInputs::new(self.tuning.faults.radio, is_overridden, &self.sticks())

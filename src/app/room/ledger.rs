@@ -219,7 +219,6 @@ pub(super) fn act(state: &mut State, action: LedgerAction) -> Vec<RoomRequest> {
     Vec::new()
 }
 
-/// Applies a filter.
 pub fn filter(state: &mut State, text: &str) {
     text.trim().clone_into(&mut state.rooms.ledger.filter);
     find(state);

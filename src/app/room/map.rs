@@ -50,7 +50,6 @@ pub struct Map {
     pub(in crate::app) sensor: usize,
     /// The trail of each vehicle.
     pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
-    /// The sensors' readings.
     pub(in crate::app) samples: Samples,
     /// The extent of everything on the map.
     pub(in crate::app) overview: Overview,
@@ -99,7 +98,6 @@ impl Map {
         &self.trails
     }
 
-    /// The sensors' readings.
     pub fn samples(&self) -> &Samples {
         &self.samples
     }

@@ -74,7 +74,6 @@ pub struct Selected<'a> {
     pub link: usize,
     /// The message and its sender.
     pub key: TallyKey,
-    /// Its counts.
     pub tally: &'a MessageTally,
     /// The time of the count, on the link's clock.
     pub now: Duration,
@@ -167,7 +166,6 @@ impl Messages {
         &self.pins
     }
 
-    /// Takes new traffic.
     pub fn take(&mut self, traffic: Vec<LinkTraffic>) {
         for (link, seen) in traffic.iter().enumerate() {
             for pin in self.pins.iter_mut().filter(|pin| pin.link == link) {

@@ -40,7 +40,6 @@ pub struct TextPage<'a> {
 }
 
 impl<'a> TextPage<'a> {
-    /// An empty page.
     pub fn new(locale: &'a Locale, width: usize) -> Self {
         Self {
             locale,

@@ -8,18 +8,17 @@ pub enum RoomRequest {
     /// Have the shell do something.
     Effect(Effect),
     /// Have the shell do something that ends the session, after a question if data would be lost.
-    EndSession { question: Text, effect: Effect },
-    /// Start a mission.
+    EndSession {
+        question: Text,
+        effect: Effect,
+    },
     Fly(Launch),
     /// Start the exam of the mission with this id.
     Exam(String),
     /// Open the command line with this text.
     Write(String),
-    /// Show another room.
     Show(Room),
-    /// Leave the session.
     Leave,
-    /// Quit the program.
     Quit,
 }
 

@@ -43,7 +43,6 @@ pub struct Alarms {
     bell: Bell,
     /// Vehicles whose processes have ended.
     pub(in crate::app) down: BTreeSet<VehicleId>,
-    /// The muted kinds.
     muted: Vec<AlertKind>,
 }
 

@@ -32,7 +32,6 @@ pub struct BellCall {
     pub severity: Severity,
     /// The vehicle, if any.
     pub vehicle: Option<VehicleId>,
-    /// A few words.
     pub text: Text,
     /// Whether it has just become more serious.
     pub worse: bool,
@@ -42,7 +41,6 @@ pub struct BellCall {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Due {
     pub ring: bool,
-    /// A desktop notification.
     pub note: Option<Text>,
 }
 

@@ -38,7 +38,6 @@ pub struct FlightView {
     pub(in crate::app) selection: Selection,
     /// The vehicle under the cursor.
     pub(in crate::app) cursor: Option<VehicleId>,
-    /// Their alerts.
     pub(in crate::app) alarms: Alarms,
     /// All commands of the session.
     pub(in crate::app) ledger: Ledger,

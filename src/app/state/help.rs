@@ -34,7 +34,6 @@ pub enum HelpLine {
 pub struct HelpPage {
     /// The first line shown.
     pub(in crate::app) scroll: usize,
-    /// The search text.
     pub(in crate::app) search: String,
     /// Whether the search text is being typed.
     pub(in crate::app) is_searching: bool,
@@ -46,7 +45,6 @@ impl HelpPage {
         self.scroll
     }
 
-    /// The search text.
     pub fn search(&self) -> &str {
         &self.search
     }

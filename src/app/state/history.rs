@@ -5,14 +5,12 @@ use std::time::Duration;
 
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
-/// The sampling interval.
 pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
 /// The number of samples kept: ten minutes. At 14 bytes each that is 16.8 kB a vehicle, 17 MB for a thousand.
 const SAMPLES_KEPT: usize = 1200;
 /// The value of an unknown reading.
 const UNKNOWN: i16 = i16::MIN;
 
-/// A recorded reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
     /// Height above home, in metres.
@@ -43,7 +41,6 @@ impl Channel {
         Self::Throttle,
     ];
 
-    /// Its present value.
     pub fn reading(self, vehicle: &Vehicle) -> Option<f32> {
         let pack = vehicle.battery();
         let value = match self {

@@ -26,7 +26,6 @@ pub struct NoticeLine {
     pub notice: Notice,
     /// The number of notices.
     pub count: u32,
-    /// Their vehicles.
     pub vehicles: BTreeSet<VehicleId>,
     /// The time of the last one.
     last: Duration,

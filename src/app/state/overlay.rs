@@ -177,7 +177,6 @@ impl Confirm {
 /// The result of a confirmed question.
 #[derive(Debug, Clone)]
 pub enum Consequence {
-    /// Send an order.
     Order(Order),
     /// Have the shell do something.
     Effect(Effect),
@@ -191,7 +190,6 @@ pub enum Consequence {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterSetting {
     pub name: String,
-    /// The new value.
     pub value: f32,
     /// The vehicles to set it on, in ascending order.
     pub vehicles: Vec<VehicleId>,
@@ -217,7 +215,6 @@ const AGAIN: u8 = 2;
 /// A prompt for a line.
 #[derive(Debug, Clone)]
 pub struct Prompt {
-    /// Its purpose.
     pub(in crate::app) purpose: Purpose,
     /// The line and its cursor.
     pub(in crate::app) input: Input,
@@ -228,7 +225,6 @@ pub struct Prompt {
 }
 
 impl Prompt {
-    /// Its purpose.
     pub fn purpose(&self) -> &Purpose {
         &self.purpose
     }
@@ -267,7 +263,6 @@ pub enum Purpose {
     /// A parameter's new value.
     Parameter {
         name: String,
-        /// The target vehicles.
         vehicles: Vec<VehicleId>,
     },
     /// The file to save parameters to.

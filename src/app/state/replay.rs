@@ -17,7 +17,6 @@ pub struct ReplayView {
     pub name: String,
     /// Its start: microseconds since 1970 (UTC).
     pub began_unix_us: u64,
-    /// Its length.
     pub length: Duration,
     /// The position in the recording, and the rate.
     pub position: ReplayPosition,
@@ -25,7 +24,6 @@ pub struct ReplayView {
     pub moments: Arc<Vec<Moment>>,
     /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
-    /// The user's review.
     pub review: Review,
     /// Whether it was opened to be reviewed.
     pub is_review: bool,
@@ -42,7 +40,6 @@ pub struct ReplayPosition {
     pub is_playing: bool,
     /// Whether it plays backwards.
     pub is_backwards: bool,
-    /// The repeated stretch.
     pub looped: Option<(Duration, Duration)>,
     /// The kinds of moments at which to stop.
     pub stops: Vec<MomentKind>,

@@ -16,7 +16,6 @@ pub struct SessionTime {
 }
 
 impl SessionTime {
-    /// Records a mark.
     pub fn note(&mut self, now: Duration, elapsed: Duration) {
         if elapsed.is_zero() {
             self.marks.clear();

@@ -21,7 +21,6 @@ use crate::text::Locale;
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::workshop::Design;
 
-/// The present view.
 impl<R> State<R> {
     /// Flight time: since the start of the program, or of the recording in a replay.
     pub fn now(&self) -> Duration {
@@ -49,7 +48,6 @@ impl<R> State<R> {
         self.replay.as_ref()
     }
 
-    /// The present room.
     pub fn room(&self) -> Room {
         self.room
     }
@@ -64,7 +62,6 @@ impl<R> State<R> {
         self.overlay.as_ref()
     }
 
-    /// The session.
     pub fn session(&self) -> &FlightView {
         &self.session
     }
@@ -92,7 +89,6 @@ impl<R> State<R> {
 
 /// The user's settings, and the terminal.
 impl<R> State<R> {
-    /// The user's settings.
     pub fn config(&self) -> &Config {
         &self.config
     }
@@ -102,7 +98,6 @@ impl<R> State<R> {
         &self.locale
     }
 
-    /// The key bindings.
     pub fn keymap(&self) -> &Keymap {
         &self.keymap
     }
@@ -126,7 +121,6 @@ impl<R> State<R> {
 
 /// The missions and the career.
 impl<R> State<R> {
-    /// The available missions.
     pub fn missions(&self) -> &[MissionListing] {
         &self.missions
     }
@@ -164,7 +158,6 @@ impl FlightView {
         &self.histories
     }
 
-    /// Their alerts.
     pub fn alarms(&self) -> &Alarms {
         &self.alarms
     }

@@ -109,7 +109,6 @@ fn arrange(state: &mut State, line: TableLine) {
     }
 }
 
-/// Applies a setting.
 fn set(state: &mut State, setting: &LiveSetting) -> Effects {
     setting.apply(&mut state.config);
     match setting {

@@ -12,7 +12,6 @@ use crate::vehicle::VehicleClass;
 /// A line of a macro.
 #[derive(Clone, Copy)]
 struct MacroLine<'a> {
-    /// The macro's name.
     name: &'a str,
     /// The number of the line, from 1.
     number: usize,

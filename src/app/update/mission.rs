@@ -45,7 +45,6 @@ pub fn pause(state: &mut State) -> Effects {
     }
 }
 
-/// Resumes the session.
 pub fn go_on(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(true);

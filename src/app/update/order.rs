@@ -20,7 +20,6 @@ use crate::verb::Danger;
 /// The most targets listed one by one.
 const NAMED_TARGETS: usize = 12;
 
-/// A parsed command.
 pub enum Given {
     /// A command to the console itself.
     Own(ConsoleLine),

@@ -194,7 +194,6 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
     feedback.filter(|_| progress.feedback != known.feedback)
 }
 
-/// The highest speed-up.
 fn most(state: &State) -> f64 {
     let listing = state.session.listing.as_ref();
     listing.map_or(FREE_FLIGHT_MOST, |listing| listing.most_speedup)

@@ -112,7 +112,6 @@ pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     Effects::from(Effect::Replay(effect))
 }
 
-/// Plays or pauses.
 pub fn play(plays: bool) -> Effects {
     Effects::from(Effect::Replay(ReplayEffect::Play(plays)))
 }

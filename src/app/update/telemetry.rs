@@ -37,7 +37,6 @@ pub fn tick(state: &mut State, now: Duration, wall: Duration) {
     }
 }
 
-/// Advances flight time.
 pub fn pass(state: &mut State, now: Duration) {
     // The clock shows seconds; nothing else on the screen depends on time.
     let before = state.now.as_secs();

@@ -21,7 +21,6 @@ pub enum HangarAddressError {
         "a hangar does not speak HTTPS: use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` and http://127.0.0.1:{PORT}"
     )]
     Https,
-    /// Any other fault.
     #[error("`{0}` is not the address of a hangar: expected http://HOST:PORT")]
     Other(String),
 }

@@ -97,7 +97,6 @@ impl Record {
 /// A process left behind by a dead hangar.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Leftover {
-    /// The program.
     pub program: String,
     /// The id of its process.
     pub pid: u32,

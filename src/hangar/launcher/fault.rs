@@ -37,11 +37,7 @@ pub(in crate::hangar) enum LaunchError {
     #[error(
         "{program} does not fit into {memory_mib} MiB: raise the limit of an instance's memory"
     )]
-    Memory {
-        /// The requested program.
-        program: PathBuf,
-        memory_mib: u64,
-    },
+    Memory { program: PathBuf, memory_mib: u64 },
     /// Its folder cannot be entered.
     #[error("its folder {folder} cannot be entered: {source}")]
     NoFolder { folder: PathBuf, source: io::Error },
@@ -61,7 +57,6 @@ pub(in crate::hangar) enum LaunchError {
     },
     #[error("{program} cannot be started: {what}: {source}")]
     Other {
-        /// The requested program.
         program: PathBuf,
         what: &'static str,
         source: io::Error,

@@ -34,7 +34,6 @@ struct FarFleet {
     seen: watch::Sender<Seen>,
 }
 
-/// A launched instance.
 struct Ours {
     shown: Instance,
     /// The run of the service that has launched it.

@@ -43,39 +43,28 @@ pub struct ProgramIdentity {
 pub enum Unknown {
     /// The file is no program.
     #[error("{}: {reason}", file.display())]
-    NoProgram {
-        file: PathBuf,
-        /// The fault.
-        reason: String,
-    },
+    NoProgram { file: PathBuf, reason: String },
     /// The host has no scratch folder or port for it.
     #[error("cannot try {}: {error}", file.display())]
     Host { file: PathBuf, error: io::Error },
     /// The host cannot run it.
     #[error("{0}")]
     Start(String),
-    /// It ended instead.
     #[error("{} is not a SITL program: it has ended ({status}){}", file.display(), said(.output))]
     Ended {
         file: PathBuf,
         status: ExitStatus,
-        /// Its last output.
         output: String,
     },
     /// It prints without end.
     #[error("{} is not a SITL program: it prints without end{}", file.display(), said(.output))]
-    Flood {
-        file: PathBuf,
-        /// Its last output.
-        output: String,
-    },
+    Flood { file: PathBuf, output: String },
     /// It sent no valid announcement.
     #[error("{} has not said what it is within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
         /// The time it had.
         patience: Duration,
-        /// Its last output.
         output: String,
     },
     /// It is a kind of vehicle that the hangar does not start.

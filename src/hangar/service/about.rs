@@ -26,7 +26,6 @@ pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Statu
     })
 }
 
-/// This description.
 #[utoipa::path(get, path = "/openapi.json", responses(
     (status = 200, description = "The description of the service in OpenAPI 3.1", body = serde_json::Value),
 ))]

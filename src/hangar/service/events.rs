@@ -31,7 +31,6 @@ pub struct InstanceSnapshot {
 pub enum InstanceChange {
     /// It is new, or has changed.
     Vehicle(Box<Instance>),
-    /// It is gone.
     Gone(InstanceId),
 }
 
@@ -46,7 +45,6 @@ pub fn changes(before: &Instances, after: &Instances) -> Vec<InstanceChange> {
         .collect()
 }
 
-/// Follows the instances.
 #[utoipa::path(get, path = "/events", responses(
     (status = 200, content_type = "text/event-stream", body = String, description =
         "First an event `snapshot` (`life` and `vehicles`), then one for each change: `vehicle` with the instance, \

@@ -52,7 +52,6 @@ pub struct Printed {
     pub next: u64,
 }
 
-/// Starts an instance.
 #[utoipa::path(post, path = "/vehicles", request_body = Launch, responses(
     (status = 201, description = "It is being started", body = Instance,
         headers(("location" = String, description = "Its address"))),
@@ -77,7 +76,6 @@ pub(super) async fn launch(
         .into_response())
 }
 
-/// The instances.
 #[utoipa::path(get, path = "/vehicles", responses(
     (status = 200, description = "Those that there are, also those that have ended by themselves", body = Vec<Instance>),
 ))]
@@ -85,7 +83,6 @@ pub(super) async fn list(State(state): State<Arc<ServiceState>>) -> Json<Vec<Ins
     Json(state.instances().values().cloned().collect())
 }
 
-/// An instance.
 #[utoipa::path(get, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "How it is doing", body = Instance),
     (status = 404, description = "There is none", body = ServiceProblem),
@@ -97,7 +94,6 @@ pub(super) async fn one(
     state.instance(id).map(Json)
 }
 
-/// Ends an instance.
 #[utoipa::path(delete, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 204, description = "Its process is gone"),
     (status = 404, description = "There is none", body = ServiceProblem),

@@ -38,7 +38,6 @@ impl InputSink {
         self.waiting().steps
     }
 
-    /// Stops recording.
     pub fn close(&self) {
         let mut waiting = self.waiting();
         waiting.is_closed = true;
@@ -87,7 +86,6 @@ impl WorldRecord {
         self.sink.put(&self.log.take(), world.steps());
     }
 
-    /// Ends the log.
     pub(super) fn end(&mut self, world: &mut World) {
         self.log.end(world);
         self.publish(world);

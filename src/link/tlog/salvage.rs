@@ -19,7 +19,6 @@ pub enum TlogPiece {
     Damage {
         /// Where they start, in bytes from the start of the file.
         offset: u64,
-        /// Their number.
         len: u64,
     },
 }

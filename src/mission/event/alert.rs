@@ -19,7 +19,6 @@ pub(crate) struct Alerts {
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenAlert {
     pub text: Text,
-    /// Its urgency.
     pub level: AlertLevel,
     /// How long an answer still earns full points; zero when it is late.
     pub remaining: Duration,

@@ -16,7 +16,6 @@ use crate::vehicle::VehicleId;
 /// A change to make to one vehicle's simulator or link, without a notice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// The vehicle concerned.
     pub vehicle: VehicleId,
     /// The change to its simulator or its link.
     pub want: Want,

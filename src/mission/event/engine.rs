@@ -270,7 +270,6 @@ impl Engine {
         self.alerts.facts()
     }
 
-    /// The unanswered alerts.
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
         self.alerts.waiting(now)
     }

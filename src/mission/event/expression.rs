@@ -45,7 +45,6 @@ enum ExpressionNode {
     Both(Operator, Box<ExpressionNode>, Box<ExpressionNode>),
 }
 
-/// A binary operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Operator {
     Or,

@@ -28,7 +28,6 @@ pub(crate) struct Spawn {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MoverKind {
     Person,
-    /// A crewed aircraft.
     Aircraft,
     /// A drone that is not part of the mission.
     Intruder,

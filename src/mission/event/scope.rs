@@ -22,7 +22,6 @@ const PAUSED_M_S: f64 = 0.7;
 /// The parts of a flight's state that conditions can see.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight<'a> {
-    /// Mission time.
     pub now: Duration,
     pub crafts: &'a [Craft],
     pub vehicles: &'a Vehicles,

@@ -86,7 +86,6 @@ impl Change {
 /// The value that a change leads to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
-    /// An absolute value.
     Value(f64),
     /// An increase on the present value.
     More(f64),

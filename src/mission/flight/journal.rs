@@ -149,7 +149,6 @@ impl FlightJournal {
         self.events.iter().map(report).collect()
     }
 
-    /// The broken rules.
     pub fn broken_rules(&self) -> &[SafetyEvent] {
         self.safety.events()
     }

@@ -117,7 +117,6 @@ struct Able {
 }
 
 impl Loads {
-    /// Adds a vehicle.
     pub fn add(&mut self, fit: &Fit) {
         self.holds.push(CraftLoads::new(fit));
     }
@@ -127,7 +126,6 @@ impl Loads {
         &self.releases
     }
 
-    /// Releases one piece.
     pub fn drop_piece(&mut self, vehicle: VehicleId, scene: &mut LoadsScene<'_>) -> Done {
         let Able { seat, at } = scene.able(vehicle, DROP_UP_TO_M)?;
         let hold = &mut self.holds[seat];

@@ -29,7 +29,6 @@ struct NewestOrder {
 }
 
 impl SwarmAccount {
-    /// Adds a vehicle.
     pub fn add(&mut self, vehicle: VehicleId) {
         self.usage.push(VehicleUsage::new(vehicle));
     }

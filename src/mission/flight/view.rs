@@ -209,7 +209,6 @@ impl Flight {
         self.surveys.all().iter().flat_map(of).collect()
     }
 
-    /// The active areas.
     fn areas_now(&self) -> Vec<Area> {
         let zones = self.threats.engine().zones_now();
         zones.map(|zone| self.mission.area(zone)).collect()

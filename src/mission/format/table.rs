@@ -40,7 +40,6 @@ pub(in crate::mission) struct FileTable<'a> {
     draft: &'a mut Draft,
 }
 
-/// A requested key.
 #[derive(Debug)]
 pub(super) struct AskedKey {
     pub name: String,

@@ -308,7 +308,6 @@ impl Field for Fire {
 }
 
 impl Fire {
-    /// The burning ground.
     pub fn grid(&self) -> &FireGrid {
         &self.blaze.grid
     }

@@ -6,10 +6,8 @@ use rand_distr::{Distribution, StandardNormal};
 
 #[derive(Debug, Clone)]
 pub(super) struct Wander {
-    /// The present value.
     pub value: f64,
     spread: f64,
-    /// The correlation time.
     tau_s: f64,
 }
 

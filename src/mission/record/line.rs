@@ -53,7 +53,6 @@ pub(super) enum RecordLine {
 
 /// The vehicles' states that a line contains.
 pub(super) struct ShownVehicles<'a> {
-    /// The mission's time.
     pub(super) mission: Duration,
     /// The simulator's time, if it differs.
     pub(super) simulated: Option<Duration>,

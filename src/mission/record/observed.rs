@@ -126,7 +126,6 @@ impl ObservedVehicle {
         }
     }
 
-    /// Applies changes.
     pub fn update(&mut self, changes: &Self) {
         let Self {
             id: _,
@@ -148,7 +147,6 @@ impl ObservedVehicle {
         self.battery = battery.or(self.battery);
     }
 
-    /// Its texts.
     pub fn said(&self) -> &[String] {
         &self.said
     }

@@ -55,7 +55,6 @@ pub(crate) struct Camera {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Band {
     Visible,
-    /// Thermal infrared.
     Thermal,
 }
 

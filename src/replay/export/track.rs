@@ -14,7 +14,6 @@ use crate::wire::{Content, Decoder, SystemId};
 /// The tracks of the vehicles.
 pub(super) type Tracks = BTreeMap<SystemId, Vec<TrackPoint>>;
 
-/// A reported position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrackPoint {
     /// Microseconds since 1970 (UTC).

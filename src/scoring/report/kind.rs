@@ -20,7 +20,6 @@ pub enum EventKind {
     Rejected,
     /// The trainee asked for a hint.
     Hint,
-    /// The flight ended.
     Phase,
     /// A sample was taken.
     Sample,

@@ -57,7 +57,6 @@ pub(super) struct Transfer {
 /// What a message meant for a transfer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Received {
-    /// Nothing new.
     Nothing,
     /// Bytes that were missing.
     Bytes(LogBytes),

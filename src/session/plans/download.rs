@@ -45,7 +45,6 @@ pub(super) enum Step {
     Done(Vec<PlanItem>),
     /// The vehicle has no such list.
     Unsupported,
-    /// The download failed.
     Failed,
 }
 

@@ -28,7 +28,6 @@ enum Manner {
     Modern,
     /// Only the older request, with the older item.
     Legacy,
-    /// Refuses every list.
     Refusing,
     Mute,
 }

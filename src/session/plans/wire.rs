@@ -87,7 +87,6 @@ pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
     })
 }
 
-/// Requests one item.
 pub(super) fn request_item(
     vehicle: MavAddress,
     kind: PlanKind,

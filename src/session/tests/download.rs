@@ -27,7 +27,6 @@ struct Far {
     is_answering: bool,
     /// The time between two values of a list; 0 is 2300 a second.
     pace_ms: u64,
-    /// The one-way delay.
     way: Duration,
 }
 

@@ -70,7 +70,6 @@ impl Careers {
         self.current = None;
     }
 
-    /// Stores a setting.
     pub fn set(&mut self, change: impl FnOnce(&mut ProfileSettings)) -> Result<(), ProfileError> {
         let Some(profile) = &mut self.current else {
             return Ok(());

@@ -39,7 +39,6 @@ enum ProcessNews {
     Launched(Vec<LaunchedVehicle>),
     /// They could not be launched.
     NotLaunched(Text),
-    /// A request failed.
     Failed(Text),
     /// What a vehicle's process has printed, from the line with this number on.
     Printed(VehicleId, u64, Vec<OutputLine>),
@@ -47,7 +46,6 @@ enum ProcessNews {
 
 /// The processes of a session. Dropping it ends them.
 pub(super) struct Processes {
-    /// The expected number.
     pub count: usize,
     news: mpsc::Receiver<ProcessNews>,
     sender: mpsc::Sender<ProcessNews>,

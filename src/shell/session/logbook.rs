@@ -73,7 +73,6 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
-    /// Removes the record.
     pub fn discard(self) {
         if let Ok(file) = self.file {
             file.discard();

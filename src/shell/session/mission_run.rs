@@ -40,7 +40,6 @@ pub(super) struct MissionRun {
 pub(in crate::shell) struct Finished {
     /// The mission that was flown.
     pub mission: Arc<Mission>,
-    /// Its report.
     pub report: Report,
     /// The career and the stake of the flight.
     pub occasion: Occasion,
@@ -51,7 +50,6 @@ pub(in crate::shell) struct Finished {
 }
 
 impl MissionRun {
-    /// The flight.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
     }
@@ -110,7 +108,6 @@ impl MissionRun {
         Some(logbook.run_id())
     }
 
-    /// Mission time.
     fn elapsed(&self) -> Duration {
         self.driver.flight().elapsed()
     }

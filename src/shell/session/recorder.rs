@@ -85,7 +85,6 @@ impl FlightRecorder {
         }
     }
 
-    /// Adds an occurrence.
     pub fn note(&self, now: Duration, what: Happening) {
         if let Some(recording) = &self.recording {
             let at = now.saturating_sub(self.began_at);

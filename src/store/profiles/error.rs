@@ -29,26 +29,15 @@ pub enum ProfileError {
         error: rusqlite::Error,
     },
     /// It contains data that this program did not write.
-    Damaged {
-        path: PathBuf,
-        /// The fault.
-        fault: String,
-    },
+    Damaged { path: PathBuf, fault: String },
     /// No profile has this name.
-    Unknown {
-        /// The requested name.
-        name: String,
-        known: Vec<String>,
-    },
+    Unknown { name: String, known: Vec<String> },
     /// The name is taken.
     Exists { name: String },
     /// The name is not valid.
     Name,
     /// A file contains no profile.
-    NoProfile {
-        /// The fault.
-        fault: String,
-    },
+    NoProfile { fault: String },
     /// A part cannot be bought.
     Refused(PurchaseRefusal),
 }

@@ -26,10 +26,8 @@ pub struct RunEntry {
     pub recording: Option<String>,
 }
 
-/// A stored run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PastRun {
-    /// Its unique id.
     pub id: String,
     /// When it ended, in UTC.
     pub when: String,

@@ -23,7 +23,6 @@ pub struct Rescue {
     pub damaged: PathBuf,
     /// The copy that replaced it; `None` if no good one existed and the profiles start empty.
     pub copy: Option<PathBuf>,
-    /// The damage.
     pub fault: Text,
 }
 

@@ -10,7 +10,6 @@ use crate::review::Review;
 use crate::text;
 use crate::text::Text;
 
-/// The largest review.
 const LONGEST: u64 = 1024 * 1024;
 
 impl RecordFiles {

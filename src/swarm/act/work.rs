@@ -47,7 +47,6 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Advances the work.
     pub(super) fn work(&mut self, view: &WorldView<'_>) {
         if self.phase < Phase::Work {
             return;

@@ -26,7 +26,6 @@ pub enum ThemeError {
     /// No theme has that name.
     #[error("unknown theme `{name}`: choose one of {known}{guess}")]
     Unknown {
-        /// The requested name.
         name: String,
         known: String,
         /// The most similar name, with the words around it.

@@ -16,7 +16,6 @@ const STEP: usize = 6;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
-    /// Its value.
     pub value: f64,
     /// Its label: at most five letters.
     pub label: String,

@@ -2,7 +2,6 @@
 
 use super::*;
 
-/// A worked example.
 pub struct Worked {
     name: &'static str,
     /// The ids of its parts.

@@ -40,7 +40,6 @@ impl Fix {
 /// A receiver with the reports under way.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Receiver {
-    /// The latest report.
     pub(super) fix: Fix,
     under_way: Option<(Duration, Fix)>,
     seed: u64,

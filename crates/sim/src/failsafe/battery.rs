@@ -139,7 +139,6 @@ impl BatteryRules {
 }
 
 impl Failsafe {
-    /// Checks the battery.
     pub(crate) fn watch_battery(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         if !inputs.armed {
             return Vec::new();

@@ -37,7 +37,6 @@ impl EkfWatch {
 }
 
 impl Failsafe {
-    /// Checks the estimate.
     pub(crate) fn watch_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let estimator = inputs.estimator;
         let good = estimator.has_position() && estimator.fix().is_none();

@@ -26,7 +26,6 @@ pub(crate) enum AreaShape<P> {
     },
 }
 
-/// A valid fence.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Fence {
     areas: Vec<FenceArea<LatLon>>,

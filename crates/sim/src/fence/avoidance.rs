@@ -64,7 +64,6 @@ pub(super) struct Edges<'a> {
     pub(super) accel_m_s2: (f64, f64),
 }
 
-/// The limiter's state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Limiter {
     last: Option<(Duration, DVec3)>,

@@ -98,7 +98,6 @@ fn every_command_with_zeros_is_answered_like_the_real_vehicle() {
 /// A command, its first parameters, the result and the texts.
 type Row = (u16, &'static [f32], u8, &'static [&'static str]);
 
-/// Modes, messages, outputs.
 const SETTINGS: &[Row] = &[
     (400, &[2.0], 3, &[]),
     (400, &[-1.0], 3, &[]),
@@ -151,7 +150,6 @@ const SETTINGS: &[Row] = &[
     (115, &[90.0, 0.0, 0.0, 2.0], 4, &[]),
 ];
 
-/// Pauses, places, calibrations.
 const PLACES: &[Row] = &[
     (193, &[0.0], 4, &["Failed to pause"]),
     (193, &[1.0], 4, &["Failed to resume"]),

@@ -40,7 +40,6 @@ impl Timeline {
         timeline
     }
 
-    /// Time begins here.
     pub(crate) fn mark(&mut self) {
         self.lines.clear();
         self.steps = 0;

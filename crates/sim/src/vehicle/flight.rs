@@ -20,7 +20,6 @@ pub(crate) struct AskedSpeeds {
     pub(crate) down_m_s: Option<f64>,
 }
 
-/// The vehicle's activity.
 #[derive(Debug, Clone)]
 pub(crate) struct FlightState {
     pub(crate) mode: Mode,

@@ -20,7 +20,6 @@ pub struct Samples {
 /// The readings of one kind of sensor.
 #[derive(Debug, Clone)]
 pub struct SampleField {
-    /// The sensor's name.
     pub name: Text,
     pub unit: &'static str,
     origin: LatLon,

@@ -45,7 +45,6 @@ impl Node {
         }
     }
 
-    /// The parent branch.
     pub fn parent(self) -> Option<Self> {
         match self {
             Self::Link(_) => None,

@@ -16,7 +16,6 @@ const MOST_UNDER_WAY: usize = 8;
 pub struct Batch {
     /// Values not sent yet.
     waiting: VecDeque<ParameterSetting>,
-    /// Values under way.
     under_way: Vec<(EntryId, ParameterSetting)>,
     /// The number of commands that may be under way now.
     window: usize,
@@ -27,7 +26,6 @@ pub struct Batch {
 }
 
 impl Default for Batch {
-    /// An empty batch.
     fn default() -> Self {
         Self {
             waiting: VecDeque::new(),

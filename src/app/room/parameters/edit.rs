@@ -21,7 +21,6 @@ const EDITS_KEPT: usize = 50_000;
 pub struct Edit {
     /// The command's entry of the ledger, with its outcome.
     pub entry: EntryId,
-    /// The commanded value.
     pub value: f64,
 }
 

@@ -18,7 +18,6 @@ pub struct Fit {
     changed: Option<Design>,
 }
 
-/// One need, compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stand {
     /// The comparison, with the part under the cursor if there is one.

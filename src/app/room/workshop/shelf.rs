@@ -11,7 +11,6 @@ use crate::text;
 use crate::vehicle::Severity;
 use crate::workshop::{Design, Sheet};
 
-/// A stored design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stored<'a> {
     pub design: &'a Design,

@@ -6,7 +6,6 @@ use crate::mission::weather::Wind;
 /// The cover of the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Fuel {
-    /// Dry standing grass.
     Grass,
     Shrub,
     /// Leaves and needles on the ground under trees.

@@ -29,7 +29,6 @@ const SESSION_POLL: Duration = Duration::from_millis(50);
 /// A difference between a record and its flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Divergence {
-    /// Simulated time.
     pub at: Duration,
     /// The vehicle concerned, if any.
     pub vehicle: Option<VehicleId>,

@@ -37,7 +37,6 @@ enum Sign {
     /// It is passed, and a skill that it trains is due for a refresher.
     Due,
     Passed,
-    /// It is locked.
     Locked,
     /// It can be flown.
     Open,

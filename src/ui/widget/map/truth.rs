@@ -19,9 +19,7 @@ use crate::ui::widget::{below, put, upper, wrap};
 
 /// The mission's origin: a report gives places only in metres from there.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
-/// Ground not covered.
 const GAP: Stroke = Stroke::dotted(Role::Warning);
-/// A fence.
 const FENCE: Stroke = Stroke::dashed(Role::Fence);
 /// The margin around everything, as a share of it and in metres.
 const EDGE: (f64, f64) = (0.04, 5.0);
