@@ -14,7 +14,7 @@ use crate::vehicle::{Mode, VehicleClass, VehicleId};
 const SHAKEN_M_S2: f64 = 30.0;
 /// The test ratio from which on the estimator rejects a measurement.
 const REJECTED: f64 = 1.0;
-/// What goes on counts once until it was over for this long.
+/// A condition that lasts counts once, until it has been over for this long.
 const OVER_US: u64 = 5_000_000;
 /// Events that are kept of one log.
 const MOST: usize = 5000;

@@ -400,7 +400,7 @@ fn failed(reason: Text) -> Ending {
     (RowState::Refused, reason)
 }
 
-/// Ends a transfer: the vehicle goes on with its log.
+/// Ends a transfer, so that the vehicle may write its log again.
 fn request_end(vehicle: &Vehicle) -> Outgoing {
     MavMessage::LOG_REQUEST_END(LOG_REQUEST_END_DATA {
         target_system: vehicle.system,
