@@ -1,6 +1,7 @@
 //! `DataFlash` logs: what a vehicle wrote of its own flight, brought onto the timeline of a record.
 
 mod clock;
+mod curves;
 mod flight;
 mod joined;
 mod names;
@@ -9,5 +10,6 @@ mod reader;
 mod tests;
 
 pub use clock::{AlignedBy, Alignment, VehicleClock};
+pub use curves::{LogChannel, LogCurves};
 pub use flight::{LogDamage, LoggedEvent, LoggedFlight, LoggedMoment};
 pub use joined::JoinedLog;

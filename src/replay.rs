@@ -17,6 +17,7 @@ use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
+use crate::dataflash::JoinedLog;
 use crate::language::SeekTarget;
 use crate::moment::{Moment, MomentKind};
 use crate::notice::Notice;
@@ -99,6 +100,9 @@ impl Replay {
         let mut view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
         view.review = film.review().clone();
         view.is_review = is_review;
+        let logs = film.logs().iter();
+        let curves = logs.map(|log| (log.vehicle, log.curves.clone()));
+        view.log_curves = Arc::new(curves.collect());
         view.moments = Arc::new(view.review.bookmarks(&film.bookmarks()));
         let mut events = begin(view, started);
         events.extend(film.damage().map(warning));
@@ -269,7 +273,7 @@ impl Replay {
             return false;
         }
         let bookmarks = self.review.bookmarks(&self.film.bookmarks());
-        let logged = self.film.logged().iter().cloned();
+        let logged = self.film.logs().iter().flat_map(JoinedLog::moments);
         let mut all: Vec<Moment> = found
             .iter()
             .cloned()

@@ -53,6 +53,10 @@ vehicle-most = max
 vehicle-climb = climb
 vehicle-voltage = voltage
 vehicle-current = current
+vehicle-log-vibration = vibration
+vehicle-log-estimator = EKF ratio
+vehicle-log-voltage = log voltage
+vehicle-log-current = log current
 vehicle-remaining = charge left
 vehicle-throttle = throttle
 

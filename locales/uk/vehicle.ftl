@@ -53,6 +53,10 @@ vehicle-most = макс
 vehicle-climb = вертикальна
 vehicle-voltage = напруга
 vehicle-current = струм
+vehicle-log-vibration = вібрація
+vehicle-log-estimator = тест EKF
+vehicle-log-voltage = напруга жур.
+vehicle-log-current = струм жур.
 vehicle-remaining = заряд
 vehicle-throttle = газ
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::curves::{LogChannel, LogCurves};
 use super::names;
 use super::reader::{Record, Records};
 use crate::text;
@@ -113,6 +114,7 @@ pub struct LoggedFlight {
     /// The vehicle, by the system id among the parameters.
     pub vehicle: Option<VehicleId>,
     pub moments: Vec<LoggedMoment>,
+    pub curves: LogCurves,
     /// Microseconds since boot of the first and last record.
     pub span_us: Option<(u64, u64)>,
     /// When the autopilot booted, by GPS time: microseconds since 1970 (UTC).
@@ -263,6 +265,8 @@ impl Reading {
     fn vibration(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
         let axes = ["VibeX", "VibeY", "VibeZ"].map(|axis| record.number(axis));
         let strongest = axes.into_iter().flatten().fold(0.0, f64::max);
+        let curves = &mut self.flight.curves;
+        curves.add(LogChannel::Vibration, now, strongest as f32);
         if strongest >= SHAKEN_M_S2 {
             let going = self.shaken.filter(|(_, until)| now < until + OVER_US);
             let place = match going {
@@ -299,9 +303,14 @@ impl Reading {
             ("SM", Measured::Compass),
         ];
         for (column, of) in ratios {
-            let Some(ratio) = record.number(column).filter(|ratio| *ratio >= REJECTED) else {
+            let Some(ratio) = record.number(column) else {
                 continue;
             };
+            let curves = &mut self.flight.curves;
+            curves.add(LogChannel::Estimator, now, ratio as f32);
+            if ratio < REJECTED {
+                continue;
+            }
             let going = self.rejecting.get(&of).copied();
             let place = match going.filter(|(_, until)| now < until + OVER_US) {
                 Some((place, _)) => place,
@@ -320,6 +329,11 @@ impl Reading {
         let instance = instance.unwrap_or(0);
         let volt = record.number("Volt").filter(|volt| *volt > 0.5)?;
         let ampere = record.number("Curr").unwrap_or(0.0);
+        if instance == 0 {
+            let curves = &mut self.flight.curves;
+            curves.add(LogChannel::Voltage, now, volt as f32);
+            curves.add(LogChannel::Current, now, ampere as f32);
+        }
         let is_lower = self.lowest.get(&instance).is_none_or(|known| {
             matches!(&known.event, LoggedEvent::Battery { volt: lowest, .. } if volt < *lowest)
         });

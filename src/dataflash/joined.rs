@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{AlignedBy, Alignment, LogDamage, LoggedEvent, LoggedFlight};
+use super::{AlignedBy, Alignment, LogCurves, LogDamage, LoggedEvent, LoggedFlight};
 use crate::moment::{Moment, MomentKind};
 use crate::text;
 use crate::text::Text;
@@ -23,6 +23,9 @@ pub struct JoinedLog {
     pub aligned_by: AlignedBy,
     pub damage: LogDamage,
     events: Vec<JoinedEvent>,
+    /// Its readings; their seconds count from the start of the record.
+    #[serde(default)]
+    pub curves: LogCurves,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,8 +45,9 @@ impl JoinedLog {
         alignment: &Alignment,
         length: Duration,
     ) -> Self {
+        let place = |us| alignment.place(us).filter(|at| *at <= length);
         let events = flight.moments.iter().filter_map(|moment| {
-            let at = alignment.place(moment.time_us).filter(|at| *at <= length)?;
+            let at = place(moment.time_us)?;
             Some(JoinedEvent {
                 at_s: crate::text::rounded(at.as_secs_f64(), 3),
                 event: moment.event.clone(),
@@ -56,6 +60,7 @@ impl JoinedLog {
             aligned_by: alignment.by,
             damage: flight.damage,
             events: events.collect(),
+            curves: flight.curves.placed(place),
         }
     }
 
@@ -74,7 +79,7 @@ impl JoinedLog {
 
     pub fn to_json(&self) -> String {
         // Numbers and texts are always JSON.
-        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        let mut text = serde_json::to_string(self).unwrap_or_default();
         text.push('\n');
         text
     }

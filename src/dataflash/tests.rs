@@ -132,6 +132,14 @@ fn a_log_tells_its_flight() {
     assert_eq!(flight.armed_us, [2_000_000]);
     assert_eq!(flight.booted_unix_us, Some(1_767_225_617_000_000));
     assert_eq!(flight.damage, LogDamage::default());
+    let until = std::time::Duration::from_secs(14);
+    let readings = |channel| flight.curves.readings(channel, until, 5);
+    let shaking = [Some(61.0), None, None, None, None];
+    assert_eq!(readings(LogChannel::Vibration), shaking);
+    let rejecting = [None, Some(1.7), None, None, None];
+    assert_eq!(readings(LogChannel::Estimator), rejecting);
+    let volts = [None, None, Some(12.6), Some(10.1), Some(11.9)];
+    assert_eq!(readings(LogChannel::Voltage), volts);
 }
 
 #[test]

@@ -34,8 +34,8 @@ pub struct Film {
     review: Review,
     /// The fault of the review.
     review_fault: Option<Text>,
-    /// The moments of the logs that were joined to it.
-    logged: Vec<Moment>,
+    /// The logs that were joined to it.
+    logs: Vec<JoinedLog>,
     /// What is wrong with those logs.
     log_faults: Vec<Text>,
     began_unix_us: u64,
@@ -78,8 +78,7 @@ impl Film {
         let began_unix_us = journal
             .as_ref()
             .map_or(span.first_unix_us, |it| it.head.began_unix_us);
-        let (joined, log_faults) = files.read_joined();
-        let logged = joined.iter().flat_map(JoinedLog::moments).collect();
+        let (logs, log_faults) = files.read_joined();
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
         Ok(Self {
@@ -89,7 +88,7 @@ impl Film {
             run,
             review,
             review_fault,
-            logged,
+            logs,
             log_faults,
             began_unix_us,
             length: span.length_from(began_unix_us).max(told),
@@ -145,9 +144,9 @@ impl Film {
         journal.flat_map(Journal::bookmarks).collect()
     }
 
-    /// What the logs say that were joined to it.
-    pub fn logged(&self) -> &[Moment] {
-        &self.logged
+    /// The logs that were joined to it.
+    pub fn logs(&self) -> &[JoinedLog] {
+        &self.logs
     }
 
     /// The mission that was flown, where one was.

@@ -168,16 +168,6 @@ impl History {
         })
     }
 
-    /// The lowest and the highest known reading within a span.
-    pub fn range(&self, channel: Channel, window: Window) -> Option<(f32, f32)> {
-        self.readings(channel, window)
-            .flatten()
-            .fold(None, |range, value| match range {
-                None => Some((value, value)),
-                Some((low, high)) => Some((value.min(low), value.max(high))),
-            })
-    }
-
     fn push(&mut self, sample: [i16; Channel::ALL.len()]) {
         if self.samples.len() == SAMPLES_KEPT {
             self.samples.pop_front();
@@ -293,11 +283,8 @@ mod tests {
         histories.sample(&at_speed(f32::NAN), SAMPLE_EVERY * 2);
         assert_eq!(speeds(&histories, Window::Long), [Some(3.0), None, None]);
         let history = histories.of(1).expect("a history");
-        assert_eq!(
-            history.range(Channel::Speed, Window::Long),
-            Some((3.0, 3.0))
-        );
-        assert_eq!(history.range(Channel::Voltage, Window::Long), None);
+        let mut volts = history.readings(Channel::Voltage, Window::Long);
+        assert!(volts.all(|volt| volt.is_none()));
     }
 
     #[test]

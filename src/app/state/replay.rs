@@ -1,11 +1,14 @@
 //! The console's view of a replay.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::dataflash::LogCurves;
 use crate::moment::{Moment, MomentKind};
 use crate::review::Review;
 use crate::scoring::Report;
+use crate::vehicle::VehicleId;
 
 /// A moment counts as shown for this long, which is two frames.
 const SAME_MOMENT: Duration = Duration::from_millis(200);
@@ -22,6 +25,8 @@ pub struct ReplayView {
     pub position: ReplayPosition,
     /// The moments found so far, earliest first.
     pub moments: Arc<Vec<Moment>>,
+    /// The curves of the vehicles' logs that were joined to it. Their seconds count from the start of the recording.
+    pub log_curves: Arc<BTreeMap<VehicleId, LogCurves>>,
     /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
     pub review: Review,
@@ -71,6 +76,7 @@ impl ReplayView {
             length,
             position: ReplayPosition::default(),
             moments: Arc::default(),
+            log_curves: Arc::default(),
             report: None,
             review: Review::default(),
             is_review: false,

@@ -14,7 +14,7 @@ use crate::vehicle::VehicleId;
 const MARK: &str = ".log-";
 const JSON: &str = ".json";
 /// No joined log is longer than this.
-const LONGEST: u64 = 16 * 1024 * 1024;
+const LONGEST: u64 = 64 * 1024 * 1024;
 /// No log is longer than this.
 const LARGEST_LOG: u64 = 2 * 1024 * 1024 * 1024;
 

@@ -33,8 +33,6 @@ mod texts;
 const WHOLE: (u16, u16) = (110, 34);
 /// The number of pages on smaller screens.
 const PAGES: usize = 3;
-/// Rows of the curves at one row each, with their title.
-const CURVES_ROWS: u16 = 8;
 /// Rows of the list of sensors over the whole width.
 const SENSORS_ROWS: u16 = 9;
 /// Rows of the outputs below others.
@@ -138,8 +136,12 @@ fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         ]
     };
     let top = (area.height * 2 / 5).clamp(14, 20);
-    let curve_rows = if area.height >= top + 28 { 2 } else { 1 };
-    let curves = curve_rows * (CURVES_ROWS - 1) + 1;
+    let twofold = curves::height(subject, 2);
+    let curves = if area.height >= top + twofold + OUTPUTS_ROWS + 5 {
+        twofold
+    } else {
+        curves::height(subject, 1)
+    };
     let [attitude, state, estimate] = thirds(upper(area, top));
     draw_attitude(subject, attitude, buffer);
     state::draw(subject, state, buffer);
@@ -157,9 +159,12 @@ fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 
 /// First page: attitude and motion.
 fn draw_flight(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
-    let spare = area.height.saturating_sub(CURVES_ROWS);
-    let curve_rows = if spare >= 28 { 2 } else { 1 };
-    let curves = curve_rows * (CURVES_ROWS - 1) + 1;
+    let single = curves::height(subject, 1);
+    let curves = if area.height >= single + 28 {
+        curves::height(subject, 2)
+    } else {
+        single
+    };
     let top = upper(area, area.height.saturating_sub(curves));
     let left = ATTITUDE_COLUMNS.max(area.width * 2 / 5 - 1);
     draw_attitude(subject, columns(top, 0, left), buffer);

@@ -1,12 +1,15 @@
 //! The room of one vehicle.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::state::Room;
+use sortie::app::event::ReplayEvent;
+use sortie::app::state::{Activity, ReplayView, Room};
 use sortie::config::Symbols;
+use sortie::dataflash::JoinedLog;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{
@@ -17,6 +20,10 @@ use sortie::vehicle::{
 
 use crate::fixtures;
 use crate::harness::Console;
+
+fn at(seconds: u64) -> Duration {
+    Duration::from_secs(seconds)
+}
 
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 50)];
 
@@ -142,7 +149,10 @@ fn add_plans(vehicle: &mut Vehicle) {
 
 /// In the room, after half a minute of flight.
 fn room() -> Console {
-    let mut console = Console::flying(4);
+    room_of(Console::flying(4))
+}
+
+fn room_of(mut console: Console) -> Console {
     console.give("select 3").press("esc");
     for half_seconds in 0..60u64 {
         let climbed = (half_seconds as f64 * 0.5).min(20.0);
@@ -175,6 +185,37 @@ fn everything_about_a_vehicle_fits_every_size() {
     for (width, height) in SIZES {
         insta::assert_snapshot!(
             format!("vehicle_{width}x{height}"),
+            console.screen(width, height)
+        );
+    }
+}
+
+#[test]
+fn the_log_of_a_vehicle_gives_curves_in_a_replay() {
+    let mut view = ReplayView::new("2026-11-20".to_owned(), 1_763_647_402_000_000, at(40));
+    view.position.at = at(30);
+    let volts = (20..30).map(|second| (second.to_string(), 12.6 - 0.1 * f64::from(second)));
+    let volts: BTreeMap<String, f64> = volts.collect();
+    let log = serde_json::json!({
+        "v": 1, "vehicle": 3, "file": "00000007.BIN", "aligned_by": "gps_time",
+        "damage": {"skipped": 0, "cut_off": 0}, "events": [],
+        "curves": {"vibration": {"12": 3.0, "13": 41.5, "30": 17.25}, "voltage": volts},
+    });
+    let log = JoinedLog::read(&log.to_string()).expect("a joined log");
+    assert_eq!(JoinedLog::read(&log.to_json()), Ok(log.clone()));
+    view.log_curves = Arc::new(BTreeMap::from([(log.vehicle, log.curves)]));
+    let mut console = Console::new();
+    console.hear(ReplayEvent::Opened(Box::new(view)));
+    console.start(Activity::Connected {
+        addresses: vec!["2026-11-20".to_owned()],
+    });
+    for id in 1..=4 {
+        console.vehicle(fixtures::airborne(id, 60.0, 20.0));
+    }
+    let console = room_of(console);
+    for (width, height) in SIZES {
+        insta::assert_snapshot!(
+            format!("vehicle_log_{width}x{height}"),
             console.screen(width, height)
         );
     }

@@ -6,7 +6,8 @@ use ratatui::text::{Line, Span};
 
 use super::row::{filled, number};
 use super::{Subject, spark};
-use crate::app::state::{Channel, History, Window};
+use crate::app::state::{Channel, ReplayView};
+use crate::dataflash::{LogChannel, LogCurves};
 use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -17,9 +18,9 @@ const LABEL: usize = 12;
 const NUMBER: usize = 7;
 const UNIT: usize = 4;
 
-/// The curve of a channel.
-struct Curve {
-    channel: Channel,
+/// How the curve of a channel is shown.
+#[derive(Clone, Copy)]
+struct Axis {
     /// The id of its name.
     name: &'static str,
     unit: &'static str,
@@ -28,30 +29,94 @@ struct Curve {
     least_span: f32,
 }
 
-const CURVES: [Curve; Channel::ALL.len()] = [
-    curve(Channel::Altitude, "vehicle-altitude", "m", 1, 2.0),
-    curve(Channel::Speed, "vehicle-speed", "m/s", 1, 1.0),
-    curve(Channel::Climb, "vehicle-climb", "m/s", 1, 1.0),
-    curve(Channel::Voltage, "vehicle-voltage", "V", 2, 0.5),
-    curve(Channel::Current, "vehicle-current", "A", 1, 2.0),
-    curve(Channel::Remaining, "vehicle-remaining", "%", 0, 5.0),
-    curve(Channel::Throttle, "vehicle-throttle", "%", 0, 10.0),
-];
-
-const fn curve(
-    channel: Channel,
-    name: &'static str,
-    unit: &'static str,
-    decimals: usize,
-    least_span: f32,
-) -> Curve {
-    Curve {
-        channel,
+const fn axis(name: &'static str, unit: &'static str, decimals: usize, least_span: f32) -> Axis {
+    Axis {
         name,
         unit,
         decimals,
         least_span,
     }
+}
+
+impl Axis {
+    fn of(channel: Channel) -> Self {
+        match channel {
+            Channel::Altitude => axis("vehicle-altitude", "m", 1, 2.0),
+            Channel::Speed => axis("vehicle-speed", "m/s", 1, 1.0),
+            Channel::Climb => axis("vehicle-climb", "m/s", 1, 1.0),
+            Channel::Voltage => axis("vehicle-voltage", "V", 2, 0.5),
+            Channel::Current => axis("vehicle-current", "A", 1, 2.0),
+            Channel::Remaining => axis("vehicle-remaining", "%", 0, 5.0),
+            Channel::Throttle => axis("vehicle-throttle", "%", 0, 10.0),
+        }
+    }
+
+    fn of_log(channel: LogChannel) -> Self {
+        match channel {
+            LogChannel::Vibration => axis("vehicle-log-vibration", "m/s²", 1, 5.0),
+            LogChannel::Estimator => axis("vehicle-log-estimator", "", 2, 1.0),
+            LogChannel::Voltage => axis("vehicle-log-voltage", "V", 2, 0.5),
+            LogChannel::Current => axis("vehicle-log-current", "A", 1, 2.0),
+        }
+    }
+}
+
+/// One curve, with the reading shown beside it.
+struct Curve {
+    axis: Axis,
+    now: Option<f32>,
+    /// Oldest first, one per sample; they end now.
+    readings: Vec<Option<f32>>,
+    /// The number of samples that the whole span holds.
+    samples: usize,
+}
+
+impl Curve {
+    /// The lowest and the highest known reading.
+    fn range(&self) -> Option<(f32, f32)> {
+        let known = self.readings.iter().copied().flatten();
+        known.fold(None, |range, value| match range {
+            None => Some((value, value)),
+            Some((low, high)) => Some((value.min(low), value.max(high))),
+        })
+    }
+}
+
+/// Rows of all curves at this many rows each, with the title.
+pub(super) fn height(subject: &Subject<'_>, rows: u16) -> u16 {
+    let of_log = log(subject).map_or(0, |(_, log)| log.channels().count());
+    rows * (Channel::ALL.len() + of_log) as u16 + 1
+}
+
+/// The log that was joined to the recording for this vehicle, in a replay.
+fn log<'a>(subject: &Subject<'a>) -> Option<(&'a ReplayView, &'a LogCurves)> {
+    let replay = subject.state.replay()?;
+    Some((replay, replay.log_curves.get(&subject.vehicle.id)?))
+}
+
+/// Those of the telemetry, then those of the vehicle's log.
+fn curves(subject: &Subject<'_>) -> Vec<Curve> {
+    let state = subject.state;
+    let window = state.rooms().vehicle().window();
+    let history = state.session().histories().of(subject.vehicle.id);
+    let heard = Channel::ALL.map(|channel| Curve {
+        axis: Axis::of(channel),
+        now: channel.reading(subject.vehicle),
+        readings: history.map_or_else(Vec::new, |it| it.readings(channel, window).collect()),
+        samples: window.samples(),
+    });
+    let logged = log(subject).into_iter().flat_map(|(replay, log)| {
+        log.channels().map(move |channel| {
+            let readings = log.readings(channel, replay.position.at, window.seconds());
+            Curve {
+                axis: Axis::of_log(channel),
+                now: readings.last().copied().flatten(),
+                readings,
+                samples: usize::from(window.seconds()),
+            }
+        })
+    });
+    heard.into_iter().chain(logged).collect()
 }
 
 /// Draws every channel with its present value, its curve, and its extremes within the span.
@@ -73,44 +138,33 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         0,
         &Line::styled(format!(" {heads}"), look.style(Role::Muted)),
     );
-    let rows = (inner.height / CURVES.len() as u16).max(1);
-    let history = state.session().histories().of(subject.vehicle.id);
-    for (at, curve) in CURVES.iter().enumerate() {
+    let curves = curves(subject);
+    let rows = (inner.height / curves.len() as u16).max(1);
+    for (at, curve) in curves.iter().enumerate() {
         let strip = upper(below(inner, at as u16 * rows), rows);
-        draw_curve(subject, curve, window, history, strip, buffer);
+        draw_curve(curve, Panel::new(look, strip), buffer);
     }
 }
 
-fn draw_curve(
-    subject: &Subject<'_>,
-    curve: &Curve,
-    window: Window,
-    history: Option<&History>,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let look = subject.look;
-    let now = number(curve.channel.reading(subject.vehicle), curve.decimals);
+fn draw_curve(curve: &Curve, panel: Panel<'_>, buffer: &mut Buffer) {
+    let (look, area, axis) = (panel.look, panel.area, curve.axis);
+    let now = number(curve.now, axis.decimals);
     let line = Line::from(vec![
-        Span::styled(
-            filled(&look.say(curve.name), LABEL),
-            look.style(Role::Muted),
-        ),
+        Span::styled(filled(&look.say(axis.name), LABEL), look.style(Role::Muted)),
         Span::raw(format!("{now:>NUMBER$} ")),
-        Span::styled(format!("{:UNIT$}", curve.unit), look.style(Role::Muted)),
+        Span::styled(format!("{:UNIT$}", axis.unit), look.style(Role::Muted)),
     ]);
     put(buffer, area, 0, &line);
-    let range = history.and_then(|history| history.range(curve.channel, window));
+    let range = curve.range();
     let left = (LABEL + NUMBER + 1 + UNIT) as u16;
     let figures = 2 * (NUMBER as u16 + 1);
     let width = area.width.saturating_sub(left + figures);
-    if let (Some(history), Some((low, high))) = (history, range) {
-        let readings: Vec<_> = history.readings(curve.channel, window).collect();
-        let shown = low..=high.max(low + curve.least_span);
+    if let Some((low, high)) = range {
+        let shown = low..=high.max(low + axis.least_span);
         let plot = columns(area, left, width);
         let rows = spark::rows(
-            &readings,
-            window.samples(),
+            &curve.readings,
+            curve.samples,
             &shown,
             plot.as_size(),
             look.symbols,
@@ -121,7 +175,7 @@ fn draw_curve(
         }
     }
     let [least, most] = [range.map(|(low, _)| low), range.map(|(_, high)| high)]
-        .map(|value| number(value, curve.decimals));
+        .map(|value| number(value, axis.decimals));
     let line = Line::raw(format!(" {least:>NUMBER$} {most:>NUMBER$}"));
     put(buffer, columns(area, left + width, area.width), 0, &line);
 }
