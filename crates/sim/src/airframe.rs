@@ -1,6 +1,5 @@
-//! The airframe of a multirotor as `ArduPilot`'s `SIM_Frame` describes it: what a reference flight measured, and the
-//! drag, thrust and current that follow from it by the same relations, so that one file gives both simulators the
-//! same drone.
+//! The airframe of a multirotor, described as in `ArduPilot`'s `SIM_Frame` by figures of a reference flight. Drag,
+//! thrust and current follow from them by the same relations, so that one file gives both simulators the same drone.
 
 mod figures;
 mod file;
@@ -25,9 +24,9 @@ const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The share of the required throttle that remains after the autopilot's compensation of density and voltage: fitted
 /// to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
 const COMPENSATED: f64 = 0.9777;
-/// Rotation is braked by this over the frame's `refRotRate`, as `SIM_Frame` does.
+/// Rotation decays at this divided by the frame's `refRotRate`, as in `SIM_Frame`.
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
-/// The share of its full voltage below which a battery turns no motor.
+/// The share of the full voltage below which the battery cannot turn the motors.
 const DEAD_VOLTAGE_SHARE: f64 = 0.1;
 
 /// A kind of multirotor, shared among vehicles by its `Arc`.
@@ -38,7 +37,8 @@ pub struct Airframe {
     file: Option<Value>,
     /// Initial parameters of its vehicles, besides those that follow from the figures.
     parameters: Vec<(&'static str, f64)>,
-    /// Drag per mass and density: of the body per square of the speed, and of the rotors' inflow per root.
+    /// Drag per mass and density: of the body by the square of the speed, of the rotors' inflow by the root of the
+    /// thrust.
     form_drag: f64,
     momentum_drag: f64,
     reference_density: f64,
@@ -72,7 +72,7 @@ impl Airframe {
     /// default quad. Also returns warnings about fields that no simulator knows.
     ///
     /// # Errors
-    /// What is not JSON, has a wrong type or is physically impossible, with its line and column.
+    /// A file that is not JSON, has a value of a wrong type, or is physically impossible, with its line and column.
     pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
         let (figures, warnings) = file::read(text)?;
         let airframe = Self {
@@ -98,7 +98,7 @@ impl Airframe {
         &self.parameters
     }
 
-    /// The default, to share.
+    /// The default quad, to be shared among vehicles.
     pub fn shared_default() -> Arc<Self> {
         Arc::new(Self::default())
     }
@@ -184,12 +184,12 @@ impl Airframe {
         }
     }
 
-    /// Volts of the full battery.
+    /// The voltage of the full battery, in volts.
     pub fn full_voltage_v(&self) -> f64 {
         self.figures.full_voltage_v
     }
 
-    /// Ampere hours; zero for a battery that never runs down.
+    /// The capacity in ampere hours; zero for a battery that never runs down.
     pub fn battery_capacity_ah(&self) -> f64 {
         self.figures.battery_capacity_ah
     }
@@ -295,8 +295,7 @@ impl Airframe {
         }
     }
 
-    /// The pulse of a motor, in microseconds, for a share of the thrust range, multiplied by a fault, and converted
-    /// back to a share of the thrust range.
+    /// The share of the thrust range that remains of `share` after a fault: `multiplier` reduces the motor's pulse.
     pub(super) fn share_after_fault(&self, share: f64, multiplier: f64) -> f64 {
         let pulse_us = 1000.0 + (self.pulse_us(share) - 1000.0) * multiplier;
         let (low, high) = self.figures.pwm_us;
@@ -323,7 +322,7 @@ impl Airframe {
         ((linear * linear + 4.0 * expo * share).sqrt() - linear) / (2.0 * expo)
     }
 
-    /// Share of the thrust range that carries the weight at the reference.
+    /// Share of the thrust range that carries the weight in the conditions of the reference flight.
     pub fn hover_share(&self) -> f64 {
         self.figures.hover_throttle
     }

@@ -8,8 +8,7 @@ pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
 
 /// The least time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
-/// The height, clear of magnetic disturbance, at which each core of the EKF aligns its yaw once more after each
-/// arming.
+/// After each arming, each core of the EKF aligns its yaw once more at this height, clear of magnetic disturbance.
 const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
 /// A vehicle that rests this long with idle motors has landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
@@ -20,13 +19,13 @@ const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Safety {
     pub(super) armed: bool,
-    /// The autopilot's estimate; the body has the truth.
+    /// Whether the autopilot believes that the vehicle has landed; the body has the true state.
     pub(super) landed: bool,
     /// When the motors were last armed; they need time before they lift.
     pub(super) armed_at: Duration,
     /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
     aligns_above_m: Option<f64>,
-    /// When the reasons against arming are next reported.
+    /// When the reasons against arming are reported next.
     pub(super) reports_at: Duration,
     /// Whether the last check found no reason against arming.
     pub(super) may_arm: bool,
@@ -82,7 +81,7 @@ impl Safety {
         self.reports_at = Duration::ZERO;
     }
 
-    /// Whether a landing with a touchdown at a time is over, so that the motors stop.
+    /// Whether a landing that touched down at `touched` is over, so that the motors stop.
     pub(super) fn ends_landing(touched: Duration, now: Duration) -> bool {
         now >= touched + DISARMED_AFTER_TOUCH
     }
@@ -114,7 +113,7 @@ impl Safety {
         !inputs.disarm_delay.is_zero() && now >= idle_since + inputs.disarm_delay
     }
 
-    /// Whether to report reasons against arming now; `is_free` if there are none.
+    /// Whether to report reasons against arming now; `is_free` without any.
     pub(super) fn tells_obstacles(&mut self, is_free: bool, now: Duration) -> bool {
         let could_arm = std::mem::replace(&mut self.may_arm, is_free);
         if could_arm && !is_free && self.reports_at > now + checks::REPORT_SOON {

@@ -1,8 +1,8 @@
 //! AUTO: carrying out the mission, one navigation command and one action beside it at a time (`AP_Mission` with
 //! `ArduCopter`'s `mode_auto`).
 //!
-//! The list itself is in the vehicle's plans; this has the position in it. A navigation command becomes the vehicle's
-//! task, so that takeoffs, returns and landings are the same as in the other modes.
+//! The vehicle's plans hold the list, this module the position in it. A navigation command becomes the vehicle's task,
+//! so that takeoffs, returns and landings are the same as in the other modes.
 
 mod advance;
 mod command;
@@ -44,7 +44,7 @@ struct PlanAction {
     at: Option<u16>,
     /// Whether it is under way.
     loaded: bool,
-    /// Whether none is left before the end of the navigation command.
+    /// Whether all actions before the next navigation command are done.
     all_done: bool,
     since: Duration,
 }
@@ -62,11 +62,12 @@ enum PlanWait {
     Edge(Orbit),
     /// A landing that begins above its place.
     LandingPlace,
-    /// A height (metres down from the start), once the place is reached; then with the remaining distance.
+    /// A climb or descent at a place to a height (metres down from the start), with the distance that remained in the
+    /// last step.
     Height { down_m: f64, left_m: Option<f64> },
     /// A time since boot.
     Until(Duration),
-    /// Setpoints from outside, without limit.
+    /// Setpoints from a ground station, without limit.
     Guided,
 }
 
@@ -95,9 +96,9 @@ pub(super) struct AutoPlan {
     paused: bool,
     /// The next start resumes at the current item, whatever `MIS_RESTART` says.
     resumes: bool,
-    /// A landing sequence is flown on request.
+    /// A requested landing sequence is being flown.
     returns: bool,
-    /// The last item reached in this step: one slot, as in the vehicle.
+    /// The last item reached in this step: one slot, as in the real vehicle.
     reached: Option<u16>,
 }
 
@@ -118,7 +119,7 @@ impl AutoPlan {
         }
     }
 
-    /// Whether setpoints from outside control the vehicle.
+    /// Whether setpoints from a ground station control the vehicle.
     pub(super) fn is_guided(&self) -> bool {
         self.wait == PlanWait::Guided
     }
@@ -135,7 +136,7 @@ impl AutoPlan {
         }
     }
 
-    /// Starts, or resumes at the current item.
+    /// Starts the mission, or resumes it at the current item, unless it is running.
     pub(super) fn start_unless_running(&mut self, vehicle: &mut Vehicle) {
         if self.state != PlanState::Running {
             self.start_or_resume(vehicle);
@@ -151,12 +152,12 @@ impl AutoPlan {
         }
     }
 
-    /// Whether a landing sequence is flown on request.
+    /// Whether a requested landing sequence is being flown.
     pub(super) fn is_returning(&self) -> bool {
         self.returns
     }
 
-    /// Sets whether a landing sequence is flown on request.
+    /// Notes the begin or end of a requested landing sequence.
     pub(super) fn set_returning(&mut self, returns: bool) {
         self.returns = returns;
     }
@@ -173,7 +174,7 @@ impl AutoPlan {
 }
 
 impl AutoPlan {
-    /// Whether AUTO cannot be entered now; if so, reports why. When disarmed, it always can.
+    /// Whether AUTO is refused now; reports the reason. A disarmed vehicle can always enter AUTO.
     pub(super) fn refuses(&mut self, vehicle: &mut Vehicle) -> bool {
         if !vehicle.safety.armed {
             return false;
@@ -290,7 +291,7 @@ impl AutoPlan {
         worked
     }
 
-    /// The same, with the jump counters reset and the mission running again.
+    /// Like `set_item`, but resets the jump counters and starts a stopped mission.
     pub(super) fn reset_to_item(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let may_lift = self.may_lift;
         self.reset();

@@ -32,7 +32,7 @@ const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The interval of time synchronisation requests.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
-/// The autopilot of one vehicle, with the vehicle.
+/// The autopilot of one vehicle, together with that vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Autopilot {
     pub(super) vehicle: Vehicle,

@@ -65,7 +65,7 @@ pub(super) struct Battery {
 }
 
 impl Battery {
-    /// Charged to a voltage.
+    /// A battery charged to a voltage.
     pub(super) fn charged(airframe: &Airframe, voltage_v: f64) -> Self {
         let mut battery = Self {
             voltage_v,

@@ -150,7 +150,7 @@ impl Body {
             return;
         }
         let turned_deg = self.yaw_deg + rate_deg_s * STEP_S;
-        // A fading turn soon no longer changes the heading.
+        // A decaying turn ends once it no longer changes the heading.
         if turned_deg.to_bits() == self.yaw_deg.to_bits() {
             return;
         }
@@ -176,7 +176,7 @@ impl Body {
         }
     }
 
-    /// The angle between the demanded and the actual thrust, radians; zero while the motors obey.
+    /// The angle between the demanded and the actual thrust, radians; zero in normal flight.
     pub(super) fn lean_error_rad(&self) -> f64 {
         self.upset.as_ref().map_or(0.0, |upset| upset.error_rad)
     }
@@ -215,7 +215,7 @@ impl Body {
         axes(self.heading, self.up())
     }
 
-    /// The direction of the thrust while the motors obey.
+    /// The direction of the thrust in normal flight.
     fn up(&self) -> DVec3 {
         self.lean_m_s2.extend(-GRAVITY_M_S2).normalize()
     }

@@ -33,7 +33,7 @@ pub(super) struct CounterInputs<'a> {
     pub(super) armed: bool,
     pub(super) landed: bool,
     pub(super) body: &'a Body,
-    /// The known hover throttle.
+    /// The hover throttle from the parameters.
     pub(super) hover: f64,
     pub(super) parameters: &'a Parameters,
 }

@@ -28,7 +28,7 @@ use super::body::Body;
 use super::kinematics::STEP_S;
 use super::texts;
 
-/// The time without a GPS position after which the horizontal estimate is not trusted, and given up.
+/// The time without a GPS position after which the horizontal estimate is distrusted, and after which it is given up.
 const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
 const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
 /// A position rejected for this long is adopted after all.
@@ -318,7 +318,7 @@ impl Estimator {
         self.velocity_error_m_s = DVec3::ZERO;
     }
 
-    /// Without a position the estimate drifts, unless the vehicle is stationary.
+    /// Without a position the estimate drifts, unless the vehicle is on the ground.
     fn run_away(&mut self, truth: &Body) {
         if truth.on_ground {
             self.velocity_error_m_s = DVec3::ZERO;

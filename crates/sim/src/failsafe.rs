@@ -23,7 +23,7 @@ use super::reaction::Reaction;
 /// The interval of the checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 10;
 
-/// Exceptions in `FS_OPTIONS`, a bit each.
+/// Exceptions from the failsafes: the bits of `FS_OPTIONS`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Options(u32);
 
@@ -51,7 +51,7 @@ pub(super) struct FailsafeRules {
     /// The throttle below which the radio counts as lost (`FS_THR_VALUE`), in microseconds.
     pub(super) radio_low_us: f64,
     options: Options,
-    /// The greatest variance of the estimator (`FS_EKF_THRESH`); 0 for any.
+    /// The greatest variance of the estimator (`FS_EKF_THRESH`); 0 for no limit.
     pub(super) ekf_threshold: f64,
     ekf_action: i32,
     pub(super) battery: BatteryRules,
@@ -104,7 +104,7 @@ pub(super) struct RadioInputs {
 }
 
 impl FailsafeInputs<'_> {
-    /// Whether to disarm a vehicle on the ground instead of flying it somewhere.
+    /// Whether to disarm a vehicle on the ground instead of changing its mode.
     fn should_disarm(&self) -> bool {
         match self.mode.number {
             mode::STABILIZE | mode::ACRO => self.throttle_is_low || self.landed,

@@ -7,12 +7,12 @@ use super::port::Serials;
 use super::slot::VehicleSlot;
 use super::vehicle::{Plant, Vehicle};
 
-/// 64-bit FNV-1a over what the state looks like as text: numbers are written with all their digits.
+/// 64-bit FNV-1a over the debug text of the state, in which numbers have all their digits.
 struct Fingerprint(u64);
 
 impl Fingerprint {
     fn add(&mut self, part: &dyn Debug) {
-        // Nothing can fail: nothing is stored.
+        // Writing to a hash cannot fail.
         let _ = write!(self, "{part:?};");
     }
 }
@@ -27,9 +27,9 @@ impl fmt::Write for Fingerprint {
 }
 
 impl VehicleSlot {
-    /// The fingerprint of everything that decides what the vehicle does next. Left out are what follows from it
-    /// (the tuning), what does not change (the airframe), what only reports (logs, buffers of the ports) and the
-    /// signing key, which may be no part of a record.
+    /// The fingerprint of all state that decides how the vehicle flies on. It leaves out values derived from it (the
+    /// tuning), constants (the airframe), reports (logs, buffers of the ports), and the signing key, which must not
+    /// enter a record.
     pub(super) fn fingerprint(&self) -> u64 {
         let mut print = Fingerprint(0xcbf2_9ce4_8422_2325);
         let Self {
@@ -50,7 +50,7 @@ impl VehicleSlot {
 }
 
 impl Autopilot {
-    /// Shows the parts of its state one after the other.
+    /// Passes each part of the state to `add`.
     fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
         let (vehicle, watches) = self.state();
         for part in watches {

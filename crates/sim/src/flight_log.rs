@@ -1,4 +1,4 @@
-//! Recording flights: what the vehicle keeps of them.
+//! The flight logs that the vehicle keeps.
 
 mod flash;
 mod sample;
@@ -10,7 +10,7 @@ use flash::Groups;
 pub(super) use flash::RecordedLog;
 pub(super) use sample::{LogInputs, LogSample};
 
-/// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
+/// The start of the world's clock: 2026-01-01, in microseconds of the Unix epoch.
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
 /// Steps from one sample to the next: two samples per second.
 pub(super) const EVERY_STEPS: u64 = 50;
@@ -18,7 +18,7 @@ pub(super) const EVERY_STEPS: u64 = 50;
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;
-/// Room for samples is made in such pieces.
+/// Memory for samples is allocated for this many at once.
 const PIECE: usize = 120;
 /// How long a log continues after disarming.
 const PERSISTS_FOR: Duration = Duration::from_secs(15);
@@ -50,9 +50,9 @@ impl LogRules {
 #[derive(Debug, Clone, Default)]
 pub(super) struct FlightLog {
     kept: Vec<RecordedLog>,
-    /// Whether the last one kept is being written, and when the vehicle was last armed.
+    /// Whether a log has been begun since boot.
     recording: bool,
-    /// Whether that is so now: after a flight, the log rests until the next one.
+    /// Whether samples are written now; after a flight the log pauses until the next one.
     is_writing: bool,
     is_armed: bool,
     armed_at: Duration,
@@ -63,7 +63,7 @@ pub(super) struct FlightLog {
 }
 
 impl FlightLog {
-    /// The logs after a reboot: existing ones stay, and the next flight begins another.
+    /// The logs after a reboot: existing ones stay, and the next flight begins a new one.
     pub(super) fn rebooted(self) -> Self {
         Self {
             kept: self.kept,
@@ -72,7 +72,7 @@ impl FlightLog {
         }
     }
 
-    /// Forgets all logs; the next one has the next number all the same.
+    /// Deletes all logs; the numbers continue.
     pub(super) fn erase(&mut self) {
         *self = Self {
             written: self.written,
@@ -85,7 +85,7 @@ impl FlightLog {
         &self.kept
     }
 
-    /// Whether a sample is due; the first one begins a log. To be asked every [`EVERY_STEPS`].
+    /// Whether a sample is due; the first one begins a log. To be called every [`EVERY_STEPS`].
     pub(super) fn wants_sample(
         &mut self,
         rules: LogRules,
@@ -142,10 +142,10 @@ impl FlightLog {
         }
     }
 
-    /// Opens the file of a log by its number, and keeps it at hand; how long it is.
+    /// Opens the file of a log by its number; returns its length in bytes.
     pub(super) fn open(&mut self, number: u16) -> usize {
         let log = self.kept.iter().find(|log| log.number == number);
-        // A log goes on for a while after disarming.
+        // A log continues for a while after disarming.
         let len = log.map_or(0, RecordedLog::len);
         let is_open = |(open, file): &(u16, Vec<u8>)| *open == number && file.len() == len;
         if !self.open.as_ref().is_some_and(is_open) {
@@ -159,7 +159,7 @@ impl FlightLog {
         self.open.as_ref().map(|(_, file)| file.as_slice())
     }
 
-    /// Lets go of the file that was last opened.
+    /// Closes the file that was opened last.
     pub(super) fn close(&mut self) {
         self.open = None;
     }

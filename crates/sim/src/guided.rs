@@ -29,15 +29,15 @@ const UNIT_WITHIN: f64 = 1e-3;
 const THRUST_AS_THRUST: i32 = 1 << 3;
 /// Velocities and accelerations beyond this stop the vehicle.
 const SANE_MAX: f64 = 1000.0;
-/// Altitudes, speeds and offsets beyond this are mistakes (10 times round the earth).
+/// Altitudes, speeds and offsets beyond this are mistakes: in metres, it is 2.5 times the circumference of the earth.
 const SENSIBLE_MAX: f64 = 1e8;
 
-/// Where a position is meant.
+/// The position of a setpoint, in one of two forms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TargetPoint {
     /// Metres along the axes of the frame.
     Local(DVec3),
-    /// A place on the earth, and a height in the frame's reference.
+    /// A place on the earth, and a height above the frame's reference.
     Global { at: LatLon, height_m: f64 },
 }
 
@@ -62,8 +62,9 @@ pub(super) struct AttitudeTarget {
     pub(super) mask: u8,
 }
 
-/// Takes a setpoint. Outside GUIDED, disarmed or before a takeoff it is ignored without a word, and so is a point
-/// outside the fence; one that makes no sense (an unknown frame, nothing asked, not a number) stops the vehicle where it is.
+/// Carries out a setpoint. Outside GUIDED, disarmed or before a takeoff it is silently ignored, and so is a point
+/// outside the fence. An invalid setpoint (an unknown frame, no field in use, not a number) stops the vehicle where it
+/// is.
 pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
     let plan_is_guided = autopilot.auto_plan.is_guided();
     let vehicle = &mut autopilot.vehicle;
@@ -88,14 +89,14 @@ pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
         change_task(vehicle, task);
         aim_nose(vehicle, setpoint);
     } else {
-        // As if the mode were entered anew.
+        // The control restarts as if the mode were entered anew.
         restart_control(vehicle);
         vehicle.flight.task = Task::STOP;
     }
 }
 
-/// Takes an attitude. Without a thrust, or with a quaternion that is none, it is ignored; on the ground a climb
-/// takes off.
+/// Carries out an attitude. It is ignored without a thrust or with an invalid quaternion; on the ground a climb starts
+/// a takeoff.
 pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
     let rates = asked.rates_rad_s.map(f64::from);
     let finite = asked.thrust.is_finite() && rates.iter().all(|rate| rate.is_finite());
@@ -141,13 +142,13 @@ pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
     });
 }
 
-/// The present lean forward and to the right, in radians: rates start from it.
+/// The present lean forward and to the right, in radians: the start for a setpoint that gives rates.
 fn leaning_rad(vehicle: &Vehicle) -> DVec2 {
     let (roll, pitch) = vehicle.plant.body.roll_pitch_rad();
     DVec2::new(-pitch, roll)
 }
 
-/// The lift of a thrust value: half holds the height, more climbs, less sinks; or a thrust, if so set.
+/// The lift of a thrust value: a climb rate, where one half holds the height, or a thrust if `GUID_OPTIONS` says so.
 fn lift_of(vehicle: &Vehicle, thrust: f64) -> Lift {
     if vehicle.tuning.guided_options & THRUST_AS_THRUST != 0 {
         return Lift::Thrust(thrust.clamp(-1.0, 1.0));
@@ -173,8 +174,8 @@ pub(super) fn go_to(vehicle: &mut Vehicle, goal_m: DVec3, drift_m_s: DVec3) {
     );
 }
 
-/// A target of another kind than the last starts the position control again, and so does the first one after a
-/// takeoff; speeds that were asked are forgotten then (`ModeGuided::pva_control_start`).
+/// Changes the task. The position control restarts if the kind of target changes, and with the first target after a
+/// takeoff; speeds set by commands then no longer apply (`ModeGuided::pva_control_start`).
 fn change_task(vehicle: &mut Vehicle, task: Task) {
     if vehicle.flight.task.kind() != task.kind() || vehicle.flight.holds_takeoff() {
         restart_control(vehicle);

@@ -88,7 +88,7 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
     }
 }
 
-/// Everything that is neither a command nor a setpoint.
+/// Handles messages that are neither commands nor setpoints.
 #[expect(
     deprecated,
     reason = "ground stations in use still send what the dialect calls superseded"
@@ -104,7 +104,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
             link.schedule
                 .set_stream(data.req_stream_id as u8, rate, autopilot.vehicle.uptime());
         }
-        // A vehicle that still initialises itself does not hear this.
+        // A vehicle that is still initialising ignores this.
         MavMessage::PARAM_REQUEST_LIST(data)
             if own(data.target_system) && !autopilot.vehicle.boot.is_initialising() =>
         {
@@ -184,7 +184,7 @@ fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
     }
 }
 
-/// Jumps to an item of the mission. The answer shows the item that was asked, as ground stations take it for an
+/// Jumps to an item of the mission. The answer names the requested item, since ground stations treat it as an
 /// acknowledgement.
 fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
     if autopilot.auto_plan.set_item(&mut autopilot.vehicle, seq)
@@ -198,7 +198,7 @@ fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
     }
 }
 
-/// The vehicle's clock beside the asker's stamp.
+/// The answer to `TIMESYNC`: the vehicle's clock, and the time stamp of the request.
 fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
     MavMessage::TIMESYNC(TIMESYNC_DATA {
         tc1: autopilot.vehicle.uptime().as_nanos() as i64,
@@ -223,7 +223,7 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
     if let Some(parameter) = found {
         link.reply(MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
             param_index: BY_NAME,
-            // The name is echoed as it was asked.
+            // The name is returned as it was requested.
             param_id: data.param_id,
             ..autopilot.vehicle.parameters.fields_of(&parameter)
         }));

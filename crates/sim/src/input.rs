@@ -5,7 +5,7 @@ use super::Serial;
 /// Something that has entered a [`World`](super::World).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
-    /// The steps that the world had made before.
+    /// The number of steps that the world had made before.
     pub step: u64,
     /// The vehicle, counted from 0.
     pub vehicle: usize,

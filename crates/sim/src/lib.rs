@@ -39,21 +39,21 @@
 //! `examples/takeoff.rs` arms the vehicle, takes off and reads its position, as a test of another program would.
 //!
 //! # How the parts fit
-//! From the bottom up; a module uses those before it, and no two use each other.
+//! In order from the bottom up: a module uses only those before it, and no two modules use each other.
 //!
-//! - What really happens: `kinematics`, `airframe`, `battery`, `wind`, `body`, with a motor lost `upset` and `mixer`.
-//! - Facts: `config` (what a world begins with), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of
-//!   MAVLink), `plan` (lists of items), `place` (where on the earth a point is), `radio` (sticks), `texts`, `payload`.
-//! - Parts that own what they remember, are given what they need of the others, and return what they want done
-//!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task`
-//!   (what is flown now, in a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`,
-//!   `counters`, `workbench` (what is done by hand), `flight_log`. `tuning` is what the parameters tell all of them.
-//! - `vehicle` puts together what flies; `auto_plan` flies the plan of AUTO with it; `autopilot` decides, and steps
-//!   all parts in order. Its `telemetry` reports.
-//! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) are what they ask for;
-//!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with
-//!   its connections, `truth` what really becomes of it. `collision` is between bodies. `input` is what enters a
-//!   world, and `fingerprint` a number for a vehicle's state: to fly a flight again, and to see that it is the same.
+//! - The physics: `kinematics`, `airframe`, `battery`, `wind`, `body`; `upset` and `mixer` after the loss of a motor.
+//! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of
+//!   MAVLink), `plan` (lists of items), `place` (points and places on the earth), `radio` (sticks), `texts`, `payload`.
+//! - Parts that own their state, get the state of others as arguments, and return their requests (`reaction`):
+//!   `estimator` (the estimated motion), `control` and `yaw` (the path and the heading), `task` (the current task, with
+//!   a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench`
+//!   (tests on the ground), `flight_log`. `tuning` holds their parameters in SI units.
+//! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot` decides, and steps
+//!   all parts in order. Its `telemetry` builds the messages.
+//! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry out their requests;
+//!   `inbound` reads them. `schedule`, `signing`, `link` and `port` connect them; `slot` is a vehicle with its
+//!   connections, `truth` its true state. `collision` finds collisions. `input` describes the inputs of a world, and
+//!   `fingerprint` hashes a vehicle's state: to repeat a flight, and to compare the two.
 
 #![warn(missing_docs)]
 
@@ -142,7 +142,7 @@ pub struct PortId {
 }
 
 impl PortId {
-    /// The connection with a number, to a vehicle: of another world that has the same inputs.
+    /// The id of a connection from its number and vehicle, to address it in another world that has the same inputs.
     pub fn numbered(vehicle: usize, number: u64) -> Self {
         Self { vehicle, number }
     }
@@ -199,19 +199,19 @@ impl World {
         }
     }
 
-    /// Keeps what enters from now on, for [`take_inputs`](Self::take_inputs).
+    /// Starts to keep all inputs, for [`take_inputs`](Self::take_inputs).
     pub fn keep_inputs(&mut self) {
         self.inputs.get_or_insert_default();
     }
 
-    /// Removes and returns what has entered since the last call, in order, where that is kept.
+    /// Removes and returns the inputs since the last call, in order; empty without [`keep_inputs`](Self::keep_inputs).
     pub fn take_inputs(&mut self) -> Vec<Input> {
         self.inputs.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
-    /// Has the same enter as once entered another world. A world with the same configuration, the same inputs after
-    /// the same steps, and whose outputs are taken after each step, flies the same. Returns whether it can be: there
-    /// is such a vehicle, and the connection has that number here as well.
+    /// Repeats an input that was recorded in another world. Worlds with the same configuration and the same inputs
+    /// after the same steps, whose outputs are taken after each step, fly identically. Returns `false` if the vehicle
+    /// does not exist, or if a new connection would get another number here.
     pub fn enter(&mut self, input: &Input) -> bool {
         let port = PortId {
             vehicle: input.vehicle,
@@ -233,8 +233,8 @@ impl World {
         self.steps
     }
 
-    /// A number for the whole state of a vehicle, counted from 0: vehicles that differ in anything that decides what
-    /// they do next have different numbers, but for a chance of one in 2^64.
+    /// A hash of the whole state of a vehicle, counted from 0. Vehicles that differ in any state that decides how they
+    /// fly on have different hashes, but for a chance of one in 2^64.
     ///
     /// # Panics
     /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
@@ -271,7 +271,7 @@ impl World {
         STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
     }
 
-    /// From now on serial 0 of a vehicle that signs drops unsigned packets too, as its other ports do.
+    /// Makes serial 0 of a vehicle that signs drop unsigned packets too, as its other ports do.
     pub fn require_signatures(&mut self) {
         for slot in &mut self.slots {
             slot.require_signatures();
@@ -285,8 +285,8 @@ impl World {
     }
 
     /// Attaches a ground station to a serial port of a vehicle, counted from 0. Ground stations on the same serial
-    /// port get the same telemetry, at the rates that any of them has asked for; rates last until the vehicle
-    /// reboots, also when everybody has left. Answers go to the one who asked.
+    /// port get the same telemetry, at the rates that any of them has asked for; rates last until the vehicle reboots,
+    /// even without ground stations. Answers go only to the ground station that asked.
     pub fn connect_to(&mut self, vehicle: usize, serial: Serial) -> PortId {
         let number = self.next_port;
         self.next_port += 1;
@@ -313,7 +313,7 @@ impl World {
         self.connections
     }
 
-    /// Whether the connection stands; a vehicle that reboots drops its connections.
+    /// Whether the connection is open; a vehicle that reboots drops its connections.
     pub fn is_open(&self, port: PortId) -> bool {
         self.slots
             .get(port.vehicle)
@@ -339,7 +339,8 @@ impl World {
     }
 
     /// [`World::step`] in parts that do not touch each other, so that `run` can step them at the same time. The
-    /// outcome is the same for any number of parts and any order. A part that is not stepped stands still.
+    /// outcome is the same for any number of parts and any order. The vehicles of a part that is not stepped do not
+    /// move.
     pub fn step_in_parts(&mut self, parts: usize, run: impl FnOnce(Vec<Part<'_>>)) {
         self.steps += 1;
         let size = self.slots.len().div_ceil(parts.max(1)).max(1);
@@ -370,8 +371,8 @@ impl World {
         }
     }
 
-    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1).
-    /// The world cannot set its own pace; whoever steps it should.
+    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1). The
+    /// world cannot set its own pace: the caller that steps it should.
     pub fn wanted_speedup(&self) -> Option<f64> {
         self.slots
             .iter()

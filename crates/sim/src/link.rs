@@ -13,19 +13,19 @@ use super::schedule::Schedule;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct LinkNumber(pub(super) u32);
 
-/// The state of one serial port, and output of one frame for its sender.
+/// The state of one serial port, and the answers to the frame that is being handled.
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) schedule: Schedule,
-    /// The ground station being answered, in transfers.
+    /// The transfer number of the ground station that is being answered.
     pub(super) transfer: LinkNumber,
     /// Whether anything was received: until then the vehicle sends little.
     pub(super) heard: bool,
-    /// Asked for: a list of parameters from this one on.
+    /// The index of the first parameter of a requested list.
     pub(super) listing: Option<u16>,
-    /// Answers to the asker alone.
+    /// Answers for the sender of the frame alone.
     pub(super) replies: Vec<Outgoing>,
-    /// Asked for: this key, and the time from which on it counts.
+    /// A signing key that was received, with the timestamp from which it is valid.
     pub(super) key: Option<(SigningKey, u64)>,
 }
 

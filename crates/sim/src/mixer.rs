@@ -11,27 +11,28 @@ pub(super) const MOTORS_MAX: usize = 12;
 const YAW_HEADROOM: f64 = 0.2;
 /// The time constant of the thrust boost after the loss of a motor (`MOT_SPOOL_TIME`).
 const BOOST_S: f64 = 0.5;
-/// About the share that hovers.
+/// The approximate share of the thrust range in the hover.
 const HOVER_SHARE: f64 = 0.4;
-/// The watch for a lost motor filters over this time.
+/// The filter time of the check for a lost motor.
 const WATCH_S: f64 = 0.5;
 
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Mixer {
     /// The result: shares of the thrust range, 0 to 1.
     pub(super) shares: [f64; MOTORS_MAX],
-    /// Whether roll and pitch, yaw, and more throttle could not be had in full.
+    /// The demands that could not be met in full.
     pub(super) limited: Limited,
-    /// A lost motor is being made up for.
+    /// Whether the thrust is boosted to make up for a lost motor.
     pub(super) boost: bool,
-    /// The motor that works hardest: it or its surroundings have failed. Counted from 0.
+    /// The motor with the greatest load, counted from 0: when it is far greater than that of the others, a motor has
+    /// failed.
     pub(super) lost: usize,
     boost_ratio: f64,
     unbalanced: bool,
     filtered: [f64; MOTORS_MAX],
 }
 
-/// The parts of the demand beyond the motors' range.
+/// The demands beyond the motors' range: lean, yaw, and more throttle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Limited {
     pub(super) lean: bool,
@@ -40,7 +41,7 @@ pub(super) struct Limited {
 }
 
 impl Mixer {
-    /// One round of `dt_s`. `turn` is roll, pitch and yaw from -1 to 1, `throttle` a share of the thrust range.
+    /// Runs the mixer for `dt_s`. `turn` is roll, pitch and yaw from -1 to 1, `throttle` a share of the thrust range.
     pub(super) fn mix(&mut self, motors: &[Motor], turn: DVec3, throttle: f64, dt_s: f64) {
         self.limited = Limited::default();
         let throttle = throttle.clamp(0.0, 1.0);
@@ -89,7 +90,7 @@ impl Mixer {
         let headroom = YAW_HEADROOM + self.boost_ratio * (0.5 - YAW_HEADROOM);
         let room = healthy.max(headroom);
         match motors.get(self.lost).filter(|_| self.boost) {
-            // The lost motor fades out of the reckoning.
+            // The limit from the lost motor fades out as the boost grows.
             Some(motor) => {
                 let all = room_of(self.lost, motor).min(room);
                 all + self.boost_ratio * (room - all)
@@ -125,7 +126,7 @@ impl Mixer {
         }
     }
 
-    /// Looks for a motor that works much harder than the others.
+    /// Detects a motor with a much greater load than the others.
     fn watch(&mut self, count: usize, dt_s: f64) {
         let blend = dt_s / (dt_s + WATCH_S);
         let (mut highest, mut sum) = (0.0, 0.0);

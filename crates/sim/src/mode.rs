@@ -1,4 +1,4 @@
-//! The flight modes and what holds in each.
+//! The flight modes and their properties.
 
 use mavlink::dialects::ardupilotmega::CopterMode;
 

@@ -1,4 +1,4 @@
-//! The vehicle's parameters, and what they mean in SI units.
+//! The vehicle's parameters: their table, names and values.
 
 mod aliases;
 mod table;
@@ -9,7 +9,7 @@ use mavlink::types::CharArray;
 use self::table::TABLE;
 pub use aliases::{AliasSense, other_name};
 
-/// The index in the answer to a parameter that was asked or set by name.
+/// The index in the answer to a parameter that was requested or set by name.
 pub(super) const BY_NAME: u16 = u16::MAX;
 
 /// The stored type of a parameter; all are sent as floats.
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// One parameter as it is now.
+/// A parameter with its present value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Parameter {
     pub(super) name: &'static str,
@@ -54,7 +54,8 @@ pub(super) struct Parameter {
     pub(super) index: u16,
 }
 
-/// The values. They survive a reboot. Thousands of vehicles share the defaults: each keeps only what differs.
+/// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share the defaults: each keeps
+/// only the values that differ.
 #[derive(Debug, Clone)]
 pub(super) struct Parameters {
     /// Places in the table with values other than the default, in rising order.
@@ -71,7 +72,7 @@ impl Parameters {
         all
     }
 
-    /// Their number.
+    /// The number of parameters.
     #[expect(
         clippy::unused_self,
         reason = "that all vehicles have the same ones is known here only"
@@ -101,7 +102,7 @@ impl Parameters {
             .map_or(0.0, |row| row.default)
     }
 
-    /// The parameter of that name, be it a newer firmware's; upper and lower case are the same.
+    /// The parameter with a name of either firmware; upper and lower case are the same.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
         if let Some(index) = TABLE.place(name) {
             return self.at(index as u16);
@@ -134,7 +135,7 @@ impl Parameters {
         self.at(parameter.index)
     }
 
-    /// `PARAM_VALUE` of one, with its place in the list.
+    /// The `PARAM_VALUE` of a parameter, with its index in the list.
     pub(super) fn message(&self, parameter: &Parameter) -> MavMessage {
         MavMessage::PARAM_VALUE(self.fields_of(parameter))
     }

@@ -1,5 +1,4 @@
-//! Payloads read by offset and written in wire order: what a message holds also where a number in it has no name in
-//! the dialect.
+//! Payloads read by offset and written in wire order, so that numbers without a name in the dialect keep their value.
 
 use mavlink::{MavlinkVersion, Message as _};
 
@@ -7,7 +6,7 @@ use sortie_wire::Content;
 
 const LONGEST: usize = 255;
 
-/// A received payload; what lies behind its end reads as zero.
+/// A received payload; bytes beyond its end read as zero.
 #[derive(Debug)]
 pub(super) struct Payload([u8; LONGEST]);
 
@@ -25,7 +24,7 @@ impl Payload {
         Some(Self(bytes))
     }
 
-    /// Bytes from elsewhere in the same layout.
+    /// A payload from bytes in the same layout, such as a file's.
     pub(super) fn new(payload: &[u8]) -> Self {
         let mut bytes = [0; LONGEST];
         let len = payload.len().min(LONGEST);
@@ -59,7 +58,7 @@ impl Payload {
     }
 }
 
-/// A payload in the making.
+/// A payload that is being written.
 #[derive(Debug, Default)]
 pub(super) struct Writer(Vec<u8>);
 

@@ -1,4 +1,4 @@
-//! Places on the earth, the points in metres from the start that stand for them, and what heights mean.
+//! Places on the earth, the corresponding points in metres from the start, and the references of heights.
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MavMessage};
@@ -17,8 +17,8 @@ pub(super) struct Place {
     pub(super) altitude_amsl_m: f64,
 }
 
-/// The altitude above sea level that a height means in a global frame (`MAV_FRAME`), with home as a point; `None` in
-/// a frame the vehicle lacks. Without terrain data the ground counts as level with the start.
+/// The altitude above sea level of a height in a global frame (`MAV_FRAME`), with home as a point; `None` for a frame
+/// that the vehicle does not support. Without terrain data the ground counts as level with the start.
 pub(super) fn altitude_amsl_m(
     frame: u8,
     height_m: f64,
@@ -32,17 +32,17 @@ pub(super) fn altitude_amsl_m(
     })
 }
 
-/// Where a vehicle's north, east and down begin, and its home.
+/// The origin of a vehicle's north, east and down, and its home.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LocalDatum {
     pub(super) start: Start,
     home: Option<Place>,
-    /// Home as a point, worked out once: every step flies by it.
+    /// Home as a point, computed once because every step needs it.
     home_m: DVec3,
 }
 
 impl LocalDatum {
-    /// Begins at a start, without a home.
+    /// The origin at a start, without a home.
     pub(super) fn at(start: Start) -> Self {
         Self {
             start,

@@ -28,7 +28,7 @@ pub(super) enum ListKind {
 impl ListKind {
     pub(super) const ALL: [Self; 3] = [Self::Mission, Self::Fence, Self::Rally];
 
-    /// The list of a `MAV_MISSION_TYPE`, if it is one of a vehicle's.
+    /// The list of a `MAV_MISSION_TYPE`, if a vehicle has such a list.
     pub(super) fn numbered(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
@@ -50,7 +50,7 @@ impl ListKind {
 /// The three lists of a vehicle. They survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Plans {
-    /// Item 0 is home; the first command is item 1. Empty: there is no mission.
+    /// Item 0 is home, item 1 the first command; empty without a mission.
     pub(super) mission: Vec<Item>,
     pub(super) fence: Vec<Item>,
     pub(super) rally: Vec<Item>,

@@ -14,17 +14,17 @@ use super::vehicle::Vehicle;
 use super::{Serial, inbound, transfer};
 use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
-/// Bytes that wait for a reader at most.
+/// The most bytes that wait for a reader.
 const PENDING_MAX: usize = 256 * 1024;
-/// Beyond this only answers are still kept, no telemetry.
+/// With more bytes waiting, telemetry is dropped and only answers are kept.
 const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
-/// A buffer that has grown beyond this is given back once it is empty.
+/// A buffer that has grown beyond this is freed once it is empty.
 const PENDING_KEPT: usize = 4096;
-/// Beyond this transfers pause.
+/// With more bytes waiting, transfers pause.
 const TRANSFERS_MAX: usize = PENDING_MAX / 2;
 /// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
 const PIECE: usize = 4096;
-/// After a pause of this many steps nothing more belongs to the bytes that have come (a frame takes far less).
+/// After a pause of this many steps, an incomplete frame will not be completed any more (a frame takes far less).
 const PAUSE_STEPS: u32 = 50;
 /// Parameters sent per step while a list is under way (2300 per second).
 const PARAMETERS_PER_STEP: u16 = 23;
@@ -38,7 +38,7 @@ pub(super) struct Serials {
 }
 
 impl Serials {
-    /// As they are after boot.
+    /// The serial ports after a boot.
     pub(super) fn booted(vehicle: &Vehicle, signing: Signing, transfers: Transfers) -> Self {
         let now = vehicle.uptime();
         Self {
@@ -83,7 +83,7 @@ impl Port {
     }
 
     /// Takes bytes and answers their requests. Broadcast messages are returned for the others; this ground station
-    /// gets it in order with its answers.
+    /// gets them in order with its answers.
     pub(super) fn receive(
         &mut self,
         autopilot: &mut Autopilot,
@@ -101,14 +101,14 @@ impl Port {
         for_others
     }
 
-    /// Counts the pause since the last bytes; true when it is long enough that frames behind a false start may be
-    /// released: see [`Port::end_of_burst`].
+    /// Counts a step without bytes; true once the pause is long enough to release frames behind a false start: see
+    /// [`Port::end_of_burst`].
     pub(super) fn is_pause(&mut self) -> bool {
         self.quiet_steps = self.quiet_steps.saturating_add(1);
         self.quiet_steps == PAUSE_STEPS && self.decoder.has_tail()
     }
 
-    /// Handles what was hidden behind a false start, as [`Port::receive`] does.
+    /// Handles frames that were hidden behind a false start, as [`Port::receive`] does.
     pub(super) fn end_of_burst(
         &mut self,
         autopilot: &mut Autopilot,
@@ -153,7 +153,7 @@ impl Port {
         said
     }
 
-    /// Sends what every ground station hears.
+    /// Sends messages that go to every ground station.
     pub(super) fn broadcast(&mut self, messages: &[MavMessage], serials: &mut Serials) {
         let heard = serials.link_mut(self.serial).heard;
         for message in messages {
@@ -182,7 +182,7 @@ impl Port {
         self.say(message, signing, TELEMETRY_MAX);
     }
 
-    /// Goes on with a list of parameters.
+    /// Continues a list of parameters.
     pub(super) fn list(&mut self, autopilot: &Autopilot, signing: &mut Signing) {
         let Some(first) = self.listing else {
             return;
@@ -198,7 +198,7 @@ impl Port {
         self.listing = (next < count).then_some(next);
     }
 
-    /// Goes on with transfers; they wait for a reader that is slow.
+    /// Continues transfers; they pause for a slow reader.
     pub(super) fn transfer(&mut self, autopilot: &mut Autopilot, serials: &mut Serials) {
         if self.pending.len() >= TRANSFERS_MAX {
             return;
@@ -244,7 +244,7 @@ impl Port {
         }
     }
 
-    /// Takes back a frame that exceeds the room; the gap in the sequence numbers then shows the loss.
+    /// Drops a frame that exceeds the room; the gap in the sequence numbers then shows the loss.
     fn keep_within(&mut self, room: usize, before: usize) {
         if self.pending.len() > room {
             self.pending.truncate(before);

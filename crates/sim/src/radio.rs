@@ -6,18 +6,18 @@ use super::parameters::Parameters;
 
 /// Channels that can be overridden.
 pub(super) const CHANNELS: usize = 16;
-/// In an override: leave the channel as it is; give it back (in the channels from the ninth on).
+/// Values of a channel in an override: it stays as it is; it is released (only channels from the ninth on).
 const UNCHANGED: u16 = u16::MAX;
 const GIVEN_BACK: u16 = u16::MAX - 1;
 /// A pulse that a receiver can send, in microseconds.
 const PULSE_MAX_US: u16 = 2500;
-/// An override without end lasts this long.
+/// The duration of an override without a time limit.
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
 /// Upper limits of the pulse width for the first five positions of the mode switch.
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
 /// The number of equal readings, ten a second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
-/// A stick in a lower corner arms or disarms after this many looks.
+/// A stick in a lower corner arms or disarms after this many checks.
 const CORNER_LOOKS: u8 = 20;
 /// The deflection of the yaw stick for that (-1 to 1).
 const CORNER: f64 = 4000.0 / 4500.0;
@@ -96,7 +96,7 @@ impl StickRange {
         if self.sign < 0.0 { 1.0 - share } else { share }
     }
 
-    /// Where the middle of the stick is by [`pushed`](Self::pushed).
+    /// The value of [`pushed`](Self::pushed) for a centred stick.
     pub(super) fn middle(&self) -> f64 {
         let from = self.min + self.dead;
         let travel = (self.max - from).max(1.0);
@@ -133,7 +133,7 @@ impl Sticks {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
     overrides: [(u16, Duration); CHANNELS],
-    /// Overrides last until then at most.
+    /// When overrides end at the latest.
     pub(super) until: Duration,
     switch: (usize, u8),
     obeyed: usize,
@@ -216,8 +216,8 @@ impl Radio {
         }
     }
 
-    /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis alone. A
-    /// negative throttle makes the whole message void.
+    /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis unchanged. A
+    /// message with a negative throttle is ignored.
     pub(super) fn control_manually(
         &mut self,
         [x, y, z, r]: [i16; 4],
@@ -248,7 +248,7 @@ impl Radio {
         }
     }
 
-    /// Looks at the mode switch and at the corner of the sticks that arms; ten times a second.
+    /// Checks the mode switch and the corner of the sticks that arms; to be called ten times a second.
     pub(super) fn watch(
         &mut self,
         rules: &RadioRules,
@@ -286,7 +286,7 @@ impl Radio {
         moved
     }
 
-    /// The parameter that names the mode of the switch's position: `FLTMODE1` to 6.
+    /// The parameter with the mode of the switch's position: `FLTMODE1` to 6.
     pub(super) fn mode_parameter(&self) -> String {
         format!("FLTMODE{}", self.obeyed + 1)
     }

@@ -31,13 +31,13 @@ impl RallyRules {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rally<'a> {
     pub(super) items: &'a [Item],
-    /// Where the vehicle's north, east and down begin.
+    /// The origin of the vehicle's north, east and down.
     pub(super) start: &'a Start,
 }
 
 impl Rally<'_> {
-    /// Where a return from `here_m` ends: home, or the nearest rally point that is allowed. Its height is the least at
-    /// which to arrive.
+    /// The destination of a return from `here_m`: home, or the nearest allowed rally point. Its height is the least on
+    /// arrival.
     pub(super) fn destination(
         &self,
         rules: &RallyRules,

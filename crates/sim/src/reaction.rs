@@ -1,29 +1,29 @@
-//! Requests to the autopilot from the parts that watch over a flight.
+//! Requests to the autopilot from the parts that monitor a flight.
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-/// One thing to do, in the order in which a part lists them.
+/// One request; a part lists them in the order in which they are to be carried out.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Reaction {
-    /// Tell every ground station.
+    /// Sends a text to every ground station.
     Say(MavSeverity, String),
     Disarm,
-    /// The sticks that a ground station held are let go.
+    /// Releases the sticks that a ground station overrides.
     ReleaseSticks,
-    /// The action set by a failsafe's parameters.
+    /// Takes the action set by a failsafe's parameters.
     Act(FailsafeAction),
-    /// Modes that need a position end: the height is held, if so set and possible, or else the vehicle lands.
+    /// Leaves a mode that needs a position: holds the height if that is set and possible, otherwise lands.
     LeavePosition {
         holds_height: bool,
     },
-    /// A lost motor is made up for with more thrust than is usual.
+    /// Compensates a lost motor with more thrust than usual.
     BoostThrust,
-    /// The first of these modes that can be entered.
+    /// Enters the first of these modes that can be entered.
     EnterFirst(&'static [u8]),
 }
 
 impl Reaction {
-    /// Tells something of a severity.
+    /// A text for every ground station, with a severity.
     pub(super) fn say(severity: MavSeverity, text: impl Into<String>) -> Self {
         Self::Say(severity, text.into())
     }

@@ -109,7 +109,7 @@ struct ScheduleEntry {
 #[derive(Debug, Clone)]
 pub(super) struct Schedule {
     entries: Vec<ScheduleEntry>,
-    /// Nothing is due before this.
+    /// No message is due before this time, in microseconds.
     earliest_us: u64,
 }
 
@@ -136,7 +136,7 @@ impl Schedule {
         schedule
     }
 
-    /// Handles a new client after none: everything is due at once, and once.
+    /// Handles the first client after a time without any: each message is due at once, and only once.
     pub(super) fn resume(&mut self, now: Duration) {
         let now_us = now.as_micros() as u64;
         for entry in &mut self.entries {
@@ -145,8 +145,8 @@ impl Schedule {
         self.earliest_us = now_us;
     }
 
-    /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too short
-    /// (negative ones too) means the shortest.
+    /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too small
+    /// (negative ones too) sets the shortest interval.
     pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
         if id == TERRAIN_REQUEST {
             // The report comes with every turn, the request for data not more often than every 2 s.

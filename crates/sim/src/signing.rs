@@ -1,18 +1,18 @@
 //! `MAVLink` 2 signing as the vehicle does it.
 //!
-//! One key for all serial ports, and per port a clock that counts the packets sent and follows later timestamps of
-//! others. The table against replays is shared by all ports. Serial 0 is meant to be a cable and goes on accepting
-//! everything; the others silently drop what is not signed rightly.
+//! All serial ports share one key and the table against replays. Each has a clock that counts the packets sent and
+//! follows later timestamps of other senders. Serial 0 is meant for a cable and still accepts everything; the others
+//! silently drop packets without a valid signature.
 
 use super::Serial;
 use sortie_wire::{Frame, SigningKey, Stamp, is_signed_with};
 
 /// Timestamps count tens of microseconds.
 const SECOND: u64 = 100_000;
-/// A sender that is heard for the first time may be this far behind the vehicle's clock, and a clock begins this far
-/// after the timestamp that was stored, so that nothing said before can be said again.
+/// A new sender may be this far behind the vehicle's clock. After a boot the clock begins this far after the stored
+/// timestamp, so that old packets cannot be replayed.
 const MARGIN: u64 = 60 * SECOND;
-/// Senders that the table against replays has room for.
+/// The number of senders in the table against replays.
 const STREAMS: usize = 16;
 /// `RADIO_STATUS` and `RADIO` come from modems, which cannot sign.
 const ALWAYS_ACCEPTED: [u32; 2] = [109, 166];
@@ -32,17 +32,17 @@ pub(super) struct Signing {
     key: Option<SigningKey>,
     clocks: [u64; Serial::ALL.len()],
     streams: Vec<SignedStream>,
-    /// Serial 0 does not accept everything either.
+    /// Whether serial 0 drops unsigned packets, too.
     strict: bool,
 }
 
 impl Signing {
-    /// Accepts nothing unsigned on any port once there is a key.
+    /// Drops unsigned packets on every port once a key is set.
     pub(super) fn be_strict(&mut self) {
         self.strict = true;
     }
 
-    /// Signs from now on. Zeros for both switch signing off.
+    /// Signs from now on; a key and a timestamp of zero switch signing off.
     pub(super) fn load(&mut self, key: SigningKey, timestamp: u64) {
         let off = key == [0; 32] && timestamp == 0;
         self.key = (!off).then_some(key);
@@ -70,12 +70,12 @@ impl Signing {
         Some((key, stamp))
     }
 
-    /// Whether a frame may be listened to.
+    /// Whether a frame is accepted.
     pub(super) fn admits(&mut self, serial: Serial, frame: &Frame, bytes: &[u8]) -> bool {
         let Some(key) = self.key else {
             return true;
         };
-        // The table learns from what is signed rightly, also where everything is accepted.
+        // The table records valid signatures, even where everything is accepted.
         let is_signed_rightly = frame.signed
             && is_signed_with(&key, bytes)
             && Stamp::of(bytes).is_some_and(|stamp| self.is_new(serial, frame, stamp));

@@ -1,5 +1,5 @@
-//! A place in the world, filled by one vehicle with its serial ports and the ground stations on them. The connections
-//! are kept here, as they outlast what a reboot makes of the [`Autopilot`].
+//! One vehicle of the world, with its serial ports and the ground stations on them. The connections are kept here
+//! because a reboot replaces the [`Autopilot`], but not them.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -15,7 +15,7 @@ use super::transfer::Transfers;
 pub(super) struct VehicleSlot {
     pub(super) autopilot: Autopilot,
     pub(super) serials: Serials,
-    /// Under the numbers that the world gave them.
+    /// The connections, with their numbers in the world.
     pub(super) ports: Vec<(u64, Port)>,
 }
 
@@ -68,7 +68,7 @@ impl VehicleSlot {
         }
     }
 
-    /// Moves on by one step and sends what is due.
+    /// Advances by one step and sends what is due.
     pub(super) fn step(&mut self) {
         if self.autopilot.vehicle.boot.awaits_client()
             && !self.ports.iter().any(|(_, port)| port.open)
@@ -151,7 +151,7 @@ impl VehicleSlot {
             .any(|(_, port)| port.open && port.serial == serial)
     }
 
-    /// Works with one open port; broadcast messages of the vehicle reach the others too.
+    /// Calls `work` with an open port, and sends its broadcast messages to the other ports.
     fn with_port(
         &mut self,
         place: usize,
@@ -164,7 +164,7 @@ impl VehicleSlot {
         self.tell(&said, Some(place));
     }
 
-    /// Says something to every ground station except one that has heard it already.
+    /// Sends messages to every ground station, except one that already has them.
     fn tell(&mut self, said: &[MavMessage], except: Option<usize>) {
         for (place, (_, port)) in self.ports.iter_mut().enumerate() {
             if Some(place) != except && port.open {

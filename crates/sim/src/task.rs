@@ -29,7 +29,7 @@ use super::rally::Rally;
 use super::trail::Trail;
 use sortie_geo::maths;
 
-/// The widest and the fastest circle.
+/// The widest circle in metres, and the fastest in degrees per second.
 const CIRCLE_MAX_M: f64 = 2000.0;
 const CIRCLE_MAX_DEG_S: f64 = 90.0;
 /// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
@@ -45,7 +45,7 @@ pub(super) struct Cockpit<'a> {
     pub(super) tuning: &'a FlightTuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
-    /// A ground station overrides the transmitter: the throttle is set by a person.
+    /// A ground station overrides the transmitter, so that a pilot sets the throttle.
     pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
@@ -72,7 +72,7 @@ pub(super) enum Act {
     Throttle(f64),
 }
 
-/// The task at hand.
+/// The current task of the autopilot.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Task {
     /// Waits on the ground.
@@ -122,7 +122,7 @@ pub(super) struct Circle {
 }
 
 impl Task {
-    /// Stop, then hold the place.
+    /// Stops, then holds the place.
     pub(super) const STOP: Self = Self::Velocity {
         wanted_m_s: DVec3::ZERO,
         until: Duration::MAX,
@@ -239,7 +239,7 @@ impl Task {
                 let fresh = cockpit.now < *until && *until != Duration::MAX;
                 let wanted = keep_inside(cockpit, if fresh { *wanted_m_s } else { DVec3::ZERO });
                 if fresh {
-                    // What the fence takes away stays away until the next setpoint.
+                    // A speed reduced by the fence stays reduced until the next setpoint.
                     *wanted_m_s = wanted;
                 }
                 let limits = cockpit.limits.overspeed(cockpit.control.velocity_m_s.z);

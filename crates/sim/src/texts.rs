@@ -6,7 +6,7 @@ use mavlink::types::CharArray;
 /// Bytes of text in one message.
 const CHUNK: usize = 50;
 
-/// Appends a text; a longer one than fits comes as chunks with a common id.
+/// Appends a text; one that does not fit is sent in chunks with a common id.
 pub(super) fn say(outbox: &mut Vec<MavMessage>, severity: MavSeverity, text: &str) {
     let chunks = text.as_bytes().chunks(CHUNK);
     let id = u16::from(chunks.len() > 1);

@@ -6,11 +6,11 @@ use glam::{DVec3, Vec3};
 
 use super::parameters::Parameters;
 
-/// A breadcrumb may be dropped this often.
+/// The interval between breadcrumbs, in steps.
 pub(super) const EVERY_STEPS: u64 = 33;
 /// Without a position, or without room, for longer than this the path is given up.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// More breadcrumbs than this are never kept.
+/// The most breadcrumbs that are ever kept.
 const POINTS_MAX: f64 = 500.0;
 /// The path is tidied when no more than this many breadcrumbs fit.
 const MARGIN: usize = 10;
@@ -23,7 +23,7 @@ const PRUNE_SHARE: f64 = 0.99;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrailRules {
     accuracy_m: f64,
-    /// 0: there is no `SMART_RTL`.
+    /// The most breadcrumbs; 0 disables `SMART_RTL`.
     points: usize,
 }
 
@@ -47,12 +47,12 @@ pub(super) struct Trail {
 }
 
 impl Trail {
-    /// Whether there is a way back.
+    /// Whether the path can be retraced.
     pub(super) fn is_active(&self) -> bool {
         self.active
     }
 
-    /// Begins at a place; without a position there will be no way back.
+    /// Begins the path at a place; without a position it cannot be retraced.
     pub(super) fn begin(&mut self, here_m: Option<DVec3>, rules: &TrailRules, now: Duration) {
         self.points_m.clear();
         self.points_m.extend(here_m.map(DVec3::as_vec3));
@@ -60,7 +60,7 @@ impl Trail {
         (self.good, self.kept) = (now, now);
     }
 
-    /// Notes where the vehicle is, if that is known. Says why the path is given up, if it is.
+    /// Notes the vehicle's position, if it is known. Returns the reason if the path is given up.
     pub(super) fn note(
         &mut self,
         here_m: Option<DVec3>,
@@ -86,7 +86,7 @@ impl Trail {
         reason
     }
 
-    /// Whether the place is, or did not need to be, kept.
+    /// Keeps a place unless it is near the last one; `false` if there is no room.
     fn keep(&mut self, here_m: DVec3, rules: &TrailRules) -> bool {
         let last = self.points_m.last().map(|point| point.as_dvec3());
         if last.is_some_and(|last| last.distance(here_m) < rules.accuracy_m) {
@@ -110,7 +110,7 @@ impl Trail {
         self.points_m = points_m.into_iter().map(DVec3::as_vec3).collect();
     }
 
-    /// Takes the last breadcrumb off; whether it is the first one of the flight.
+    /// Removes and returns the last breadcrumb, and whether it is the first one of the flight.
     pub(super) fn pop(&mut self) -> Option<(DVec3, bool)> {
         let point = self.points_m.pop()?;
         Some((point.as_dvec3(), self.points_m.is_empty()))
@@ -155,7 +155,7 @@ fn prune(points_m: &mut Vec<DVec3>, delta_m: f64) {
     let mut from = 1;
     while from + 2 < points_m.len() {
         let one = [points_m[from - 1], points_m[from]];
-        // The longest loop goes first.
+        // The longest loop is removed first.
         let crossing = (from + 2..points_m.len()).rev().find_map(|to| {
             let [a, b] = nearest(one, [points_m[to - 1], points_m[to]]);
             (a.distance(b) < delta_m).then(|| (to, a.midpoint(b)))
@@ -180,7 +180,7 @@ fn nearest(one: [DVec3; 2], other: [DVec3; 2]) -> [DVec3; 2] {
             0.0
         }
     };
-    // Right for endless lines only: what is beyond an end of the other is put right after.
+    // Valid for infinite lines only; points beyond an end are corrected below.
     let crossing = share(
         both * apart_along - apart_way * along_2,
         way_2 * along_2 - both * both,

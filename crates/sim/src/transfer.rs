@@ -1,7 +1,7 @@
 //! Transfers to and from the vehicle: lists of items, files and flight logs.
 //!
-//! As in the real vehicle one upload per list, one open file and one log download are under way at a time,
-//! whichever link they came by.
+//! As in the real vehicle one upload per list, one open file and one log download are under way at a time, over all
+//! links together.
 
 mod content;
 mod fence;
@@ -30,7 +30,7 @@ pub(super) struct Transfers {
     lists: Lists,
     files: Files,
     download: LogDownload,
-    /// The number of links with a request.
+    /// The number of links that have sent a request.
     links: u32,
 }
 
@@ -83,7 +83,7 @@ impl Talk<'_> {
         self.link.replies.push(Outgoing::Raw { id, payload });
     }
 
-    /// Says something on this link alone.
+    /// Sends a text on this link alone.
     fn text(&mut self, severity: MavSeverity, text: &str) {
         let mut said = Vec::new();
         texts::say(&mut said, severity, text);
@@ -125,7 +125,7 @@ pub(super) fn handle(
         || logs::handle(&mut talk, id, &payload)
 }
 
-/// Carries on with what is under way on a link.
+/// Continues the transfers of a link.
 pub(super) fn step(transfers: &mut Transfers, autopilot: &mut Autopilot, link: &mut Link) {
     if transfers.lists.is_idle() && transfers.files.is_idle() && transfers.download.is_idle() {
         return;

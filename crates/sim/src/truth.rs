@@ -6,7 +6,7 @@ use sortie_geo::{LatLon, wrap_360};
 /// The true state, independent of the telemetry: for tests and benches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Truth {
-    /// Where the vehicle is.
+    /// Latitude and longitude of the vehicle.
     pub at: LatLon,
     /// Metres above mean sea level.
     pub altitude_amsl_m: f64,

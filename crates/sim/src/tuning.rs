@@ -21,13 +21,13 @@ pub(crate) struct Tuning {
     pub(crate) yaw_accel_deg_s2: f64,
     pub(crate) yaw_behaviour: i32,
     pub(crate) slew_yaw_deg_s: f64,
-    /// After how long an idle vehicle is disarmed; zero: never.
+    /// The time after which an idle vehicle is disarmed; zero for never.
     pub(crate) disarm_delay: Duration,
     pub(crate) setpoint_timeout: Duration,
     pub(crate) ground_station: u8,
     pub(crate) only_ground_station: bool,
     pub(crate) wind: WindRules,
-    /// To which the simulated battery is charged or drained when it changes.
+    /// `SIM_BATT_VOLTAGE`, in volts; when it changes, the battery is charged or drained to it.
     pub(crate) battery_set_v: f64,
     pub(crate) motor_fault: Option<MotorFault>,
     pub(crate) crash_check: bool,
@@ -65,7 +65,7 @@ impl Tuning {
     }
 }
 
-/// The motor that does not obey: `SIM_ENGINE_FAIL` counts outputs from 0, and one beyond the last means the first.
+/// The faulty motor: `SIM_ENGINE_FAIL` counts outputs from 0, and an output beyond the last one means the first.
 fn motor_fault(all: &Parameters) -> Option<MotorFault> {
     let multiplier = all.value("SIM_ENGINE_MUL").clamp(-10.0, 10.0);
     let output = all.value("SIM_ENGINE_FAIL");

@@ -1,6 +1,6 @@
-//! Rotation as a rigid body, for a vehicle that has lost the full use of its motors: what each motor gives, and the
-//! attitude control that tries to keep the vehicle upright with them. A healthy vehicle does without. An upset is what
-//! aviation calls an attitude that nobody has asked for.
+//! Rotation as a rigid body, for a vehicle that has lost the full use of its motors: the force of each motor, and the
+//! attitude control that tries to keep the vehicle upright. A healthy vehicle does not need it. In aviation, an upset
+//! is an unintended attitude.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -22,18 +22,18 @@ const RATE_I: DVec3 = DVec3::new(0.135, 0.135, 0.02);
 const RATE_D: DVec3 = DVec3::new(0.0036, 0.0036, 0.0);
 const INTEGRAL_MAX: f64 = 0.5;
 const SLOPE_FILTER_HZ: f64 = 20.0;
-/// From this error of the lean on the heading is given up, and at twice the error altogether.
+/// Above this error of the lean, the heading is held less; above twice the error, not at all.
 const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
-/// As the throttle runs out less lean is allowed: the share of the full throttle that may be spent on it, the least
-/// lean, and the time this takes (`ATC_ANG_LIM_TC`).
+/// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the least lean,
+/// and the time this takes (`ATC_ANG_LIM_TC`).
 const LEAN_THROTTLE: f64 = 0.8;
 const LEAN_LEAST_RAD: f64 = 0.175;
 const LEAN_LIMIT_S: f64 = 1.0;
 /// The integrator of the climb, per second: `PSC_ACCZ_I` in accelerations.
 const CLIMB_I_PER_S: f64 = 2.7;
-/// About what the motors did before; they reach any other share within a few rounds.
+/// The approximate share of the motors at the beginning; they reach any other share within a few rounds.
 const HOVER_SHARE: f64 = 0.4;
-/// No vehicle turns faster (as in `SIM_Aircraft`), in radians per second.
+/// The greatest rotation rate (as in `SIM_Aircraft`), in radians per second.
 const TURN_MAX_RAD_S: f64 = 34.9;
 /// A vehicle this close to its wanted lean and this calm has recovered.
 const CALM_RAD: f64 = 0.1;
@@ -48,7 +48,7 @@ pub(super) struct MotorFault {
     pub(super) multiplier: f64,
 }
 
-/// A vehicle that may have lost its attitude: attitude, rotation, and the controllers' memory.
+/// A vehicle that may have lost its attitude: attitude, rotation, and the state of the controllers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Upset {
     attitude: DQuat,
@@ -57,13 +57,13 @@ pub(super) struct Upset {
     pub(super) mixer: Mixer,
     /// Between the wanted and the real direction of the thrust.
     pub(super) error_rad: f64,
-    /// All motors' thrust together per mass, for the power.
+    /// The thrust of all motors together per mass, from which the power follows.
     pub(super) thrust_m_s2: f64,
     /// The thrust per mass that the autopilot demands of all motors.
     pub(super) asked_m_s2: f64,
-    /// The lean that the throttle leaves.
+    /// The greatest lean at the present throttle, in radians.
     lean_max_rad: f64,
-    /// The direction that was wanted in the last step.
+    /// The wanted direction of the thrust in the last step.
     last_up: DVec3,
     integral: DVec3,
     last_error: DVec3,
@@ -93,7 +93,8 @@ pub(super) struct Drive<'a> {
 }
 
 impl Upset {
-    /// From the attitude of a healthy vehicle, its axes forward, right and up, turning at `rates_rad_s`.
+    /// The beginning of an upset: from the attitude of a healthy vehicle, its axes forward, right and up, turning at
+    /// `rates_rad_s`.
     pub(super) fn new(axes: [DVec3; 3], rates_rad_s: DVec3) -> Self {
         let [forward, right, up] = axes;
         Self {
@@ -130,32 +131,32 @@ impl Upset {
         )
     }
 
-    /// The lean that may be asked while the throttle is at `throttle`, radians.
+    /// The greatest lean for a throttle, in radians; it follows with a lag.
     pub(super) fn lean_limit_rad(&mut self, throttle: f64) -> f64 {
         let left = maths::acos((throttle / LEAN_THROTTLE).clamp(0.0, 1.0));
         self.lean_max_rad += (left - self.lean_max_rad) * (STEP_S / (STEP_S + LEAN_LIMIT_S));
         self.lean_max_rad.clamp(LEAN_LEAST_RAD, 1.4)
     }
 
-    /// Stands on its feet with the same heading.
+    /// Puts the vehicle upright with the same heading.
     pub(super) fn settle(&mut self) {
         let (_, _, yaw) = self.angles_rad();
         self.attitude = DQuat::from_rotation_z(yaw);
         self.rates_rad_s = DVec3::ZERO;
     }
 
-    /// Stops turning where it is.
+    /// Stops the rotation in the present attitude.
     pub(super) fn lie(&mut self) {
         self.rates_rad_s = DVec3::ZERO;
     }
 
-    /// Whether it flies as it should again.
+    /// Whether the vehicle has recovered.
     pub(super) fn is_calm(&self) -> bool {
         self.error_rad < CALM_RAD && self.rates_rad_s.length() < CALM_RAD_S
     }
 
-    /// One step; returns the motors' force and their inflow's drag per mass, in the world. `velocity_m_s` is that
-    /// through the air, `lifting` how fast the vehicle really accelerates upwards.
+    /// One step; returns the motors' force and their inflow's drag per mass, in the world. `velocity_m_s` is the
+    /// velocity through the air, `lifting_m_s2` the actual acceleration upwards.
     pub(super) fn step(
         &mut self,
         wanted: &WantedTurn,
@@ -204,7 +205,7 @@ impl Upset {
         self.asked_m_s2 / full
     }
 
-    /// Roll, pitch and yaw for the mixer. `following` is how the wanted direction itself turns.
+    /// Roll, pitch and yaw for the mixer. `following` is the rotation rate of the wanted direction.
     fn control(&mut self, wanted: &WantedTurn, following: DVec3, drive: &Drive<'_>) -> DVec3 {
         let up = self.attitude * DVec3::NEG_Z;
         let across = up.cross(wanted.up);
@@ -214,7 +215,7 @@ impl Upset {
             .unwrap_or_else(|| self.attitude * DVec3::X);
         let pace = square_root(self.error_rad, ANGLE_P, TURN_ACCEL_RAD_S2);
         let mut rates = self.attitude.inverse() * (axis * pace + following);
-        // A vehicle far off its lean saves that first and lets the nose turn.
+        // A vehicle far off its lean corrects that first and lets the nose turn.
         let hold_yaw = (2.0 - self.error_rad / YAW_FREE_RAD).clamp(0.0, 1.0);
         rates.z = self.rates_rad_s.z + (wanted.yaw_rate_rad_s - self.rates_rad_s.z) * hold_yaw;
         let error = rates - self.rates_rad_s;
@@ -226,7 +227,7 @@ impl Upset {
             .clamp(DVec3::splat(-INTEGRAL_MAX), DVec3::splat(INTEGRAL_MAX));
         for axis in 0..3 {
             let held = if axis == 2 { limited.yaw } else { limited.lean };
-            // A limited integrator may shrink only.
+            // A limited integrator may only shrink.
             if !held || next[axis].abs() < self.integral[axis].abs() {
                 self.integral[axis] = next[axis];
             }

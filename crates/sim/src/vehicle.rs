@@ -1,5 +1,5 @@
-//! A vehicle that can be flown: what it is, where it believes to be, and what it is doing now. What decides what it
-//! does next (commands, plans, failsafes) is above it, in the autopilot.
+//! A vehicle that can be flown: its build, its estimated position and its present task. The decisions (commands,
+//! plans, failsafes) are made above it, in the autopilot.
 
 mod flight;
 mod fly;
@@ -49,7 +49,7 @@ pub(super) struct Vehicle {
     pub(super) parameters: Parameters,
     pub(super) tuning: Tuning,
     pub(super) plant: Plant,
-    /// The vehicle's estimate of it.
+    /// The autopilot's estimate of the plant.
     pub(super) estimator: Estimator,
     pub(super) datum: LocalDatum,
     pub(super) flight: FlightState,
@@ -106,17 +106,17 @@ impl Vehicle {
         self.estimator.belief(&self.plant.body)
     }
 
-    /// Where the vehicle believes to be.
+    /// The place estimated by the autopilot.
     pub(super) fn here(&self) -> Place {
         self.datum.place_of(self.believed().position_m)
     }
 
-    /// Where the vehicle really is.
+    /// The true place of the vehicle.
     pub(super) fn truly_here(&self) -> Place {
         self.datum.place_of(self.plant.body.position_m)
     }
 
-    /// Says something to every ground station.
+    /// Sends a text to every ground station.
     pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
         texts::say(&mut self.outbox, severity, text);
         let now = self.uptime();
@@ -150,7 +150,7 @@ impl Vehicle {
         let Some(parameter) = self.parameters.set(name, value) else {
             return false;
         };
-        // Without its place in the list, as it was not asked for by that.
+        // Without an index, since it was not requested by one.
         let told = PARAM_VALUE_DATA {
             param_index: BY_NAME,
             ..self.parameters.fields_of(&parameter)
@@ -169,7 +169,7 @@ impl Vehicle {
         }
     }
 
-    /// Works with the task and all that it flies by.
+    /// Calls `work` with the task and the parts of the vehicle that it uses.
     pub(super) fn with_cockpit<T>(
         &mut self,
         work: impl FnOnce(&mut Task, &mut Cockpit<'_>) -> T,
@@ -234,7 +234,7 @@ impl Vehicle {
         true
     }
 
-    /// Whether a landing has come to the point where the motors are disarmed.
+    /// Whether a landing has reached the point where the motors are disarmed.
     pub(super) fn landing_is_over(&self) -> bool {
         let touched = self.flight.task.touched_in_landing();
         touched.is_some_and(|touched| Safety::ends_landing(touched, self.uptime()))
@@ -301,12 +301,12 @@ impl Vehicle {
         self.fence.allows(rules, point_m, self.datum.home_point())
     }
 
-    /// Milliampere hours that are left in the battery.
+    /// The remaining charge of the battery, in milliampere hours.
     pub(super) fn charge_left_mah(&self) -> f64 {
         self.tuning.battery_capacity_mah - self.plant.battery.consumed_mah
     }
 
-    /// Tells of the alignment of the yaw in the air.
+    /// Reports the alignment of the yaw in flight.
     pub(super) fn watch_alignment(&mut self) {
         let height_m = self.believed().height_m();
         let Some(compass) = self.estimator.compass_in_use() else {

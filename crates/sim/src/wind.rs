@@ -8,7 +8,8 @@ use super::kinematics::STEP_S;
 use super::parameters::Parameters;
 use sortie_geo::maths;
 
-/// Gusts drift past even a vehicle that hovers in a calm; at this speed they do so at least, in metres per second.
+/// The least speed at which gusts drift past a vehicle, in metres per second: even one that hovers in a calm meets
+/// them.
 const DRIFT_MIN_M_S: f64 = 5.0;
 /// Standard deviation per `SIM_WIND_TURB`: such that 3 moves a hovering quad by about 0.1 m, as was measured. The real
 /// simulator's gusts are larger but last hundredths of a second.
@@ -19,7 +20,7 @@ const METRES_PER_FOOT: f64 = 0.3048;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WindRules {
     speed_m_s: f64,
-    /// Where the air moves to, of length 1.
+    /// Unit vector of the direction in which the air moves.
     towards: DVec3,
     turbulence_m_s: f64,
     profile: Profile,
@@ -46,7 +47,7 @@ pub(super) struct Wind {
     rng: ChaCha8Rng,
     /// Along the mean wind.
     along_m_s: f64,
-    /// Across it and vertically: the gust and the noise it follows.
+    /// Filters for the gusts across the mean wind, and vertically.
     across: Filter,
     vertical: Filter,
 }

@@ -12,7 +12,7 @@ const PULSE_WIDTH: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PWM as i32;
 /// The vehicle has three compasses.
 const COMPASSES: u8 = 0b111;
 
-/// Everything that is under way or set up by hand. It does not survive a reboot.
+/// The state of tests, calibrations and switches. It does not survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "independent switches")]
 pub(super) struct Workbench {
@@ -71,7 +71,7 @@ impl MotorTest {
         (now < self.since + self.lasts).then_some((self.motor, pulse_us))
     }
 
-    /// Moves on; true when the test is over.
+    /// Advances by one step; true when the test is over.
     fn step(&mut self, now: Duration) -> bool {
         if self.pulse_us.is_none() {
             return true;
@@ -82,7 +82,7 @@ impl MotorTest {
         if self.left <= 1 {
             return true;
         }
-        // Between two motors all rest for half the time.
+        // Between two motors, all rest for half the time of one.
         if now >= self.since + self.lasts + self.lasts / 2 {
             self.motor += 1;
             self.left -= 1;
@@ -100,7 +100,7 @@ pub(super) struct CompassCalibration {
 }
 
 impl CompassCalibration {
-    /// Begins with the compasses of a mask (zero: all); false if there is another one in it.
+    /// Begins with the compasses of a mask (zero: all); false if there is another bit in it.
     pub(super) fn start(&mut self, mask: u8) -> bool {
         let mask = if mask == 0 { COMPASSES } else { mask };
         if mask & !COMPASSES != 0 {
@@ -123,7 +123,7 @@ impl CompassCalibration {
 }
 
 impl Workbench {
-    /// Moves on; whether a motor test is over.
+    /// Advances by one step; returns whether a motor test is over.
     pub(super) fn step(&mut self, now: Duration) -> bool {
         let ends = self.motor_test.as_mut().is_some_and(|test| test.step(now));
         if ends {

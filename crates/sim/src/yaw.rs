@@ -6,7 +6,7 @@ use super::kinematics::STEP_S;
 use sortie_geo::maths;
 use sortie_geo::wrap_180;
 
-/// A nose that a pilot turns, or that does not do what it should, is made to follow its setpoint with this lag.
+/// The lag with which the nose follows its setpoint when a pilot turns it, or when the vehicle tumbles.
 const LAG_S: f64 = 0.3;
 /// The autopilot's own turns swing: the natural frequency in radians per second and the damping, from a turn at 60
 /// degrees per second that comes to 68 after 0.75 s, trails by 12 degrees and overshoots by 5.
@@ -21,14 +21,14 @@ pub(super) enum YawDemand {
     Hold,
     /// Turns to the course over ground.
     Course,
-    /// Turns by what is left (signed degrees) at a rate in degrees per second.
+    /// Turns by the remaining angle (signed degrees) at a rate in degrees per second.
     Turn {
         left_deg: f64,
         rate_deg_s: f64,
     },
     /// Turns for ever, degrees per second, clockwise positive.
     Rate(f64),
-    /// Turns by a pilot's stick, degrees per second; the limit of the autopilot's own turns does not count.
+    /// Turns by a pilot's stick, degrees per second; the limit of the autopilot's own turns does not apply.
     Stick(f64),
     /// Looks at a point (north, east).
     Towards(DVec2),
@@ -37,7 +37,7 @@ pub(super) enum YawDemand {
 /// The limits of turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turning {
-    /// The autopilot turns no faster (`ATC_SLEW_YAW`).
+    /// The greatest rate of the autopilot's own turns (`ATC_SLEW_YAW`).
     pub(super) fastest_deg_s: f64,
     /// The acceleration at the beginning and end of a pilot's turn.
     pub(super) accel_deg_s2: f64,
@@ -45,7 +45,7 @@ pub(super) struct Turning {
     pub(super) is_upset: bool,
 }
 
-/// The demand and the heading it has brought the setpoint to.
+/// The demand on the heading, and the setpoint that follows it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct YawControl {
     pub(super) demand: YawDemand,
@@ -178,7 +178,7 @@ impl YawControl {
         left == 0.0 && wrap_180(self.setpoint_deg - yaw_deg).abs() <= 2.0
     }
 
-    /// Forgets where the setpoint was: the nose stays where it is.
+    /// Resets the setpoint to the present heading.
     pub(super) fn settle(&mut self, yaw_deg: f64) {
         *self = Self::holding(wrap_180(yaw_deg));
     }

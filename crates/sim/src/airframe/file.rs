@@ -29,7 +29,7 @@ struct Number {
     place: fn(&mut Figures) -> &mut f64,
 }
 
-/// All of them. The ranges cover everything that flies, from a toy to a crewed multirotor.
+/// All fields with one number. Their ranges cover everything that flies, from a toy to a crewed multirotor.
 const NUMBERS: &[Number] = &[
     number("mass", 0.01, 10_000.0, |f| &mut f.mass_kg),
     number("diagonal_size", 0.02, 100.0, |f| &mut f.diagonal_m),
@@ -90,7 +90,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
             ));
         }
         if inertia.min_element() > 0.0 {
-            // Less than a thousandth of what the size suggests is an error of units.
+            // Less than a thousandth of what the size suggests is a wrong unit.
             let least = figures.mass_kg * maths::powi(figures.diagonal_m, 2) * 1e-3;
             figures.inertia_kg_m2 = inertia.max(DVec3::splat(least));
         }
@@ -290,8 +290,8 @@ pub(super) mod tests {
     /// The number of fields with a range.
     pub(in crate::airframe) const RANGES: usize = NUMBERS.len();
 
-    /// Each field at a place in its range, 0 to 1: most of them near the default's size, as the square of the place
-    /// squared makes it.
+    /// A frame file with each field at a place in its range, 0 to 1. The fourth power of the place keeps most values
+    /// near the default's size.
     pub(in crate::airframe) fn fields_at(parts: &[f64]) -> String {
         let mut text = String::new();
         for (number, part) in NUMBERS.iter().zip(parts) {

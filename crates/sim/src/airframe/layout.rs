@@ -1,4 +1,4 @@
-//! Where the motors of the usual frames are.
+//! The positions of the motors in the usual frames.
 
 use glam::DVec3;
 use sortie_geo::maths;
@@ -7,16 +7,17 @@ use sortie_geo::maths;
 pub(crate) struct Motor {
     /// Metres forward, right and down from the centre.
     pub(crate) position_m: DVec3,
-    /// The direction of its thrust in the same axes, of length 1: straight up unless the file says otherwise.
+    /// Unit vector of its thrust in the same axes; straight up unless the file says otherwise.
     pub(crate) thrust: DVec3,
     /// +1 for a propeller that turns counterclockwise and thus the body clockwise.
     pub(crate) spin: f64,
-    /// How the autopilot's mixer uses it: for a roll to the right, a pitch up and a turn to the right, each at most
+    /// Its factors in the autopilot's mixer: for a roll to the right, a pitch up and a turn to the right, each at most
     /// one half.
     pub(crate) mix: DVec3,
 }
 
-/// Angles clockwise from the nose in degrees, and the spin, in the order of `ArduPilot`'s outputs: plus frames.
+/// The motors of plus frames in the order of `ArduPilot`'s outputs: the angle clockwise from the nose in degrees, and
+/// the spin.
 const QUAD: &[(f64, f64)] = &[(90.0, 1.0), (-90.0, 1.0), (0.0, -1.0), (180.0, -1.0)];
 const HEXA: &[(f64, f64)] = &[
     (0.0, -1.0),

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::{Airframe, Figures, layout};
 
-/// The capacity of a lithium polymer pack of three cells. SITL's default has none: it would hover for ever.
+/// Ampere hours of a lithium polymer pack of three cells. SITL's default has no limit and would hover for ever.
 const CAPACITY_AH: f64 = 4.0;
 /// Volts under load at which the battery is low and critical. SITL's cells sag deeper than most: under the hover's 35
 /// A they reach these voltages at about 20 and 10 % of the charge, so that voltage and charge agree.

@@ -13,7 +13,7 @@ use sortie_geo::LatLon;
 const HEIGHT_MAX_M: f32 = 1e6;
 
 impl AutoPlan {
-    /// The nearest `DO_LAND_START`. One without a place counts where the next navigation command is.
+    /// The nearest `DO_LAND_START`. An item without a place counts at the place of the next navigation command.
     pub(crate) fn landing_start(&self, vehicle: &Vehicle) -> Option<u16> {
         let items = &vehicle.plans.mission;
         let distance = |at: u16| {

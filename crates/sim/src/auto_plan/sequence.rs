@@ -60,7 +60,7 @@ pub(super) fn next_counting(
     }
 }
 
-/// The same without counting, to look ahead.
+/// Like `next_counting`, without counting: to look ahead.
 pub(super) fn next_ahead(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16> {
     let mut at = from;
     let mut first_jump = None;

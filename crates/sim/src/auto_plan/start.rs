@@ -247,12 +247,12 @@ fn stored(vehicle: &Vehicle, point_m: DVec3) -> DVec3 {
     })
 }
 
-/// Reports the command that begins.
+/// Reports the command that begins, and returns its item.
 fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     let item = vehicle.plans.item(at)?;
     let name = command::name(item.command);
     let text = if item.command == cmd::JUMP_TAG {
-        // The vehicle prints a field that tags do not use.
+        // The real vehicle also prints a field that tags do not use.
         format!("Mission: {at} {name} 0")
     } else {
         format!("Mission: {at} {name}")

@@ -16,7 +16,7 @@ const AUTO: f32 = 3.0;
 const GUIDED: f32 = 4.0;
 const LAND: f32 = 9.0;
 
-/// An item of frame 3 (above home) without a place.
+/// An item without a place, at a height above home.
 fn act(command: u16, p: [f32; 4], height_m: f32) -> Item {
     Item {
         command,

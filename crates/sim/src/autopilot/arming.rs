@@ -78,7 +78,7 @@ impl Autopilot {
         self.vehicle.safety.armed || (is_checked && self.arming_checks().obstacles().is_empty())
     }
 
-    /// Reports the reasons against arming now and then.
+    /// Reports the reasons against arming when a report is due.
     pub(super) fn report_obstacles(&mut self) {
         let vehicle = &self.vehicle;
         let looks = vehicle.steps.is_multiple_of(LOOK_STEPS);

@@ -35,7 +35,7 @@ use self::Builder::{Always, Sometimes};
 use super::Autopilot;
 use crate::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
-/// Messages that the real vehicle can be asked for, but does not send without the hardware.
+/// Messages for which the real vehicle accepts requests, but which it does not send without the hardware.
 const SILENT: &[u32] = &[
     PARAM_VALUE_DATA::ID,
     RC_CHANNELS_SCALED_DATA::ID,
@@ -69,7 +69,7 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
-/// Sent with another message and not available by itself.
+/// Cannot be requested: the vehicle sends it together with another message.
 const UNASKABLE: u32 = TERRAIN_REPORT;
 
 /// How a message is built: at any time, or only in some states.

@@ -1,4 +1,4 @@
-//! A hash grid over the ground: which bodies are near a point.
+//! A hash grid over the ground, to find the bodies near a point.
 
 use glam::DVec3;
 

@@ -91,7 +91,7 @@ pub(super) struct Obstacles {
 }
 
 impl Obstacles {
-    /// Obstacles without a size, or not placed on the earth, are left out.
+    /// Leaves out obstacles without a size, and those whose place is not on the earth.
     pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle], reach_m: f64) -> Self {
         let mut all = Self::default();
         let Some(origin) = origin else {

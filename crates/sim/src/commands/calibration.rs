@@ -43,7 +43,7 @@ pub(super) fn preflight(autopilot: &mut Autopilot, _: &mut Link, command: &Comma
     }
 }
 
-/// A bit per compass; zero means all. `None` if that is no set of compasses.
+/// The compasses of a command, a bit each; zero means all. `None` if there is another bit.
 fn compasses(command: &Command) -> Option<u8> {
     let asked = command.p[0];
     (0.0..=255.0).contains(&asked).then_some(asked as u8)

@@ -21,7 +21,7 @@ const FORCE_ARMING: f32 = 2989.0;
 const PILOTED_TAKEOFF_M: f64 = 1.0;
 /// The highest altitude in a command.
 const ALTITUDE_MAX_M: f64 = 83_000.0;
-/// Bits of the base mode: the custom mode counts; the safety switch is meant.
+/// Bits of the base mode: the custom mode is valid; the message sets the safety switch.
 const CUSTOM_MODE: i32 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits() as i32;
 const SAFETY_SWITCH: i32 =
     MavModeFlagDecodePosition::MAV_MODE_FLAG_DECODE_POSITION_SAFETY.bits() as i32;
@@ -154,7 +154,7 @@ pub(super) fn pause_button(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Takes off to a height above home in metres, if the mode and the moment allow it.
+/// Takes off to a height above home in metres, if the mode and the state allow it.
 fn take_off(autopilot: &mut Autopilot, above_home_m: f64, navigates: bool) -> bool {
     let vehicle = &mut autopilot.vehicle;
     let asked_m = above_home_m - vehicle.datum.home_point().z;

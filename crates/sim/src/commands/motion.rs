@@ -44,8 +44,8 @@ pub(super) fn change_speed(
     if !(able && speed > 0.0 && speed.is_finite()) {
         return MavResult::MAV_RESULT_FAILED;
     }
-    // The autopilot sets climb and descent together: asking for one resets the other. The kinds are compared
-    // like this by the real one too: 9 is a descent, -1 the speed over ground.
+    // The autopilot sets climb and descent together: a change of one resets the other. The real vehicle compares the
+    // kinds in the same way: 9 is a descent, -1 the speed over ground.
     let ground_m_s = autopilot.vehicle.flight.speeds.ground_m_s;
     autopilot.vehicle.flight.speeds = if kind > 2.9 {
         AskedSpeeds {

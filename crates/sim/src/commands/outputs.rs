@@ -32,7 +32,7 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
             .parameters
             .value(&format!("SERVO{channel}_FUNCTION")) as i32
     } else if BACK_SERVOS.contains(&channel) {
-        // General inputs and outputs.
+        // General-purpose inputs and outputs.
         -1
     } else {
         return MavResult::MAV_RESULT_FAILED;

@@ -94,7 +94,7 @@ fn report(autopilot: &Autopilot, link: &mut Link) {
     }
 }
 
-/// An item or a tag; `None` for what is no such number.
+/// The number of an item or of a tag, without its fraction; `None` if it is out of range.
 fn whole(value: f32) -> Option<u16> {
     (value > -1.0 && value < 65536.0).then_some(value as u16)
 }

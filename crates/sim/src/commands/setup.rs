@@ -41,7 +41,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     )
 }
 
-/// The system id of a vehicle to follow is stored; nothing follows it, since the mode is not enabled.
+/// Accepts the system id of a vehicle to follow. It has no effect, since the FOLLOW mode is not enabled.
 pub(super) fn follow(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     if command.p[0] > 0.0 && command.p[0] <= 255.0 {
         MavResult::MAV_RESULT_ACCEPTED

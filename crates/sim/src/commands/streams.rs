@@ -12,7 +12,7 @@ use crate::autopilot::telemetry;
 use crate::link::Link;
 use crate::schedule;
 
-/// A message id from a float parameter; fractions are cut off, everything else that is no id is no message.
+/// A message id from a float parameter, without its fraction. A number out of range becomes an id that no message has.
 fn id(parameter: f32) -> u32 {
     if (0.0..16_777_216.0).contains(&parameter) {
         parameter as u32

@@ -1,4 +1,4 @@
-//! The height by the air pressure.
+//! The height estimate from the barometers, and their faults.
 
 use std::time::Duration;
 
@@ -61,7 +61,7 @@ impl Barometer {
         true
     }
 
-    /// Whether there is nothing to do.
+    /// Whether no fault, drift or loss of height is under way.
     pub(super) fn is_settled(&self) -> bool {
         self.bad_since.is_none() && self.drifted_m == 0.0 && !self.lost
     }

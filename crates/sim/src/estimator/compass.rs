@@ -17,9 +17,9 @@ pub(super) const GOOD: f64 = 0.03;
 pub(super) struct Compass {
     /// The compass in use, counted from 0.
     used: usize,
-    /// Since when the one in use has been silent or contradicted.
+    /// Since when the compass in use has been silent, or has contradicted the estimate.
     bad_since: Option<Duration>,
-    /// Since when the first one, whose health is reported, has been silent.
+    /// Since when the first compass, whose health is reported, has been silent.
     silent_since: Option<Duration>,
     pub(super) healthy: Option<bool>,
     /// The error compensated when the compass was chosen, in milligauss.
@@ -62,12 +62,12 @@ impl Compass {
         GOOD + off.abs() / GATE_MGAUSS
     }
 
-    /// The one in use, counted from 0; `None` if all have failed.
+    /// The number of the compass in use, counted from 0; `None` if all have failed.
     pub(super) fn in_use(&self) -> Option<usize> {
         (!self.all_failed).then_some(self.used)
     }
 
-    /// Whether there is nothing to do.
+    /// Whether no fault of a compass is under way.
     pub(super) fn is_settled(&self) -> bool {
         self.bad_since.is_none() && self.healthy != Some(false) && self.learnt_mgauss == 0.0
     }

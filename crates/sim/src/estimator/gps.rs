@@ -37,7 +37,7 @@ impl Fix {
     }
 }
 
-/// A receiver with the reports under way.
+/// A receiver, with the reports that have not arrived yet.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Receiver {
     pub(super) fix: Fix,
@@ -63,7 +63,7 @@ impl Receiver {
         }
     }
 
-    /// The time of arrival of the last report before `now`, past or future.
+    /// The arrival time of the last report taken before `now`; it may be in the future.
     pub(super) fn last_arrival(now: Duration, fault: &GpsFault) -> Duration {
         let periods = now.as_micros() / fault.period.as_micros().max(1);
         let taken = fault.period * u32::try_from(periods).unwrap_or(u32::MAX);
@@ -117,7 +117,7 @@ impl Receiver {
         fix
     }
 
-    /// After a silence the lock comes and goes, and position and speed jump about.
+    /// After a silence the fix comes and goes, and position and speed jump.
     fn jam(&mut self, now: Duration, fix: &mut Fix) {
         let since = *self.jammed_since.get_or_insert(now);
         let (least, most) = JAM_SILENCE_S;

@@ -34,7 +34,7 @@ impl Estimator {
         }
     }
 
-    /// The other core has been misled a little, too.
+    /// The effect of a stuck accelerometer on the velocity decays.
     fn calm_down(&mut self) {
         self.shake_m_s *= 1.0 - STEP_S / CALM_S;
         if self.shake_m_s.length_squared() < NEGLIGIBLE_M {

@@ -45,7 +45,7 @@ impl Trust {
 }
 
 impl Ratios {
-    /// In flight with everything in order.
+    /// The ratios in flight without faults.
     pub(crate) const GOOD: Self = Self {
         velocity: 0.007,
         position: 0.01,

@@ -19,7 +19,7 @@ const WARNED_EVERY: Duration = Duration::from_secs(30);
 pub(super) struct EkfWatch {
     failures: u8,
     bad: bool,
-    /// Whether it changed the mode: then its end is reported.
+    /// Whether the failsafe changed the mode; if so, its end is reported.
     acted: bool,
     warned: Option<Duration>,
     glitching: bool,
@@ -30,7 +30,7 @@ impl EkfWatch {
         self.bad
     }
 
-    /// Whether there is nothing to do.
+    /// Whether no failed check, failsafe or glitch is under way.
     fn is_idle(&self) -> bool {
         self.failures == 0 && !self.bad && !self.glitching
     }

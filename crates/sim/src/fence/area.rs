@@ -31,7 +31,7 @@ pub(crate) struct Fence {
     areas: Vec<FenceArea<LatLon>>,
 }
 
-/// Why a list is no valid fence. The text is the vehicle's.
+/// The fault of an invalid fence, in the vehicle's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub(crate) enum FenceError {
     /// A polygon that claims fewer than three corners.
@@ -84,8 +84,8 @@ impl Fence {
     /// Builds a fence from an uploaded list.
     ///
     /// # Errors
-    /// The first invalid item, in the vehicle's order. Commands that are no fence items are skipped; the upload
-    /// refuses them before.
+    /// The first invalid item, in the vehicle's order. Commands that are not fence items are skipped; the upload has
+    /// already refused them.
     pub(crate) fn check(items: &[Item]) -> Result<Self, FenceError> {
         let mut fence = Self::default();
         let mut unfinished = None;

@@ -1,7 +1,7 @@
 //! Slowing down in front of a fence: `ArduPilot`'s simple avoidance (`AC_Avoid`).
 //!
-//! The vehicle may only be so fast towards an edge that it can stop a margin before it; inside the margin it backs
-//! away slowly. The changes it makes to a wanted velocity are limited in acceleration themselves.
+//! The speed towards an edge is limited so that the vehicle can stop a margin before it; inside the margin it backs
+//! away slowly. The limited velocity itself changes with a limited acceleration.
 
 use std::time::Duration;
 
@@ -12,13 +12,14 @@ use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;
 
-/// Stopping before a fence is planned with no more than this.
+/// The greatest deceleration that is planned for a stop before a fence.
 const ACCEL_MAX_M_S2: f64 = 1.0;
-/// Backing away uses this share of it.
+/// The share of the allowed acceleration that is used for backing away.
 const BACKING_SHARE: f64 = 0.4;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
-/// Beyond the margin the vehicle looks this much further ahead when it is to stop instead of to slide.
+/// The vehicle looks ahead by its stopping distance, the margin and this much more, when it is to stop instead of to
+/// slide.
 const LOOK_AHEAD_M: f64 = 0.02;
 /// After a pause of this length the limited velocity starts again from the wanted one.
 const MEMORY: Duration = Duration::from_millis(200);
@@ -49,14 +50,14 @@ impl AvoidanceRules {
     }
 }
 
-/// The fences as far as they limit the flight now.
+/// The fences that limit the flight now.
 pub(super) struct Edges<'a> {
     pub(super) rules: &'a AvoidanceRules,
     pub(super) margin_m: f64,
-    /// Around home, if that fence is on and not broken: the radius and the vehicle's place from home.
+    /// The circle around home, if it is on and not broken: its radius, and the vehicle's position relative to home.
     pub(super) around_home: Option<(f64, DVec2)>,
     pub(super) areas: &'a [FenceArea<DVec2>],
-    /// The room below the ceiling, if there is one.
+    /// The room below the ceiling; `None` without a ceiling.
     pub(super) headroom_m: Option<f64>,
     /// North and east from the start.
     pub(super) here_m: DVec2,
@@ -103,7 +104,7 @@ impl Limiter {
     }
 }
 
-/// Lets a velocity be at least the backing velocity along each axis that it uses.
+/// Raises a velocity to the backing velocity, along each axis that has one.
 fn back_away(limited: &mut DVec3, backing: DVec2, most_m_s: f64) {
     if most_m_s <= 0.0 {
         return;
@@ -151,12 +152,12 @@ impl Edges<'_> {
         self.accel_m_s2.0.min(ACCEL_MAX_M_S2)
     }
 
-    /// The climb that is left under the ceiling, and how fast to sink above it.
+    /// The climb rate allowed under the ceiling, and the sink rate demanded above it.
     fn limit_climb(&self, climb: f64) -> (f64, f64) {
         let Some(headroom_m) = self.headroom_m else {
             return (climb, 0.0);
         };
-        // A vehicle that does not climb is left alone, even above the ceiling.
+        // A vehicle that does not climb is not limited, even above the ceiling.
         if climb <= 0.0 {
             return (climb, 0.0);
         }
@@ -169,7 +170,7 @@ impl Edges<'_> {
         }
     }
 
-    /// The level velocity that is left, and the velocity away from edges that are too near.
+    /// The allowed horizontal velocity, and the velocity away from edges that are too near.
     fn limit_level(&self, mut wanted: DVec2) -> (DVec2, DVec2) {
         let mut total = Backing::default();
         if let Some((radius_m, from_home)) = self.around_home
@@ -242,7 +243,7 @@ impl Edges<'_> {
         backing.push(own.sum());
     }
 
-    /// Keeps the part of a velocity along `direction` low enough to stop within a distance.
+    /// Limits the part of a velocity along `direction` so that the vehicle can stop within a distance.
     fn limit_towards(&self, wanted: &mut DVec2, direction: DVec2, distance_m: f64) {
         let most = self.speed_to_stop_in(distance_m.max(0.0));
         let speed = wanted.dot(direction);
@@ -313,7 +314,8 @@ impl Edges<'_> {
         }
     }
 
-    /// Shortens a velocity whose way ahead crosses a circle; within the margin it only leaves what leads away.
+    /// Reduces a velocity that leads across a circle; within the margin only one that leads away from the edge
+    /// remains.
     fn stop_at_circle(&self, wanted: &mut DVec2, from_centre: DVec2, radius_m: f64, near: bool) {
         let speed = wanted.length();
         let ahead = from_centre + *wanted / speed * self.look_ahead_m(speed);

@@ -1,4 +1,4 @@
-//! The fence against the facts measured on the real vehicle.
+//! The fence, compared with measurements of the real vehicle.
 
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, FENCE_STATUS_DATA, FenceMitigate, MavCmd, MavFrame, MavMessage, MavResult,
@@ -110,7 +110,7 @@ fn said(ground: &Ground, text: &str) -> usize {
     ground.texts().iter().filter(|own| *own == text).count()
 }
 
-/// Asks for a velocity every 0.4 s, as the recording did, for a time or until something holds.
+/// Requests a velocity every 0.4 s, as in the recording, for a time or until a condition holds.
 fn push(
     ground: &mut Ground,
     v: [f32; 3],
@@ -184,7 +184,7 @@ fn a_fence_shows_in_the_status_while_it_is_enabled() {
     assert_eq!(enable(&mut ground, 0.0), MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(status(&ground), None);
     assert_eq!(enable(&mut ground, 7.0), MavResult::MAV_RESULT_FAILED);
-    // Only polygons, and there are none.
+    // Only polygons are enabled, and none is stored.
     ground.set("FENCE_TYPE", 4.0);
     assert_eq!(enable(&mut ground, 1.0), MavResult::MAV_RESULT_FAILED);
     assert_eq!(bits(&ground), [false, false, true]);
@@ -353,7 +353,7 @@ fn a_return_lands_at_the_rally_point_as_the_real_one_did() {
         let [north_m, east_m, _] = truth.position_ned_m;
         let off_m = maths::hypot(north_m - landed_at.0, east_m - landed_at.1);
         assert!(off_m < 0.3 && !truth.armed, "{truth:?}");
-        // A rally point's altitude is the least to arrive at; home's is RTL_ALT, but not over home itself.
+        // The climb is to the altitude of the rally point, not to RTL_ALT; over home itself no climb is needed.
         let least_m = if with_home > 0.0 { 10.0 } else { 18.0 };
         assert!((highest_m - least_m).abs() < 0.2, "{highest_m}");
     }
@@ -371,7 +371,7 @@ fn guided_is_allowed_outside_and_not_broken_anew() {
     push(&mut ground, [1.0, 0.0, 0.0], 20.0, |_| false);
     assert_eq!(ground.truth().mode, 4);
     assert_eq!(status(&ground).map(|told| told.breach_count), Some(1));
-    // The circle around home lies further out and counts by itself.
+    // The circle around home is larger and is checked separately.
     push(&mut ground, [8.0, 0.0, 0.0], 20.0, |ground| {
         ground.truth().mode == RTL
     });

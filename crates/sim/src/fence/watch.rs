@@ -45,7 +45,7 @@ pub(crate) struct NewBreach {
 }
 
 impl Geofence {
-    /// Takes over the uploaded fence. The upload has checked it; a list that makes no sense counts as no fence.
+    /// Takes over the uploaded fence. The upload has checked it; an invalid list counts as no fence.
     pub(crate) fn take(&mut self, items: &[Item], from: LatLon) -> Result<(), FenceError> {
         let checked = Fence::check(items);
         let (fence, outcome) = match checked {
@@ -61,7 +61,7 @@ impl Geofence {
         self.is_present(rules)
     }
 
-    /// The fence was switched on or off.
+    /// Notes that the fence was switched on or off.
     pub(crate) fn enabled(&mut self, on: bool) {
         self.has_floor = on;
         if !on {
@@ -69,13 +69,13 @@ impl Geofence {
         }
     }
 
-    /// Stops looking at the floor.
+    /// Ends the check of the floor.
     pub(crate) fn disable_floor(&mut self) {
         self.has_floor = false;
         self.broken &= !FLOOR;
     }
 
-    /// Looks at the fences from a point, with home as another.
+    /// Checks the fences for a vehicle at `here_m`; returns a breach that is new.
     pub(crate) fn watch(
         &mut self,
         rules: &FenceRules,
@@ -150,7 +150,7 @@ impl Geofence {
         }
     }
 
-    /// The report of the fence, as long as it is enabled.
+    /// The report of the fence, while it is enabled.
     pub(crate) fn report(&self, rules: &FenceRules, now: Duration) -> Option<FenceReport> {
         rules.is_enabled.then(|| FenceReport {
             is_broken: self.broken != 0,
@@ -165,7 +165,7 @@ impl Geofence {
         })
     }
 
-    /// A wanted velocity, slowed so that a vehicle at a point, with home at another, stays inside.
+    /// A wanted velocity, reduced so that the vehicle stays inside the fence.
     pub(crate) fn keep_inside(
         &mut self,
         wanted_m_s: DVec3,

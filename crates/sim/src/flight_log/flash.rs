@@ -1,6 +1,6 @@
 //! A flight log in `ArduPilot`'s binary format: self-describing records of fixed length.
 //!
-//! What was recorded is kept small; the file is made of it when somebody reads it.
+//! Samples are kept in a compact form; the file is made from them when a ground station reads it.
 
 use mavlink::dialects::ardupilotmega::GpsFixType;
 
@@ -80,7 +80,7 @@ pub(crate) struct Groups {
     pub(crate) battery: bool,
 }
 
-/// What one flight left behind.
+/// The log of one flight, in compact form.
 #[derive(Debug, Clone)]
 pub(crate) struct RecordedLog {
     pub(crate) number: u16,
@@ -103,7 +103,7 @@ impl RecordedLog {
         format!("{:08}.BIN", self.number)
     }
 
-    /// How long its file is, without making it.
+    /// The length of its file in bytes, computed without the file.
     pub(crate) fn len(&self) -> usize {
         let groups = [
             (self.groups.gps, GPS),
@@ -125,7 +125,7 @@ impl RecordedLog {
             + self.texts.len() * record_len(TEXT)
     }
 
-    /// Its file: formats, parameters, then what happened, in order of time.
+    /// Its file: formats, parameters, then the records in order of time.
     pub(crate) fn file(&self) -> Vec<u8> {
         let mut file = LogFile(Vec::with_capacity(self.len()));
         for (kind, length, name, format, columns) in FORMATS {
@@ -164,7 +164,7 @@ impl RecordedLog {
         file.0
     }
 
-    /// When it begins, in milliseconds since boot.
+    /// The time of its beginning, in milliseconds since boot.
     pub(crate) fn begin_ms(&self) -> u32 {
         let first = [
             self.samples.first().map(|sample| sample.boot_ms),
@@ -180,7 +180,7 @@ fn record_len(kind: u8) -> usize {
     format.map_or(0, |(_, length, ..)| usize::from(*length))
 }
 
-/// A file in the making.
+/// A file that is being written.
 struct LogFile(Vec<u8>);
 
 impl LogFile {
@@ -202,7 +202,7 @@ impl LogFile {
         self.bytes(&value.to_le_bytes())
     }
 
-    /// A text in a field of a length, filled up with zeros.
+    /// Appends a text as a field of fixed length, padded with zeros.
     fn text(&mut self, text: &str, length: usize) -> &mut Self {
         let end = self.0.len() + length;
         let shown = text.len().min(length);

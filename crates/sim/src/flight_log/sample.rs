@@ -1,4 +1,4 @@
-//! One sample of a flight, in the small numbers that are kept of it.
+//! One sample of a flight, stored as small integers.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ pub(crate) struct LogSample {
     pub(crate) lat_e7: i32,
     pub(crate) lon_e7: i32,
     pub(crate) altitude_amsl_cm: i32,
-    /// Above home, and above where the estimator began.
+    /// Heights above home, and above the estimator's origin.
     pub(crate) above_home_cm: i32,
     pub(crate) above_origin_cm: i32,
     pub(crate) speed_cm_s: u16,
@@ -36,7 +36,7 @@ pub(crate) struct LogSample {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LogInputs<'a> {
     pub(crate) now: Duration,
-    /// The motion as the autopilot believes it to be.
+    /// The autopilot's estimate of the motion.
     pub(crate) body: &'a Body,
     pub(crate) datum: &'a LocalDatum,
     pub(crate) battery: &'a Battery,

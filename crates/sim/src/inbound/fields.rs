@@ -1,5 +1,5 @@
-//! Commands, setpoints and parameter settings out of frames, also where a field holds a number for which the
-//! dialect has no name.
+//! Reads commands, setpoints and parameter settings from frames, even where a field holds a number that has no name in
+//! the dialect.
 
 use glam::DVec3;
 use mavlink::MessageData as _;
@@ -22,7 +22,7 @@ const ATTITUDE: u32 = SET_ATTITUDE_TARGET_DATA::ID;
 const TARGET_LOCAL: u32 = SET_POSITION_TARGET_LOCAL_NED_DATA::ID;
 const TARGET_GLOBAL: u32 = SET_POSITION_TARGET_GLOBAL_INT_DATA::ID;
 
-/// A request together with the system it is meant for.
+/// A request, and the system that it is addressed to.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Addressed {
     pub(super) to: u8,

@@ -1,17 +1,17 @@
-//! Parameters of the simulation that `ArduPilot` 4.6 and 4.7 call differently.
+//! Parameters of the simulation that have different names in `ArduPilot` 4.6 and 4.7.
 
-/// Whether a parameter of another name means the same.
+/// How the values of a renamed parameter correspond.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AliasSense {
-    /// It has the same values.
+    /// Both firmwares use the same values.
     Same,
-    /// 0 there is 1 here.
+    /// The values are inverted: 0 in one firmware is 1 in the other.
     Opposite,
 }
 
 use AliasSense::{Opposite, Same};
 
-/// `ArduPilot` 4.7's name, 4.6's, and how the values go together.
+/// `ArduPilot` 4.7's name, 4.6's, and how the values correspond.
 const ALIASES: &[(&str, &str, AliasSense)] = &[
     ("SIM_ACC1_FAIL", "SIM_ACCEL1_FAIL", Same),
     ("SIM_ACC2_FAIL", "SIM_ACCEL2_FAIL", Same),
@@ -62,7 +62,7 @@ pub fn other_name(name: &str) -> Option<(&'static str, AliasSense)> {
 }
 
 impl AliasSense {
-    /// The value of one parameter as the other's.
+    /// Converts a value of one firmware to the other's.
     pub fn convert(self, value: f32) -> f32 {
         match self {
             Same => value,

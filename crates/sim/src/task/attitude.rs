@@ -9,7 +9,7 @@ use crate::control::FlatMotion;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use sortie_geo::maths;
 
-/// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
+/// The greatest lean that is flown: beyond it, the horizontal part of the thrust would grow without bound.
 const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 
 /// The control of the lift.
@@ -17,14 +17,15 @@ const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 pub(crate) enum Lift {
     /// A climb rate, metres per second upwards.
     Climb(f64),
-    /// A share of the full thrust, as `GUID_OPTIONS` asks.
+    /// A share of the full thrust, if `GUID_OPTIONS` says so.
     Thrust(f64),
 }
 
-/// An attitude that a ground station asks for.
+/// An attitude requested by a ground station.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Attitude {
-    /// Forward and right lean in radians; with rates instead of an attitude it turns with them.
+    /// Forward and right lean in radians; it changes with the rates of a setpoint that gives rates instead of an
+    /// attitude.
     pub(crate) lean_rad: DVec2,
     pub(crate) rates_rad_s: DVec2,
     pub(crate) lift: Lift,

@@ -1,5 +1,5 @@
-//! Flying from place to place in AUTO: straight legs that run into each other at fast corners
-//! (`AC_WPNav` with `AP_Math/SCurve`), and circles.
+//! Flying from place to place in AUTO: straight legs joined by corners at speed (`AC_WPNav` with `AP_Math/SCurve`),
+//! and circles.
 
 mod curve;
 mod orbit;
@@ -14,7 +14,7 @@ use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;
 
-/// A vehicle that flies at least this share of the wanted speed does not hold the path up.
+/// The path is not slowed for a vehicle that lags by less than this share of the wanted speed.
 const SPEED_MARGIN: f64 = 0.05;
 /// A turn begins only after this share of the leg (the square of one half, as the leg's length is squared).
 const CORNER_FROM_SHARE: f64 = 0.5;
@@ -113,7 +113,7 @@ impl Track {
     }
 }
 
-/// The limits along a direction: neither the horizontal nor the vertical one is broken.
+/// The limits along a direction, within both the horizontal and the vertical ones.
 fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
     let (flat, steep) = (direction.truncate().length(), direction.z.abs());
     let along = |horizontal: f64, vertical: f64| {
@@ -140,7 +140,8 @@ fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
     }
 }
 
-/// A way along legs. The leg before is still ending and the leg after may have begun while this one is flown.
+/// A route of straight legs. While one leg is flown, the one before may still be ending and the one after may have
+/// begun.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Route {
     from_m: DVec3,
@@ -186,7 +187,7 @@ impl Route {
         self.this.to_m
     }
 
-    /// Goes on to a point. A way that was not finished is given up first.
+    /// Continues to a point; an unfinished leg is given up first.
     pub(crate) fn go_to(&mut self, goal_m: DVec3, cockpit: &mut Cockpit<'_>) {
         if !self.reached {
             *self = Self::standing(cockpit);
@@ -216,7 +217,7 @@ impl Route {
         ));
     }
 
-    /// Whether the goal is within `WPNAV_RADIUS`, whatever the height.
+    /// Whether the goal is within `WPNAV_RADIUS`, at any height.
     pub(crate) fn is_over_goal(&self, cockpit: &Cockpit<'_>) -> bool {
         let way = cockpit.body.position_m - self.this.to_m;
         way.truncate().length() <= cockpit.tuning.auto.radius_m
@@ -283,14 +284,15 @@ impl Route {
         self.keeping_up * self.pace * STEP_S
     }
 
-    /// A pause brings the pace to nothing, its end brings it back; acceleration and jerk are limited.
+    /// Reduces the pace to zero for a pause and raises it again afterwards, with limited acceleration and jerk.
     fn change_pace(&mut self, limits: &Limits) {
         let asked = if self.paused { 0.0 } else { 1.0 };
         let error = asked - self.pace;
         if error == 0.0 && self.pace_per_s == 0.0 {
             return;
         }
-        // The pace of a pause fades away: as long as anything is left of it, a vehicle that is behind holds it up.
+        // In a pause the pace approaches zero without reaching it, so that the path still waits for a vehicle that
+        // lags.
         let most = limits.accel_m_s2 / limits.speed_m_s;
         let jerk = limits.jerk_m_s3 / limits.speed_m_s;
         let wanted = square_root(error, jerk / most, jerk).clamp(-most, most);
@@ -302,7 +304,7 @@ impl Route {
         }
     }
 
-    /// Moves the legs on; whether this one is over.
+    /// Advances the legs; returns whether this one is over.
     fn advance(&mut self, dt_s: f64, cockpit: &Cockpit<'_>) -> bool {
         if let Some(before) = &mut self.before {
             before.advance(dt_s);
@@ -346,7 +348,7 @@ fn may_turn(this: &Track, next: &Track, rules: &AutoRules) -> bool {
         && (out_a + into_a).truncate().length() < rules.corner_accel_m_s2
 }
 
-/// Where the vehicle comes to rest when it stops now.
+/// The place where the vehicle comes to rest if it stops now.
 pub(crate) fn stopping_point(cockpit: &Cockpit<'_>) -> DVec3 {
     let body = cockpit.body;
     let limits = &cockpit.limits;
@@ -358,7 +360,7 @@ pub(crate) fn stopping_point(cockpit: &Cockpit<'_>) -> DVec3 {
     body.position_m + flat_m.extend(fall_m)
 }
 
-/// The way that the square-root controller with a gain of 1 needs from a speed to rest.
+/// The distance that the square-root controller with a gain of 1 needs from a speed to rest.
 fn stopping_way(speed_m_s: f64, accel_m_s2: f64) -> f64 {
     if speed_m_s < accel_m_s2 {
         speed_m_s

@@ -1,11 +1,11 @@
-//! Coming down and finding the ground.
+//! The descent of a landing, and its touchdown.
 
 use std::time::Duration;
 
 use super::{Act, Cockpit, piloted};
 use crate::kinematics::square_root;
 
-/// The motors stop this long after the touch.
+/// The delay from touchdown to the stop of the motors.
 const MOTORS_OFF_AFTER: Duration = Duration::from_millis(700);
 
 /// A landing under way.
@@ -29,7 +29,7 @@ impl Landing {
         }
         let tuning = cockpit.tuning;
         let above_low_m = cockpit.body.height_m() - tuning.land_altitude_low_m;
-        // From LAND_ALT_LOW on the slow speed; the way there ends like any other approach.
+        // Below LAND_ALT_LOW the slow speed applies; the descent to it slows down like any other approach.
         let sink = square_root(above_low_m, 1.0, tuning.accel_z_m_s2).clamp(
             tuning.land_speed_m_s,
             tuning.land_speed_high_m_s.max(tuning.land_speed_m_s),

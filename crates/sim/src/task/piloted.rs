@@ -1,7 +1,7 @@
-//! Modes that listen to a pilot's sticks.
+//! Modes that are flown by a pilot's sticks.
 //!
-//! After `ArduCopter`'s `mode_loiter`, `mode_poshold`, `mode_althold`, `mode_stabilize`, `mode_acro` and
-//! `mode_drift`, and its loiter controller (`AC_Loiter`).
+//! After `ArduCopter`'s `mode_loiter`, `mode_poshold`, `mode_althold`, `mode_stabilize`, `mode_acro` and `mode_drift`,
+//! and its loiter controller (`AC_Loiter`).
 
 mod rules;
 
@@ -17,23 +17,23 @@ use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
 use sortie_geo::maths;
 
-/// Rotors that climb lose thrust to the air that streams through them, per metre per second.
+/// The loss of thrust of climbing rotors to the air through them, per metre per second.
 const INFLOW_PER_S: f64 = 0.27;
 /// The pilot's lean follows the stick with this lag in LOITER (`ATC_INPUT_TC`).
 const STICK_LAG_S: f64 = 0.15;
-/// From the stick's climb to the moment when the wheels leave the ground.
+/// The time from a climb by stick to the lift-off.
 const SPOOL: Duration = Duration::from_millis(1400);
 /// The loiter target leads the vehicle by at most this much.
 const LEAD_MAX_M: f64 = 2.0;
-/// POSHOLD: how fast the lean decays when the stick is let go, when braking begins, and when it is over.
+/// POSHOLD: the decay rate of the lean with the stick released, when braking begins, and when it is over.
 const RELEASE_PER_S: f64 = 5.0;
 const RELEASED_RAD: f64 = 0.003;
 const STANDING_M_S: f64 = 0.1;
-/// DRIFT: how much of the speed the released sticks turn into lean, and how fast that grows.
+/// DRIFT: the braking lean per speed with released sticks, and its growth.
 const DRIFT_BRAKE_RAD_S_M: f64 = 0.14;
 const DRIFT_BRAKE_GROWS_PER_S: f64 = 0.03;
 const DRIFT_LEAN_MAX_RAD: f64 = 45.0 * std::f64::consts::PI / 180.0;
-/// DRIFT: a throttle stick in the middle third holds the height with this much per metre per second.
+/// DRIFT: the throttle per metre per second that helps to hold the height, with the stick in the middle third.
 const DRIFT_ASSIST: f64 = 0.18;
 
 /// How the sticks control the vehicle.
@@ -43,13 +43,13 @@ enum Style {
     Stabilize,
     /// The sticks set rates of turn and throttle.
     Acro,
-    /// Lean forward, turn with the roll stick, throttle with help.
+    /// The pitch stick leans forward, the roll stick turns, and the throttle is assisted.
     Drift,
-    /// The sticks set lean and climb rate; the height is held when they are let go.
+    /// The sticks set lean and climb rate; with released sticks the height is held.
     HoldHeight,
-    /// Lean and climb; brakes and holds the place when let go.
+    /// The sticks set lean and climb rate; with released sticks the vehicle brakes and holds the place.
     HoldPlace,
-    /// Acceleration and climb, with a target that the vehicle follows.
+    /// The sticks set a climb rate, and the acceleration of a target that the vehicle follows.
     Loiter,
 }
 
@@ -72,7 +72,7 @@ pub(crate) struct Pilot {
 }
 
 impl Pilot {
-    /// Begins to fly in a mode.
+    /// The state at the beginning of a mode.
     pub(crate) fn begin(number: u8, lean_ne_m_s2: DVec2) -> Self {
         Self {
             style: match number {
@@ -98,7 +98,7 @@ impl Pilot {
         now >= *self.spooling_since.get_or_insert(now) + SPOOL
     }
 
-    /// The turning rate that the sticks ask for, degrees per second.
+    /// The turning rate demanded by the sticks, degrees per second.
     pub(crate) fn turn_deg_s(&self, cockpit: &Cockpit<'_>) -> f64 {
         let (rules, sticks) = (&cockpit.tuning.pilot, &cockpit.sticks.channels_us);
         let [roll, _, _, yaw] = &cockpit.tuning.radio.sticks;
@@ -116,7 +116,7 @@ impl Pilot {
     }
 }
 
-/// Forward and right lean that the sticks ask for, as accelerations, with a largest lean.
+/// Forward and right lean demanded by the sticks, as accelerations, with a largest lean.
 fn leaning(cockpit: &Cockpit<'_>, lean_max_rad: f64) -> DVec2 {
     let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
     let channels = &cockpit.sticks.channels_us;
@@ -146,7 +146,7 @@ fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)
 }
 
-/// The velocity to which the sticks move a vehicle that lands by itself; zero where they may not.
+/// The velocity to which the sticks move a vehicle that lands by itself; zero if a parameter forbids it.
 pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
     if !cockpit.tuning.pilot.moves_landing {
         return DVec2::ZERO;
@@ -157,7 +157,7 @@ pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
     north_east(cockpit, asked.clamp_length_max(1.0) * most_m_s)
 }
 
-/// The climb that the throttle stick asks for, metres per second upwards.
+/// The climb demanded by the throttle stick, metres per second upwards.
 pub(crate) fn climb_m_s(cockpit: &Cockpit<'_>) -> f64 {
     let rules = &cockpit.tuning.pilot;
     let throttle = &cockpit.tuning.radio.sticks[2];
@@ -199,7 +199,7 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
     }
 }
 
-/// Leans as asked and holds the climb.
+/// Leans by an acceleration and holds a climb rate.
 fn leant(cockpit: &mut Cockpit<'_>, lean_m_s2: DVec2, climb_m_s: f64, limits: &Limits) -> Act {
     let moving = cockpit.body.velocity_m_s.truncate();
     let here = cockpit.body.position_m.truncate();
@@ -254,7 +254,7 @@ fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
     Act::Fly
 }
 
-/// POSHOLD: leans with the stick; let go, it brakes with a lean that grows, then holds the place.
+/// POSHOLD: leans with the stick; with the stick released, brakes with a growing lean, then holds the place.
 fn hold_place(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
     let rules = cockpit.tuning.pilot.clone();
     let asked = leaning(cockpit, rules.lean_max_rad);
@@ -266,7 +266,7 @@ fn hold_place(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act
     } else if pilot.holding {
         return loiter_still(cockpit, climb_m_s, limits);
     } else if pilot.braking {
-        // The lean that the speed asks for: 2.15 degrees per metre per second, more when slow.
+        // The braking lean for the speed: 2.15 degrees per metre per second, more when slow.
         let speed = moving.length();
         let lean_rad = (0.0215 * speed * 100.0 * (1.0 + 500.0 / (speed * 100.0 + 60.0)))
             .to_radians()
@@ -328,7 +328,7 @@ fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
     (input * (1.0 - expo) + expo * maths::powi(input, 3)) / hover
 }
 
-/// Turns the lean with the rates that the sticks ask for; let go, it comes back slowly.
+/// Changes the lean at the rates demanded by the sticks; with released sticks it slowly returns to level.
 fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
     let rules = &cockpit.tuning.pilot;
     let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
@@ -342,7 +342,7 @@ fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
     DVec2::new(maths::tan(angles.x), maths::tan(angles.y)) * GRAVITY_M_S2
 }
 
-/// DRIFT leans forward with the stick, against slipping sideways, and brakes when let go.
+/// DRIFT: leans forward with the stick and against a sideways slip, and brakes with released sticks.
 fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
     let forward = leaning(cockpit, cockpit.tuning.pilot.lean_max_rad).x;
     let moving = forward_right(cockpit, cockpit.body.velocity_m_s.truncate());

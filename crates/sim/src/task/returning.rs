@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3};
 use super::{Act, Cockpit, Landing, Route};
 use crate::control::FlatMotion;
 
-/// The way home begins this long after the vehicle is near enough to where it stops: a climb of next to nothing still
-/// is a leg of its own.
+/// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a leg of its
+/// own in the real vehicle.
 const PLAN_TIME: Duration = Duration::from_millis(700);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
@@ -18,7 +18,7 @@ const HOME_REACHED_M: f64 = 2.0;
 const LEAST_HEIGHT_M: f64 = 2.0;
 /// A cone that is flatter than this does not count (`RTL_MIN_CONE_SLOPE`).
 const CONE_SLOPE_MIN: f64 = 0.5;
-/// The way back ends this far above where it began.
+/// A retraced path ends this far above its first point.
 const ABOVE_FIRST_M: f64 = 2.0;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -42,17 +42,17 @@ enum Stage {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Returning {
     stage: Stage,
-    /// Where it ends, north and east.
+    /// The destination, in metres north and east.
     goal_m: DVec2,
     /// The height to fly at, as metres down from the start.
     down_m: f64,
-    /// Where to climb: decided in the first step.
+    /// The point over which to climb, decided in the first step.
     over_m: Option<DVec2>,
 }
 
 impl Returning {
-    /// Chooses where to (home or a rally point) and the height: `RTL_ALT` above home, not above the cone nor the
-    /// fence, never below the present height.
+    /// Chooses the destination (home or a rally point) and the height: `RTL_ALT` above home, limited by the cone and
+    /// the fence, never below the present height.
     pub(crate) fn new(cockpit: &Cockpit<'_>) -> Self {
         let tuning = cockpit.tuning;
         let (here, home) = (cockpit.body.position_m, cockpit.home_m);
@@ -81,7 +81,7 @@ impl Returning {
         }
     }
 
-    /// Stops, and retraces the path to where the motors were armed.
+    /// Stops, and retraces the path to the place where the motors were armed.
     pub(crate) fn retracing(cockpit: &mut Cockpit<'_>) -> Self {
         cockpit.trail.tidy(&cockpit.tuning.trail);
         let route = Route::standing(cockpit);
@@ -93,7 +93,7 @@ impl Returning {
         }
     }
 
-    /// The landing, once it has come to that.
+    /// The landing of the return, once it has begun.
     pub(crate) fn landing(&self) -> Option<&Landing> {
         match &self.stage {
             Stage::Land(landing) => Some(landing),
@@ -136,7 +136,7 @@ impl Returning {
         Act::Fly
     }
 
-    /// Flies to one breadcrumb after the other, and comes down over the first.
+    /// Flies from one breadcrumb to the next, and lands at the first one of the flight.
     fn retrace(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
         let Stage::Retrace(route) = &mut self.stage else {
             return Act::Fly;
@@ -160,7 +160,7 @@ impl Returning {
         route.step(cockpit)
     }
 
-    /// Stops and climbs over the place where it stops, and plans the leg to the goal.
+    /// Climbs over the stopping point, and plans the leg to the destination.
     fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
         if cockpit.body.on_ground {
             self.stage = Stage::Land(Landing::default());
@@ -170,7 +170,7 @@ impl Returning {
         let over = *self
             .over_m
             .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
-        // The path waits at the stopping point: the error of the place alone brings the vehicle there.
+        // The path waits at the stopping point: the position error alone brings the vehicle there.
         let still = FlatMotion::steady(over, DVec2::ZERO);
         cockpit.control.along(&still, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
@@ -206,7 +206,7 @@ impl Returning {
     }
 }
 
-/// Where to fly for a breadcrumb: a little higher for the first of the flight, which lies on the ground.
+/// The target point for a breadcrumb; slightly higher for the first one of the flight, which lies on the ground.
 fn above_first(point_m: DVec3, first: bool) -> DVec3 {
     if first {
         point_m - DVec3::Z * ABOVE_FIRST_M

@@ -6,10 +6,10 @@ use glam::DVec3;
 
 use super::{Act, Cockpit};
 
-/// From the command to the moment when the vehicle counts as taking off, and when it leaves the ground.
+/// The times from the command until the vehicle counts as taking off, and until it leaves the ground.
 const SPOOLED: Duration = Duration::from_millis(1100);
 const LIFTS: Duration = Duration::from_millis(1600);
-/// The climb with which the path starts: the thrust overshoots while the wheels hold.
+/// The climb rate at the beginning of the path: the thrust overshoots while the vehicle still stands.
 const FIRST_CLIMB_M_S: f64 = 0.5;
 /// The takeoff is over within this distance of its goal.
 const REACHED_M: f64 = 0.05;
@@ -35,7 +35,7 @@ impl Takeoff {
         }
     }
 
-    /// The same for a vehicle in flight.
+    /// A takeoff to a height for a vehicle in flight.
     pub(crate) fn in_flight(from_m: DVec3, height_m: f64, now: Duration) -> Self {
         Self {
             since: now.saturating_sub(LIFTS),

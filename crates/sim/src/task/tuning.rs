@@ -43,8 +43,8 @@ pub(crate) struct FlightTuning {
 }
 
 impl FlightTuning {
-    /// Reads the parameters. Values without sense (zero accelerations, negative speeds) become the smallest
-    /// that the equations of motion bear.
+    /// Reads the parameters. Invalid values (zero accelerations, negative speeds) are raised to the smallest that the
+    /// equations of motion allow.
     pub(crate) fn read(all: &Parameters) -> Self {
         let cm = |name| all.value(name) * 0.01;
         let least = |value: f64| value.clamp(0.05, 1000.0);

@@ -110,7 +110,7 @@ fn a_hexacopter_survives_the_loss_of_a_motor() {
         ground.step();
         lowest = lowest.min(-ground.truth().position_ned_m[2]);
     }
-    // The real one sank to 17.9 m, told of the loss after 3.2 s and came back to its height.
+    // The real one sank to 17.9 m, reported the loss after 3.2 s and returned to its height.
     close("lowest", lowest, 17.9, 0.15);
     close("height", -ground.truth().position_ned_m[2], 25.0, 0.02);
     assert!(said(&ground, "Potential Thrust Loss (2)"));

@@ -20,7 +20,7 @@ fn booting() -> Ground {
 fn the_boot_keeps_the_times_of_the_real_one() {
     let mut seen = Timeline::of(booting());
     seen.run(44.5);
-    // The first half second is the timeline's own.
+    // The timeline starts half a second after the boot.
     let table = [
         (1.0, "mode 0 status 4"),
         (1.9, "Barometer 1 calibration complete"),

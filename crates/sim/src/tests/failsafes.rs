@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 use super::Ground;
 use super::timeline::Timeline;
 
-/// 10 Hz reports and heartbeats make this much of a difference to what was measured.
+/// The tolerance against measured times: telemetry at 10 Hz, and heartbeats.
 const TOLERANCE_S: f64 = 0.35;
 
 fn hovering(height_m: f32) -> Timeline {

@@ -1,4 +1,4 @@
-//! Section by section what was measured at the real vehicle when its sensors failed.
+//! Faults of sensors, compared with measurements of the real vehicle section by section.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -6,7 +6,7 @@ use super::Ground;
 use super::timeline::Timeline;
 use sortie_geo::maths;
 
-/// 10 Hz reports, GPS samples and heartbeats make this much of a difference.
+/// The tolerance against measured times: telemetry at 10 Hz, GPS samples and heartbeats.
 const TOLERANCE_S: f64 = 0.35;
 /// 0.001 degrees of latitude.
 const GLITCH_M: f64 = 111.3;
@@ -256,7 +256,7 @@ fn a_barometer_that_drifts_freezes_or_shakes_takes_the_vehicle_along() {
     let mut drifting = hovering(15.0);
     drifting.ground.set("SIM_BARO_DRIFT", 0.2);
     drifting.run(20.0);
-    // 4 m have drifted; the estimate is 4 s behind.
+    // The altitude has drifted by 4 m; the estimate lags by 4 s.
     assert!((height_m(&drifting) - 11.8).abs() < 0.5);
 
     let mut frozen = hovering(15.0);

@@ -1,4 +1,4 @@
-//! Files and flight logs as a ground station carries them.
+//! Transfers of files and flight logs to a ground station.
 
 use mavlink::dialects::ardupilotmega::{
     FILE_TRANSFER_PROTOCOL_DATA, LOG_REQUEST_DATA_DATA, LOG_REQUEST_LIST_DATA, MavCmd, MavMessage,
@@ -9,7 +9,7 @@ use mavlink::types::CharArray;
 use super::Ground;
 use super::transfers::{MISSION, count, download, flight, parameter, upload};
 
-/// Says an FTP request and returns opcode, offset and data of the answers.
+/// Sends an FTP request and returns opcode, offset and data of the answers.
 fn ftp(ground: &mut Ground, head: [u8; 4], offset: u32, data: &[u8]) -> Vec<(u8, u32, Vec<u8>)> {
     let first = ground.heard.len();
     let [seq, session, opcode, size] = head;
@@ -65,7 +65,7 @@ fn a_request_that_comes_again_gets_the_same_answer() {
     let made = ftp(&mut ground, [1, 0, 9, 1], 0, b"d");
     assert_eq!(made, [(128, 0, vec![])]);
     assert_eq!(ftp(&mut ground, [1, 0, 9, 1], 0, b"d"), made);
-    // The same wish with another number is another request: the folder exists.
+    // The same operation with another sequence number is a new request: the folder exists.
     let exists = ftp(&mut ground, [2, 0, 9, 1], 0, b"d");
     assert_eq!(exists, [(129, 0, vec![8])]);
 }

@@ -21,7 +21,7 @@ fn height(truth: &Truth) -> f64 {
 #[test]
 fn a_takeoff_takes_as_long_as_the_real_one() {
     let mut ground = Ground::armed();
-    // Sooner after arming a takeoff waits.
+    // Earlier after arming, a takeoff would wait.
     ground.run(3.0);
     ground.takeoff(20.0);
     let mut elapsed = 0.0;

@@ -236,7 +236,7 @@ impl Ground {
         }
     }
 
-    /// Seconds until something holds.
+    /// Seconds until a condition holds; fails after `most_s`.
     pub(crate) fn until(&mut self, most_s: f64, mut holds: impl FnMut(&Truth) -> bool) -> f64 {
         let mut elapsed = 0.0;
         while elapsed < most_s {

@@ -234,7 +234,7 @@ proptest! {
         let names = crate::parameters::Parameters::new(1);
         for (index, value) in values {
             let name = names.at(index).map_or("", |parameter| parameter.name);
-            // This one makes the vehicle deaf to us, as it should.
+            // This parameter makes the vehicle ignore the test's ground station, as it should.
             if name != "SYSID_ENFORCE" {
                 ground.set(name, value);
             }

@@ -1,5 +1,5 @@
-//! No parameter, no airframe and no mode makes a vehicle lose its numbers, sink into the ground, fly by energy that
-//! its motors did not give, or charge its battery.
+//! With any parameter, airframe and mode, numbers stay finite, and no vehicle sinks into the ground, flies by energy
+//! that its motors did not give, or charges its battery.
 
 use std::sync::Arc;
 
@@ -111,10 +111,10 @@ proptest! {
 const MODES: [f32; 15] = [
     0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 9.0, 11.0, 16.0, 17.0, 20.0, 21.0, 24.0,
 ];
-/// Centre of a tumbling vehicle to its motors, metres, with something to spare.
+/// The distance from the centre of a tumbling vehicle to its motors in metres, with a margin.
 const ARM_M: f64 = 0.35;
 
-/// Per mass, counted from the ground.
+/// The energy per mass, relative to the ground.
 fn energy(body: &Body) -> f64 {
     0.5 * body.velocity_m_s.length_squared() + GRAVITY_M_S2 * body.height_m()
 }

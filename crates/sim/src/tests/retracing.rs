@@ -8,7 +8,7 @@ use sortie_geo::maths;
 const SMART_RTL: f32 = 21.0;
 const RTL: f32 = 6.0;
 
-/// Seconds after the order, and where a real vehicle then was.
+/// Seconds after the command, and the position of a real vehicle at that time.
 const WAY_BACK: [(f64, [f64; 3]); 8] = [
     (4.1, [60.0, 48.1, -10.0]),
     (8.1, [60.3, 26.7, -10.0]),

@@ -1,4 +1,4 @@
-//! Signing, in the order in which the real vehicle was tried.
+//! Signing, in the order of the trials with the real vehicle.
 
 use mavlink::dialects::ardupilotmega::{
     COMMAND_LONG_DATA, HEARTBEAT_DATA, MavCmd, MavMessage, RADIO_STATUS_DATA, SETUP_SIGNING_DATA,
@@ -9,7 +9,7 @@ use sortie_wire::{Content, Decoder, Encoder, Outgoing, SigningKey, Stamp, is_sig
 
 const KEY: SigningKey = [7; 32];
 const SECOND: u64 = 100_000;
-/// When the test begins.
+/// The timestamp at the beginning of a test.
 const NOW: u64 = 37_512_928_000_000;
 
 struct Bench {
@@ -129,7 +129,8 @@ fn serial_0_accepts_everything_and_the_others_only_what_is_signed_rightly() {
         // A new link that is more than a minute behind the vehicle's clock.
         (Some((KEY, 50, later - 61 * SECOND)), false),
         (Some((KEY, 50, later - 30 * SECOND)), true),
-        // An hour ahead is accepted and drags the vehicle's clock ahead: for those who are new now is too early.
+        // A timestamp an hour ahead is accepted and moves the vehicle's clock, so that new senders with the present
+        // time are too late.
         (Some((KEY, 52, later + 3600 * SECOND)), true),
         (Some((KEY, 2, later + 3)), true),
         (Some((KEY, 53, later + 4)), false),

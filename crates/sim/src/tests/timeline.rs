@@ -118,7 +118,7 @@ impl Timeline {
         }
     }
 
-    /// The last known message of a kind.
+    /// Requests a message and returns the vehicle's answer.
     pub(crate) fn asked(&mut self, id: u32) -> Option<MavMessage> {
         let before = self.ground.heard.len();
         self.ground
@@ -130,7 +130,7 @@ impl Timeline {
             .find(|message| mavlink::Message::message_id(message) == id)
     }
 
-    /// Where the vehicle believes to be, in metres north and east of the truth.
+    /// The error of the vehicle's estimated position, in metres north and east.
     pub(crate) fn error_m(&mut self) -> (f64, f64) {
         let truth = self.ground.truth();
         let Some(MavMessage::GLOBAL_POSITION_INT(data)) = self.asked(33) else {

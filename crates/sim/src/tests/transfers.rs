@@ -1,4 +1,4 @@
-//! Missions, fences and rally points as a ground station carries them.
+//! Transfers of missions, fences and rally points with a ground station.
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_REQUEST_DATA, MISSION_CLEAR_ALL_DATA, MISSION_COUNT_DATA,

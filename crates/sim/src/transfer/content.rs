@@ -29,7 +29,7 @@ pub(super) enum FilePlace {
     System(String),
     Parameters(String),
     Plans(String),
-    /// The files of the firmware: none.
+    /// The files of the firmware, of which there are none.
     Firmware(String),
     Logs(String),
     Disk(String),
@@ -63,7 +63,7 @@ pub(super) enum FileContent {
 }
 
 impl FileContent {
-    /// Opens a file; returns its reported length too. An error is an error number.
+    /// Opens a file; returns its reported length too. An error is an error number of the operating system.
     pub(super) fn open(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<(Self, usize), u8> {
         let bytes = match FilePlace::of(path) {
             FilePlace::System(name) => return system(vehicle, &name),
@@ -89,7 +89,7 @@ impl FileContent {
         Ok((Self::Bytes(bytes), len))
     }
 
-    /// Up to `len` bytes from an offset on; none behind the end.
+    /// Up to `len` bytes from an offset on; none beyond the end.
     pub(super) fn read(
         &mut self,
         parameters: &Parameters,
@@ -143,7 +143,7 @@ pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Fol
     }
 }
 
-/// The path on the disk, if something may be written there.
+/// The path on the disk, if it may be written to.
 pub(super) fn writable(path: &str) -> Result<String, u8> {
     match FilePlace::of(path) {
         FilePlace::Disk(path) => Ok(path),

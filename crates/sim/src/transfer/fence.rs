@@ -1,5 +1,5 @@
-//! How much room a fence takes in the vehicle's storage, and how long it is said to be. Whether it makes sense is for
-//! [`Fence::check`](crate::fence::Fence::check).
+//! The room that a fence takes in the vehicle's storage, and its reported length.
+//! [`Fence::check`](crate::fence::Fence::check) judges whether it is valid.
 
 use crate::cmd;
 use crate::plan::Item;
@@ -7,7 +7,7 @@ use crate::plan::Item;
 /// Bytes of storage for fences.
 const STORAGE: usize = 560;
 
-/// Whether there is room to keep it.
+/// Whether a fence fits into the storage.
 pub(super) fn fits(items: &[Item]) -> bool {
     let mut needed = 4;
     let mut rest = items;

@@ -23,9 +23,9 @@ use super::{Talk, plan_file};
 use crate::payload::Payload;
 
 const MESSAGE: u32 = FILE_TRANSFER_PROTOCOL_DATA::ID;
-/// Requests that wait while a burst is under way; more are lost.
+/// The most requests that wait while a burst is under way; further ones are dropped.
 const MOST_WAITING: usize = 5;
-/// A session that nothing was sent to for this long makes room for another.
+/// A session without a request for this long makes room for another.
 const SESSION_TIMEOUT: Duration = Duration::from_secs(3);
 /// Messages of one burst at most, and how many of them leave in one step of 10 ms.
 const BURST: usize = 500;
@@ -91,7 +91,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     true
 }
 
-/// Sends the next messages of a burst, then answers what waited for its end.
+/// Sends the next messages of a burst, then answers the requests that waited for its end.
 pub(super) fn step(talk: &mut Talk<'_>) {
     let now = talk.autopilot.vehicle.uptime();
     let files = &mut talk.transfers.files;
@@ -99,7 +99,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
         if burst.request.from.link == talk.peer.link {
             talk.continue_burst(BURST_PER_STEP);
         } else if now.saturating_sub(files.sent_at) > SESSION_TIMEOUT {
-            // Its link is gone.
+            // The link of the burst is gone.
             files.burst = None;
         }
         return;
@@ -162,7 +162,7 @@ impl Talk<'_> {
         }
     }
 
-    /// Keeps a second session out while the first is alive.
+    /// Refuses a second session while the first is in use.
     fn check_session(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         let now = self.autopilot.vehicle.uptime();
         let files = &self.transfers.files;
@@ -218,7 +218,7 @@ impl Talk<'_> {
         Ok(())
     }
 
-    /// Makes, moves and removes names.
+    /// Creates, renames and removes files and folders.
     fn rearrange(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         match request.opcode {
             REMOVE_FILE | REMOVE_FOLDER => {
@@ -330,7 +330,7 @@ impl Talk<'_> {
         }
     }
 
-    /// Closes the file; what was written to the parameters or a plan takes effect.
+    /// Closes the file; a file of parameters or of a plan takes effect.
     fn close(&mut self) {
         match self.files().open.take() {
             Some((_, Open::WritingParameters(file))) => {
@@ -376,7 +376,7 @@ impl Talk<'_> {
                     reply.data = data;
                     self.send(reply.clone());
                     reply.seq = reply.seq.wrapping_add(1);
-                    // The refusal that ends the burst stands where the file ends.
+                    // The refusal that ends the burst has the offset of the file's end.
                     reply.offset += short.unwrap_or(0);
                     if burst.sent < BURST {
                         self.files().burst = Some(burst);

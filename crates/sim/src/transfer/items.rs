@@ -15,7 +15,7 @@ use crate::frame::{self, HeightOrigin};
 use crate::plan::Item;
 use sortie_geo::LatLon;
 
-/// Altitudes in metres from here on do not fit.
+/// Altitudes of this many metres and more do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
 /// Numbers that the vehicle uses internally and refuses in items.
@@ -101,7 +101,7 @@ pub(super) fn has_place(command: u16) -> bool {
     letters(command).is_some_and(|kept| kept[4] == b'L')
 }
 
-/// The item of a mission as the vehicle keeps it, or why it does not take it.
+/// The item of a mission as the vehicle keeps it, or the reason to refuse it.
 pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
     check_numbers(item)?;
     if NEVER_COMMANDS.contains(&item.command) {
@@ -136,7 +136,7 @@ pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
     Ok(stored)
 }
 
-/// A rally point as the vehicle keeps it, or why it does not take it.
+/// A rally point as the vehicle keeps it, or the reason to refuse it.
 pub(super) fn rally_item(item: &Item) -> Result<Item, MavMissionResult> {
     if item.command != cmd::NAV_RALLY_POINT {
         return Err(MAV_MISSION_UNSUPPORTED);
@@ -156,8 +156,8 @@ pub(super) fn rally_item(item: &Item) -> Result<Item, MavMissionResult> {
     })
 }
 
-/// A corner, circle or return point of a fence as the vehicle keeps it, or why it does not take it. Whether the
-/// fence makes sense is seen when it is complete.
+/// A corner, circle or return point of a fence as the vehicle keeps it, or the reason to refuse it. The fence as a
+/// whole is checked when it is complete.
 pub(super) fn fence_item(item: &Item) -> Result<Item, MavMissionResult> {
     height_frame(item.frame)?;
     let first = match item.command {

@@ -73,13 +73,13 @@ pub(super) fn is_part(id: u32) -> bool {
 
 /// Answers a message of the protocol; `false` if it is none.
 pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
-    // Where the receiver's system id and the list's number stand.
+    // The offsets of the receiver's system id and of the list's number.
     let (to, list) = match id {
         PARTIAL => (4, 6),
         ITEM | ITEM_INT => (32, 37),
         REQUEST | REQUEST_INT | COUNT => (2, 4),
         REQUEST_LIST | CLEAR_ALL => (0, 2),
-        // A ground station's acknowledgement says nothing that the vehicle needs, not even a cancellation.
+        // The vehicle ignores a ground station's acknowledgement, even a cancellation.
         ACK => return true,
         _ => return false,
     };
@@ -107,7 +107,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     true
 }
 
-/// Asks again for what does not come, and gives up in the end.
+/// Requests a missing item again, and gives up in the end.
 pub(super) fn step(talk: &mut Talk<'_>) {
     let now = talk.autopilot.vehicle.uptime();
     for kind in ListKind::ALL {
@@ -151,7 +151,7 @@ impl Talk<'_> {
         self.raw(COUNT, Writer::default().short(count).bytes(&to).done());
     }
 
-    /// Asks the uploader for its next item.
+    /// Requests the next item from the uploader.
     fn ask(&mut self, kind: ListKind) {
         let now = self.autopilot.vehicle.uptime();
         let Some(upload) = &mut self.state(kind).upload else {
@@ -225,7 +225,7 @@ impl Talk<'_> {
 
     fn clear(&mut self, kind: ListKind) {
         let autopilot = &*self.autopilot;
-        // A mission that is being flown cannot be taken away.
+        // A mission that is being flown cannot be cleared.
         let flown = kind == ListKind::Mission
             && autopilot.vehicle.safety.armed
             && autopilot.vehicle.flight.mode.number == mode::AUTO;

@@ -1,4 +1,4 @@
-//! Handing the logs out.
+//! Listing and download of flight logs.
 
 use std::time::Duration;
 

@@ -2,8 +2,8 @@
 //!
 //! A header of three 16-bit numbers (magic, parameters in the file, parameters in all), then per parameter: type in
 //! the low and flags in the high half of a byte; letters shared with the name before in the low and further letters
-//! less one in the high half of a byte; the further letters; the value; its default, if the flag says so. Zeros
-//! before a parameter keep a value from lying across two blocks of the size that the file is read in.
+//! less one in the high half of a byte; the further letters; the value; its default, if the flag says so. Zeros before
+//! a parameter keep a value within one block of the size that the file is read in.
 
 use crate::parameters::{Kind, Parameter, Parameters};
 
@@ -11,7 +11,7 @@ const MAGIC: u16 = 0x671B;
 const MAGIC_WITH_DEFAULTS: u16 = 0x671C;
 const HEADER: usize = 6;
 const NAME: usize = 16;
-/// Bytes per parameter that a file is announced with before it is packed.
+/// Bytes per parameter in the length that is reported before the file is packed.
 const ESTIMATE: usize = 12;
 const FILE: &str = "param.pck";
 
@@ -19,7 +19,7 @@ const FILE: &str = "param.pck";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct PackRequest {
     start: usize,
-    /// 0 for all that follow.
+    /// The number of parameters; 0 for all that follow.
     count: usize,
     with_defaults: bool,
 }
@@ -36,7 +36,7 @@ pub(super) fn estimated_len(parameters: &Parameters) -> usize {
 }
 
 impl PackRequest {
-    /// Reads `start`, `count` and `withdefaults` out of a name; `None` if one makes no sense.
+    /// Reads `start`, `count` and `withdefaults` out of a name; `None` if one is invalid.
     pub(super) fn read(name: &str) -> Option<Self> {
         let mut wanted = Self::default();
         let query = name.split_once('?').map_or("", |(_, query)| query);
@@ -58,7 +58,7 @@ impl PackRequest {
         Some(wanted)
     }
 
-    /// The file, for blocks of a size; `None` if it would begin behind the last parameter.
+    /// The file, for blocks of a size; `None` if it would begin after the last parameter.
     pub(super) fn pack(self, parameters: &Parameters, block: usize) -> Option<Vec<u8>> {
         let total = usize::from(parameters.count());
         let mut packed = total.checked_sub(self.start).filter(|left| *left > 0)?;
@@ -89,7 +89,7 @@ impl PackRequest {
     }
 }
 
-/// Appends a parameter that follows one of another name.
+/// Appends a parameter that follows the one named `before`.
 fn append(
     file: &mut Vec<u8>,
     parameter: &Parameter,

@@ -13,7 +13,7 @@ use crate::vehicle::Vehicle;
 const MAGIC: u16 = 0x763D;
 const HEADER: usize = 10;
 const ITEM: usize = 38;
-/// An option: items are added to or written over what is there.
+/// Option bit: items are added to the existing list, or replace some of its items.
 const KEEP_THE_REST: u16 = 1;
 /// The reported length of each file.
 pub(super) const ESTIMATED_LEN: usize = 1024 * 1024;
@@ -45,7 +45,7 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     writer.done()
 }
 
-/// Takes a file that a ground station wrote; `false` if it is not complete or makes no sense.
+/// Takes a file that a ground station wrote; `false` if it is incomplete or invalid.
 pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bool {
     let number = |at: usize| {
         let bytes = file.get(at..at + 2).and_then(|two| two.try_into().ok());

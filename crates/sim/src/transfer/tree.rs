@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-/// Bytes that all files together may have.
+/// The most bytes of all files together.
 const MOST_BYTES: usize = 128 * 1024;
-/// Files and folders that there may be.
+/// The most files and folders together.
 const MOST_NODES: usize = 256;
-/// Error numbers of the operating system that the vehicle hands on.
+/// Error numbers of the operating system that the vehicle passes on.
 pub(super) const NO_SUCH_FILE: u8 = 2;
 pub(super) const EXISTS: u8 = 17;
 pub(super) const IS_A_FOLDER: u8 = 21;
@@ -38,7 +38,7 @@ impl FolderEntry {
     }
 }
 
-/// Files and folders by their path without a slash in front; a folder holds no bytes.
+/// Files and folders by their path without a leading slash; `None` for a folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Disk(BTreeMap<String, Option<Vec<u8>>>);
 
@@ -74,7 +74,7 @@ impl Disk {
         }
     }
 
-    /// Makes an empty file, in place of one of that name.
+    /// Creates an empty file; replaces a file of that name.
     pub(super) fn create(&mut self, path: &str) -> Result<(), u8> {
         if self.is_folder(path) {
             return Err(IS_A_FOLDER);
@@ -117,7 +117,7 @@ impl Disk {
         self.0.remove(path).map(|_| ()).ok_or(NO_SUCH_FILE)
     }
 
-    /// Gives a file or an empty folder another name, in place of a file that has it.
+    /// Renames a file or an empty folder; replaces a file that has the new name.
     pub(super) fn rename(&mut self, from: &str, to: &str) -> Result<(), u8> {
         if !self.0.contains_key(from) {
             return Err(NO_SUCH_FILE);
@@ -161,7 +161,7 @@ pub(super) fn write_into(file: &mut Vec<u8>, offset: usize, bytes: &[u8]) {
     }
 }
 
-/// A path without the slashes around it and without references to where it is.
+/// A path without empty parts and without `.`.
 pub(super) fn clean(path: &str) -> String {
     let parts = path
         .split('/')

@@ -11,7 +11,7 @@ use crate::task::{Act, FlightTuning, Pilot, Task};
 use crate::trail::Trail;
 use crate::yaw::{Turning, YawControl, YawDemand};
 
-/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
+/// Speeds set by commands; they last until the mode changes, in GUIDED only until the kind of target changes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 pub(crate) struct AskedSpeeds {
@@ -61,7 +61,7 @@ impl FlightState {
             || matches!(&self.task, Task::Return(way) if way.landing().is_some())
     }
 
-    /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
+    /// Whether the vehicle still holds the end of a takeoff, without a new target since.
     pub(crate) fn holds_takeoff(&self) -> bool {
         matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
     }
@@ -78,7 +78,7 @@ impl FlightState {
         };
     }
 
-    /// The limits of the flight: parameters, with what commands changed.
+    /// The limits of the flight: from the parameters, with changes by commands.
     pub(super) fn limits(&self, tuning: &FlightTuning) -> Limits {
         let asked = self.speeds;
         Limits {
@@ -92,7 +92,8 @@ impl FlightState {
         }
     }
 
-    /// What an act of the task asks of a body that believes to be somewhere, and keeps level with an error in m/s².
+    /// The demand on the body for an act of the task. `believed` is the estimated state; `level_error_m_s2` the error
+    /// while keeping level.
     pub(super) fn demand(
         &mut self,
         act: Act,
@@ -138,7 +139,7 @@ impl FlightState {
         }
     }
 
-    /// A stick that is over turns the nose, in degrees per second; one let go ends what it began.
+    /// A deflected stick turns the nose, in degrees per second; a released one ends its turn.
     pub(super) fn turn_by_stick(&mut self, rate_deg_s: f64) {
         let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
         if rate_deg_s != 0.0 || turning {
@@ -153,12 +154,12 @@ impl FlightState {
         self.yaw.step(body.yaw_deg, moving, here, turning)
     }
 
-    /// After a takeoff to a point the vehicle waits there for what its mode brings.
+    /// Ends a takeoff to a point, where the vehicle then waits with the task of its mode.
     pub(super) fn end_takeoff(&mut self, goal_m: DVec3) {
         self.takeoff_m = Some(goal_m);
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
-            // The mission goes on by itself.
+            // In AUTO, the mission continues by itself.
             mode::AUTO => return,
             _ => Task::Piloted,
         };
@@ -167,7 +168,7 @@ impl FlightState {
     /// Follows an estimate of the position that has jumped.
     pub(super) fn follow_jump(&mut self, jump_m: DVec3) {
         self.control.path_m += jump_m;
-        // The height of a takeoff is held where the vehicle is, wherever that is said to be.
+        // The height of a takeoff is held at the vehicle's own position, even if its estimate jumps.
         if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
             && *goal_m == *hold_m
         {

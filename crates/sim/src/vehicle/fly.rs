@@ -1,4 +1,4 @@
-//! Flying: from the task at hand to the body, and back through the estimator.
+//! Flying: from the current task to the body, and back through the estimator.
 
 use super::Vehicle;
 use crate::body::Demand;
@@ -8,7 +8,7 @@ use crate::task::{Act, Task};
 use crate::yaw::Turning;
 
 impl Vehicle {
-    /// Lets the task steer the body for one step; the speed at which it hits the ground, if it does.
+    /// Lets the task steer the body for one step; returns the speed of an impact on the ground, if any.
     pub(crate) fn fly(&mut self) -> Option<f64> {
         let act = if self.safety.armed {
             self.with_cockpit(Task::step)
@@ -44,7 +44,7 @@ impl Vehicle {
         impact_m_s
     }
 
-    /// Lets the estimator follow what has happened, and the path what it has jumped.
+    /// Updates the estimator, and shifts the path if the estimate has jumped.
     pub(crate) fn estimate(&mut self) {
         if !self.boot.is_over() || !self.estimator.has_work(&self.tuning.faults) {
             return;
@@ -60,7 +60,7 @@ impl Vehicle {
         }
     }
 
-    /// A yaw stick that is over turns the nose, also where the autopilot flies.
+    /// A deflected yaw stick turns the nose, even while the autopilot flies.
     fn turn_by_stick(&mut self) {
         let steered = matches!(self.flight.task, Task::Piloted | Task::Manual);
         let overridden = self.uptime() < self.radio.until;

@@ -10,7 +10,7 @@ use crate::tuning::Tuning;
 use crate::upset::Drive;
 use crate::wind::{Wind, WindRules};
 
-/// The vehicle as it is.
+/// The true state of the vehicle.
 #[derive(Debug, Clone)]
 pub(crate) struct Plant {
     pub(crate) airframe: Arc<Airframe>,
@@ -50,7 +50,7 @@ impl Plant {
         }
     }
 
-    /// Moves the body by one step; the speed at which it hits the ground, if it does.
+    /// Moves the body by one step; returns the speed of an impact on the ground, if any.
     pub(super) fn step(
         &mut self,
         demand: Demand,

@@ -1,4 +1,4 @@
-//! Meaningless lists.
+//! Missions of random items, most of them meaningless.
 
 use proptest::prelude::*;
 

@@ -171,7 +171,7 @@ fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
 }
 
 /// Flown by the same firmware on 21 November 2026: 60 m legs with corners, climbs and descents between them, and a
-/// landing at a place. After it the vehicle stands before its first item again, still in AUTO.
+/// landing at a place. After it the mission is back before its first item, still in AUTO.
 #[test]
 fn corners_are_cut_as_by_the_real_vehicle_and_a_landing_begins_the_mission_anew() {
     let mut ground = ready_with(&[
@@ -268,13 +268,13 @@ fn conditions_circles_and_stays_take_as_long_as_the_real_ones() {
             ),
             (3.8, &["Mission: 13 SplineWP"]),
         ],
-        // The last leg but one began 3 s before its time is taken.
+        // The time of the last leg but one is counted from 3 s after its beginning.
         0.06,
     );
 }
 
-/// Flown by the same firmware on 21 November 2026: speeds changed by command on the way, a circle of the usual size,
-/// items the vehicle skips, a takeoff in the air, and the end, from which a start begins anew.
+/// Flown by the same firmware on 21 November 2026: speeds changed by commands on the way, a circle of the usual size,
+/// items that the vehicle skips, a takeoff in the air, and a second start after the end.
 #[test]
 fn speeds_change_on_the_way_and_what_cannot_be_flown_is_skipped() {
     let mut ground = ready_with(&[

@@ -202,7 +202,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Without terrain data, everything is still missing and the height is that above sea level.
+/// Without terrain data, all blocks are still missing and the height is that above sea level.
 pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
     let here = autopilot.vehicle.here();
     let (lat, lon) = here.at.to_e7();

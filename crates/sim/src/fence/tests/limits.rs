@@ -34,7 +34,7 @@ fn a_vehicle_that_flies_at_a_corner_stays_inside_as_the_real_one_did() {
         told.breach_mitigation,
         FenceMitigate::FENCE_MITIGATE_VEL_LIMIT
     );
-    // Left alone it backs away to the margin: measured N 86.0.
+    // Without setpoints it backs away to the margin: measured N 86.0.
     ground.run(12.0);
     let north_m = ground.truth().position_ned_m[0];
     println!("left alone: N {north_m:.2}, measured 86.0");
@@ -71,7 +71,7 @@ fn a_climb_creeps_through_the_ceiling_and_brakes_there_as_the_real_one_did() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
     #[test]
-    // Faster, an edge is met that the real vehicle breaches too.
+    // At higher speeds the real vehicle breaches the edge, too.
     fn whatever_velocities_are_asked_a_vehicle_stays_inside(
         asked in proptest::collection::vec((-2.5f32..2.5, -2.5f32..2.5, 1usize..8), 5..15),
         stops: bool,
@@ -96,7 +96,7 @@ proptest! {
     }
 }
 
-/// Values that no pilot would set, and some that one would.
+/// A component of a velocity, from plausible to absurd.
 fn wild() -> impl Strategy<Value = f32> {
     prop_oneof![
         Just(0.0f32),

@@ -128,7 +128,7 @@ impl Ramp {
 }
 
 impl CurveStep {
-    /// The contribution of this step once its time has come.
+    /// Adds the motion of this step, once it has begun.
     fn add(&self, now_s: f64, sum: &mut Motion) {
         let t = now_s - self.at_s;
         if t <= 0.0 {
@@ -143,7 +143,7 @@ impl CurveStep {
                 t * t * t / 12.0 - t / (2.0 * beta * beta) + sin / (2.0 * maths::powi(beta, 3)),
             )
         } else {
-            // A step smoothed by a half sine is, behind it, a step at its middle spread by its variance.
+            // Once complete, a step smoothed by a half sine equals a step at its middle, spread by its variance.
             let late = t - self.rise_s / 2.0;
             let spread = self.rise_s * self.rise_s * (0.25 - 2.0 / (PI * PI));
             (
@@ -233,7 +233,7 @@ impl SpeedCurve {
         *self = changed;
     }
 
-    /// Ends a speeding-up early: what has not begun is dropped and the acceleration taken back.
+    /// Ends an acceleration early: steps that have not begun are dropped, and the acceleration returns to zero.
     fn cut_ramp(&mut self, now_s: f64) {
         let begun = self.steps.iter().filter(|step| step.at_s <= now_s).count();
         let Some(first) = self.steps.first().copied() else {
@@ -283,7 +283,7 @@ impl SpeedCurve {
     }
 }
 
-/// The largest value between two for which something holds that holds for small values.
+/// The largest value between `low` and `high` that satisfies `holds`, which is true for small values.
 fn largest(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     if holds(high) {
         return high;

@@ -9,7 +9,7 @@ use crate::parameters::Parameters;
 use crate::yaw::YawDemand;
 use sortie_geo::maths;
 
-/// A circle turns up within a second, but at least at this rate (degrees per second squared).
+/// A circle reaches its rate within a second, but with at least this acceleration (degrees per second squared).
 const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
 
 /// A circle under way.
@@ -55,7 +55,7 @@ impl Orbit {
         off_m > self.radius_m && off_m > 5.0
     }
 
-    /// Begins where the vehicle is.
+    /// Begins the circle at the vehicle's position.
     pub(crate) fn begin(&mut self, from_m: DVec3) {
         let outwards = self.outwards(from_m);
         self.angle_rad = maths::atan2(outwards.y, outwards.x);

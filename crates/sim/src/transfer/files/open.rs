@@ -6,7 +6,7 @@ use crate::plan::ListKind;
 use crate::transfer::content::FileContent;
 use crate::transfer::tree::{self, Disk, NO_SPACE};
 
-/// Bytes of a file of parameters or of a plan that is being written.
+/// The most bytes of a file of parameters or of a plan that is being written.
 const MOST_WRITTEN: usize = 64 * 1024;
 
 /// A file that is being read or written.
@@ -20,7 +20,7 @@ pub(super) enum Open {
 }
 
 impl Open {
-    /// The bytes at an offset, up to a limit.
+    /// Reads bytes at an offset, up to a limit.
     pub(super) fn read(
         &mut self,
         parameters: &Parameters,
@@ -37,7 +37,7 @@ impl Open {
         Ok(bytes.to_vec())
     }
 
-    /// Puts bytes at an offset.
+    /// Writes bytes at an offset.
     pub(super) fn write(
         &mut self,
         disk: &mut Disk,

@@ -4,7 +4,7 @@ use crate::payload::{Payload, Writer};
 use crate::transfer::Peer;
 use crate::transfer::tree::{self, FolderEntry, NO_SUCH_FILE};
 
-/// Where the protocol's own header begins in `FILE_TRANSFER_PROTOCOL`.
+/// The offset of the protocol's own header in `FILE_TRANSFER_PROTOCOL`.
 const BEGIN: usize = 3;
 /// Bytes of data in one message.
 pub(super) const DATA: usize = 239;
@@ -102,7 +102,7 @@ impl FtpRequest {
         if self.size == 0 || usize::from(self.size) != len {
             return Err(Refusal::InvalidSize);
         }
-        // Names have one byte less than there is room for.
+        // A name is one byte shorter than its field.
         let name = &self.data[..len.min(DATA - 1)];
         Ok(String::from_utf8_lossy(name).into_owned())
     }
@@ -150,7 +150,7 @@ impl Reply {
     }
 }
 
-/// As many entries of a folder as fit into one message, from one of them on.
+/// As many entries of a folder as fit into one message, beginning with the entry `first`.
 pub(super) fn listing(entries: &[FolderEntry], first: u32) -> Result<Vec<u8>, Refusal> {
     let mut data = Vec::new();
     for entry in entries.iter().skip(first as usize) {

@@ -14,16 +14,16 @@ use crate::plan::Item;
 use crate::transfer::items;
 use sortie_geo::LatLon;
 
-/// In the `current` field of an item: where to go now, and how high.
+/// Values of the `current` field of an item: fly there now; change the height.
 const GO_THERE: u8 = 2;
 const CHANGE_HEIGHT: u8 = 3;
 
-/// Whether an item with that `current` field is not for the mission.
+/// Whether an item with this `current` field is an immediate target, not part of the mission.
 pub(super) fn is_meant(current: u8) -> bool {
     matches!(current, GO_THERE | CHANGE_HEIGHT)
 }
 
-/// Goes there, in GUIDED. A copter takes a change of height and does nothing.
+/// Flies to an item in GUIDED. A copter accepts a change of height without effect.
 pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMissionResult {
     let item = match items::mission_item(item) {
         Ok(item) => item,

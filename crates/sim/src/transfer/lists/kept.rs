@@ -1,4 +1,4 @@
-//! The lists as the vehicle keeps them, and what follows from a change.
+//! The lists as the vehicle keeps them, and the effects of a change.
 
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVERITY_WARNING};
 
@@ -17,7 +17,7 @@ pub(in crate::transfer) fn as_sent(vehicle: &Vehicle, kind: ListKind, seq: usize
     vehicle.plans.list(kind).get(seq).copied()
 }
 
-/// Replaces a whole list by items that were looked over; `false` if there are too many.
+/// Replaces a whole list by checked items; `false` if there are too many.
 pub(in crate::transfer) fn replace(
     autopilot: &mut Autopilot,
     kind: ListKind,
@@ -70,7 +70,7 @@ pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
     autopilot.vehicle.store_parameter(name, total);
 }
 
-/// Item 0 of a mission is wherever home is now.
+/// Item 0 of a mission: the present home.
 fn home(vehicle: &Vehicle) -> Item {
     let mut item = Item {
         command: cmd::NAV_WAYPOINT,

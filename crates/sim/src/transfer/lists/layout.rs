@@ -1,4 +1,4 @@
-//! Items as they travel.
+//! The layout of items in messages.
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
@@ -6,7 +6,7 @@ use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
 use crate::transfer::items;
 
-/// An item as it travels.
+/// An item as it is sent in a message.
 pub(super) struct Travelling {
     pub(super) item: Item,
     pub(super) seq: u16,

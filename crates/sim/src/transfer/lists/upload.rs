@@ -1,4 +1,4 @@
-//! One list on its way to the vehicle.
+//! The upload of one list to the vehicle.
 
 use std::ops::RangeInclusive;
 use std::time::Duration;
@@ -23,7 +23,7 @@ pub(super) struct Upload {
     last: u16,
     heard_at: Duration,
     asked_at: Duration,
-    /// A fence takes effect as a whole: the items that it will have.
+    /// The items of a fence so far: it takes effect as a whole.
     pub staged: Vec<Item>,
 }
 
@@ -31,11 +31,11 @@ pub(super) struct Upload {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum UploadDue {
     Nothing,
-    /// The item did not come.
+    /// Request the item again, since it has not arrived.
     AskAgain,
-    /// Tell its sender that it is over.
+    /// End the upload, and report that to its sender.
     GiveUp,
-    /// Its link may be gone.
+    /// End the upload without a report: its link may be gone.
     Forget,
 }
 
@@ -51,13 +51,13 @@ impl Upload {
         }
     }
 
-    /// Asks for an item: which one.
+    /// Notes that an item is requested; returns its number.
     pub fn ask(&mut self, now: Duration) -> u16 {
         self.asked_at = now;
         self.next
     }
 
-    /// Why an item is not the requested one, if so.
+    /// The reason to refuse an item that is not the requested one.
     pub fn refusal(&self, seq: u16, from: Peer) -> Option<MavMissionResult> {
         if self.next != seq {
             Some(MAV_MISSION_INVALID_SEQUENCE)
@@ -68,7 +68,7 @@ impl Upload {
         }
     }
 
-    /// Notes that the item has come; whether another one is to come.
+    /// Notes that the item has arrived; returns whether another one follows.
     pub fn advance(&mut self, now: Duration) -> bool {
         self.heard_at = now;
         self.next += 1;
@@ -80,7 +80,7 @@ impl Upload {
         usize::from(self.last) + 1
     }
 
-    /// The next action for it when its own link, or another one, is served.
+    /// The next action for the upload while its own link, or another one, is served.
     pub fn due(&self, now: Duration, is_own_link: bool) -> UploadDue {
         let silent = now.saturating_sub(self.heard_at);
         if !is_own_link {
