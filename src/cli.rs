@@ -1,4 +1,4 @@
-//! The command line: the interface for scripts. Errors go to standard error.
+//! The command line, for terminals and scripts. Errors go to standard error.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -57,10 +57,10 @@ mod trainee;
 mod verify;
 mod workshop;
 
-/// What the exit codes mean.
+/// The exit codes, as `--help` shows them.
 const EXIT_CODES: &str = "\
 0  done; for run: the mission is passed; for check: every file is good
-1  the thing asked for failed; for run: the mission is not passed; for check: a file is faulty
+1  the command failed; for run: the mission is not passed; for check: a file is faulty
 2  wrong usage or an invalid file
 ";
 
@@ -75,7 +75,7 @@ const EXIT_CODES: &str = "\
                   sortie                                     the home screen\n  \
                   sortie --speedup 4                         the same; missions pass four times as fast\n  \
                   sortie fly 00                              the first mission\n  \
-                  sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
+                  sortie connect tcp:127.0.0.1:5760          running vehicles\n  \
                   sortie run 01 --pilot 01-air-sample --json without a console"
 )]
 pub struct CliArguments {
@@ -91,20 +91,22 @@ pub struct CliArguments {
 enum CliCommand {
     /// Begins a mission, or free flight without one.
     Fly(fly::FlyArguments),
-    /// Connects the console to vehicles that are already there.
+    /// Connects the console to running vehicles.
     #[command(after_help = "Examples:\n  \
                             sortie connect tcp:127.0.0.1:5760 tcp:127.0.0.1:5770\n  \
                             sortie connect udpin:0.0.0.0:14550 --expect 1-4\n  \
                             sortie connect serial:/dev/ttyACM0:115200\n  \
                             sortie connect flight.tlog")]
     Connect {
-        /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
+        /// Addresses of the vehicles: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT,
+        /// serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
-        /// The vehicles that belong to the swarm, such as 1-4,7: `all` leaves any other that is heard out.
+        /// The vehicles that belong to the swarm, such as 1-4,7: `all` does not address any other vehicle that is
+        /// heard.
         #[arg(long, value_name = "IDS", value_parser = vehicle_ids)]
         expect: Option<String>,
-        /// Lines of text instead of a screen: for screen readers and pipes.
+        /// Print lines of text instead of a screen: for screen readers and pipes.
         #[arg(long)]
         plain: bool,
     },
@@ -123,7 +125,7 @@ enum CliCommand {
     Debrief(debrief::DebriefArguments),
     /// Serves the embedded simulator to any ground station.
     Sim(sim::SimArguments),
-    /// Checks this machine: what works, what is missing, how to mend it; terminal, folders, SITL, ports.
+    /// Checks this machine and says how to repair what is missing: terminal, folders, SITL, ports.
     Doctor(doctor::DoctorArguments),
     /// Serves SITL processes on this host: starts, watches and ends them; prints how to start one by hand.
     Hangar(Box<hangar::HangarArguments>),
@@ -138,11 +140,11 @@ enum CliCommand {
     Profile(profile::ProfileArguments),
     /// Prints the progress of a profile over time, as Markdown, CSV or JSON.
     Report(report::ReportArguments),
-    /// Shows parts and designs of drones, and what a design can do before it flies.
+    /// Shows parts and designs of drones, and the predicted performance of a design.
     Workshop(workshop::WorkshopArguments),
     /// Prints every setting and its source: flag, environment, file or default.
     Config(config::ConfigArguments),
-    /// Measures what the program costs.
+    /// Measures the cost of the program in time, bytes and memory.
     #[command(subcommand)]
     Bench(bench::BenchCommand),
     /// Prints the completions of this command line for a shell.
@@ -172,8 +174,8 @@ enum Failure {
     Failed(anyhow::Error),
     /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
     Invalid(String),
-    /// An invalid file, shown with the lines of its faults and in colour where the terminal has it; exit code 2.
-    /// Nothing in it that comes from the file moves a terminal.
+    /// An invalid file, shown with the lines of its faults, in colour where the terminal has it; exit code 2. Control
+    /// characters of the file are escaped.
     Shown(String),
 }
 
@@ -183,7 +185,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
     }
 }
 
-/// Prints faults of files on standard error as they were drawn, in colour.
+/// Prints faults of files on standard error, in the colours of their rendering.
 fn show(faults: &str) {
     drop(writeln!(io::stderr(), "{faults}"));
 }
@@ -196,7 +198,7 @@ pub fn main(arguments: CliArguments) -> ExitCode {
     });
     match outcome {
         Ok(code) => code,
-        // A reader that closes our output has had enough of it: no error.
+        // A reader that closes our output needs no more of it: no error.
         Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
         Err(Failure::Failed(error)) => {
             tell!("sortie: {error:#}");
@@ -297,7 +299,7 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
     let Some(path) = &log.file else {
         return Ok(());
     };
-    // The folder of the state may not be there yet.
+    // The folder of the state may not exist yet.
     let state = settings
         .folders
         .as_ref()
@@ -317,14 +319,14 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Creates the log, or empties it, but never through a link that another user has laid.
+/// Creates or empties the log, but never through a link that another user has made.
 fn create_log(path: &str) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.create(true).write(true).truncate(true);
     store::open_own(&mut options, Path::new(path))
 }
 
-/// Vehicles as a line names them.
+/// Vehicle ids as a command line names them, such as 1-4,7.
 fn vehicle_ids(text: &str) -> Result<String, String> {
     match parse_ranges(text) {
         Ok(_) => Ok(text.to_owned()),
@@ -332,7 +334,7 @@ fn vehicle_ids(text: &str) -> Result<String, String> {
     }
 }
 
-/// A factor that a simulation can keep up with.
+/// A speed-up that a simulation can hold.
 fn parse_speedup(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
@@ -340,7 +342,7 @@ fn parse_speedup(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "expected a number from 0.01 to 1000".to_owned())
 }
 
-/// The runtime of commands that have tasks.
+/// The runtime of commands that run asynchronous tasks.
 fn runtime() -> io::Result<tokio::runtime::Runtime> {
     tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)

@@ -16,12 +16,12 @@ use crate::sim::Airframe;
 use crate::sitl::SitlKind;
 use crate::store;
 
-/// What simulates the vehicles.
+/// The program that simulates the vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum SimulatorChoice {
     /// The simulator within this program.
     Embedded,
-    /// ArduPilot's SITL: a process for every vehicle.
+    /// ArduPilot's SITL: one process for each vehicle.
     Ardupilot,
 }
 
@@ -29,7 +29,7 @@ pub(super) enum SimulatorChoice {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "What flies")]
 pub(super) struct BackendArguments {
-    /// What simulates the vehicles; embedded unless a hangar or a program is named.
+    /// The simulator; embedded unless a hangar or a program is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
@@ -46,7 +46,7 @@ impl BackendArguments {
     /// The chosen simulator, with its files read and its program found.
     ///
     /// # Errors
-    /// A frame file is faulty, or there is no such program.
+    /// A frame file is faulty, or the program does not exist.
     pub fn choose(&self, settings: &CliSettings) -> Result<VehicleBackend, Failure> {
         let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         Ok(VehicleBackend {
@@ -83,7 +83,7 @@ impl BackendArguments {
     }
 }
 
-/// Where ArduPilot's SITL could be started without any option, if it could.
+/// The source of SITL vehicles without any option, if a program is found.
 pub(super) fn found(settings: &CliSettings) -> Option<SitlSource> {
     let own = own(&ProgramOptions::default(), settings).ok()?;
     Some(SitlSource::Own(Box::new(own)))
@@ -106,7 +106,7 @@ pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
     Ok(Arc::new(airframe))
 }
 
-/// A hangar within this program, with the programs that are found.
+/// A hangar within this program, with the SITL programs that are found.
 ///
 /// # Errors
 /// There is no `arducopter`.

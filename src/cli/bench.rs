@@ -21,23 +21,25 @@ mod sim;
 /// The measurement to make.
 #[derive(Debug, Subcommand)]
 pub(super) enum BenchCommand {
-    /// The course played through by the reference pilots: scores, credits, level, licence and skills, flight by flight.
+    /// The course played through by the reference pilots: scores, credits, level, licence and skills after each
+    /// flight.
     Campaign(campaign::CampaignArguments),
-    /// Decoding and model update per message, beside a floor that only finds frames.
+    /// Decoding and model update per message, compared with a loop that only finds frames.
     Decode(decode::DecodeArguments),
-    /// The embedded simulator beside recordings of the real vehicle, manoeuvre by manoeuvre.
+    /// The embedded simulator compared with recordings of the real vehicle, manoeuvre by manoeuvre.
     Fidelity(fidelity::FidelityArguments),
     /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
     Frame(frame::FrameArguments),
-    /// From a key to the bytes that show it, beside a program that only echoes.
+    /// The time from a key to the bytes that show it, compared with a program that only echoes.
     Latency(latency::LatencyArguments),
-    /// Share of a core that the whole process takes with flying embedded vehicles.
+    /// The share of a core that the whole process needs while embedded vehicles fly.
     Load(load::LoadArguments),
     /// How much faster than real time the reference pilots fly the shipped missions.
     Missions(missions::MissionsArguments),
-    /// A recording of flying vehicles: how soon it is open, how soon any moment of it is shown, and what recording costs.
+    /// A recording of flying vehicles: the time to open it, the time to show any moment of it, and the cost of
+    /// recording.
     Replay(replay::BenchReplayArguments),
-    /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
+    /// The cost of a growing number of vehicles for the simulator and the console, as the paper measured it.
     Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
     Sim(sim::BenchSimArguments),

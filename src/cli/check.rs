@@ -22,21 +22,22 @@ mod script;
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Files ending in .pilot or .toml, whose content shows what they are; or folders with such files.
+    /// Files that end in .pilot or .toml, or folders with such files. The kind of a .toml file follows from its
+    /// content.
     #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second
-    /// must not earn a medal, and the third must not pass nor score. The scripts are MISSION.pilot and
-    /// NN-naive.pilot, beside the mission's file, in its folder `pilots`, or of those shipped.
+    /// Fly missions with their reference pilot, a naive pilot and no pilot: the first must earn silver, the second
+    /// must not earn a medal, and the third must not pass or score. The scripts are MISSION.pilot and NN-naive.pilot,
+    /// beside the mission's file, in its folder `pilots`, or among the shipped scripts.
     #[arg(long, value_name = "MISSION", num_args = 1.., conflicts_with = "files")]
     fly: Vec<String>,
-    /// With how many seeds, from 1 on.
+    /// The number of seeds to fly, from 1 on.
     #[arg(long, default_value_t = 5, requires = "fly", value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
-    /// Prints the JSON schema of mission files, for editors.
+    /// Print the JSON schema of mission files, for editors.
     #[arg(long, conflicts_with_all = ["files", "fly"])]
     schema: bool,
-    /// Prints the reference of mission files, as it stands in the mission guide.
+    /// Print the reference of mission files, as in the mission guide.
     #[arg(long, conflicts_with_all = ["files", "fly", "schema"])]
     reference: bool,
     /// One JSON document instead of the table.
@@ -55,7 +56,7 @@ enum Kind {
     Script,
 }
 
-/// Keys of every mission.
+/// Keys that every mission file has.
 const MISSION_KEYS: &[&str] = &[
     "schema",
     "id",
@@ -66,7 +67,7 @@ const MISSION_KEYS: &[&str] = &[
     "scoring",
 ];
 
-/// Prints what is wrong with each file, or how missions are flown; exit code 1 when anything is wrong.
+/// Prints the faults of each file, or the results of flown missions; exit code 1 if there is any fault.
 pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     if options.schema {
         say!("{}", crate::mission::schema())?;
@@ -82,7 +83,7 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     let files = &unfolded(&options.files);
     let known = known_missions(files);
     let mut faulty = false;
-    // Names are the caller's to put right, so nothing is checked before all are understood.
+    // A wrong name is a fault of usage, so no file is checked before all names are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
         match store::read(path, "file-any") {
@@ -126,8 +127,8 @@ fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
     paths.iter().flat_map(inside).collect()
 }
 
-/// The ids of the missions that others may name: the shipped ones and the user's, those that are checked, and those in
-/// the folders of these and above them.
+/// The ids of missions that other files may name: the shipped ones, the user's, the checked ones, and those in the
+/// checked files' folders and parent folders.
 fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
     let own = files.iter().filter_map(|path| path.parent());
     let folders: BTreeSet<&Path> = own
@@ -159,13 +160,13 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
     }
 }
 
-/// What a file is: of the kinds that are TOML, the one that most of its first-level keys belong to. Its name and its
-/// folder decide where the keys do not, and in doubt it is a mission.
+/// The kind of a file: of the TOML kinds, the one with most of its first-level keys. If the keys do not decide, its
+/// name and its folder do; otherwise it is a mission.
 fn kind(path: &Path, text: &str) -> Kind {
     if path.extension().is_some_and(|ending| ending == "pilot") {
         return Kind::Script;
     }
-    // A file with a fault still shows what it was meant to be.
+    // The keys of a faulty file still show its kind.
     let (table, _) = DeTable::parse_recoverable(text);
     let keys: Vec<&str> = table
         .get_ref()
@@ -187,7 +188,7 @@ fn kind(path: &Path, text: &str) -> Kind {
         (Kind::Configuration, "config", &settings),
     ];
     let likeness = |&(_, place, known): &(Kind, &str, &[&str])| {
-        // A slip of the finger still tells more than nothing.
+        // A misspelt key still counts, with half the weight.
         let weight = |key: &&str| match nearest(key, known.iter().copied()) {
             Some(name) if name == *key => 2,
             Some(_) => 1,
@@ -205,11 +206,11 @@ fn kind(path: &Path, text: &str) -> Kind {
 /// The other files that a file may refer to.
 struct OtherFiles<'a> {
     missions: &'a BTreeSet<String>,
-    /// All files that were named on the command line.
+    /// All files that the command line names.
     named: &'a [PathBuf],
 }
 
-/// The faults of a file, and remarks that are no faults.
+/// The faults of a file, and remarks that are not faults.
 fn examined(
     kind: Kind,
     path: &Path,
@@ -223,7 +224,7 @@ fn examined(
             let folder = path
                 .parent()
                 .filter(|folder| !folder.as_os_str().is_empty());
-            // It may inherit from those beside it, wherever they lie.
+            // A theme may inherit from the themes beside it.
             settings::add_themes(
                 &mut themes,
                 store::files(folder.unwrap_or(Path::new(".")), "file-theme", "toml"),

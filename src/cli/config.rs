@@ -13,27 +13,27 @@ use crate::text::Locale;
 /// Options of `sortie config`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    sortie config                                   what is set, and who has set it\n  \
-    sortie config > new-config.toml                 a file to begin with\n  \
+    sortie config                                   the settings and their sources\n  \
+    sortie config > new-config.toml                 a file to start from\n  \
     sortie config --theme light --fps 5             what these flags would change\n  \
     sortie config --keys                            the keys, and every action that a key could have\n  \
     sortie config --paths                           the files and folders")]
 pub(super) struct ConfigArguments {
-    /// The files and folders instead of the values.
+    /// Print the files and folders instead of the values.
     #[arg(long, conflicts_with = "keys")]
     paths: bool,
-    /// What the keys mean, as a keymap file, instead of the values.
+    /// Print the meaning of the keys as a keymap file, instead of the values.
     #[arg(long)]
     keys: bool,
 }
 
-/// Prints the configuration as a configuration file; exit code 2 if a file is faulty.
+/// Prints the settings as a configuration file; exit code 2 if a file is faulty.
 pub(super) fn config(
     options: &ConfigArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     if options.paths {
-        // As TOML too, so that scripts read both the same way.
+        // As TOML, too, so that scripts read both in the same way.
         for (name, path) in paths(settings) {
             say!("{name} = {}", toml_string(&path))?;
         }
@@ -97,7 +97,7 @@ fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
     paths
 }
 
-/// What the administrator may set for everybody, by name; the one that counts most comes first.
+/// Files and folders of the administrator's settings, by name; the highest precedence comes first.
 fn system_paths(settings: &CliSettings) -> Vec<(&'static str, Vec<PathBuf>)> {
     let folders = settings.folders.iter();
     let lists = folders.flat_map(|folders| {

@@ -1,4 +1,4 @@
-//! `sortie debrief`: a recorded run is scored again, and its debrief printed.
+//! `sortie debrief`: scores a recorded run again and prints its debrief.
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! Built drones, as `run` and `fly` take them.
+//! Options for the drones of a mission, shared by `run` and `fly`.
 
 use std::path::Path;
 
@@ -14,8 +14,9 @@ use crate::workshop::Design;
 /// Options of commands that fly a mission.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct DesignArguments {
-    /// A drone of the workshop that flies the mission: a design file, or the name of a design. Give one for all seats, or
-    /// one for each, the last one for all that follow; several are separated by commas, or the option is repeated.
+    /// A drone of the workshop for the mission: a design file, or the name of a design. One design is for all seats;
+    /// with several, each seat takes the next one and the last is for all that follow. Separate several by commas, or
+    /// repeat the option.
     #[arg(
         long = "design",
         value_name = "DESIGN",
@@ -27,10 +28,10 @@ pub(super) struct DesignArguments {
 }
 
 impl DesignArguments {
-    /// The mission with the drones that were named, or with its own.
+    /// The mission with the named drones, or with its own.
     ///
     /// # Errors
-    /// A design cannot be read, or the mission cannot be flown so: every reason.
+    /// A design cannot be read, or the mission cannot be flown with it: all reasons.
     pub fn equip(&self, mission: Mission, settings: &CliSettings) -> Result<Mission, Failure> {
         let locale = &Locale::new(settings.language());
         let designs = self.designs.iter();
@@ -48,10 +49,10 @@ impl DesignArguments {
     }
 }
 
-/// A design by path or name: of the trainee's own that of this name, else of those that everybody has.
+/// A design by path or name: the trainee's own design of this name, otherwise a shared one.
 ///
 /// # Errors
-/// It is not there, or what is wrong with it, in words.
+/// The design does not exist or is faulty: the faults in words.
 pub(super) fn find(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Design, Failure> {
     if !Path::new(name).is_file()
         && settings.config.profile.is_some()

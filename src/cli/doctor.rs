@@ -32,7 +32,7 @@ pub(super) struct DoctorArguments {
 #[serde(rename_all = "lowercase")]
 enum Verdict {
     Ok,
-    /// It works, and there is something to know.
+    /// It works, with a remark.
     Note,
     /// Something does not work.
     Fault,
@@ -41,12 +41,12 @@ enum Verdict {
 /// The finding of a check.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 struct HostFinding {
-    /// The subject of the check.
+    /// The subject of the check, such as a folder or a program.
     about: String,
     verdict: Verdict,
     /// The state found.
     found: String,
-    /// The advice.
+    /// The advice for the repair.
     #[serde(skip_serializing_if = "Option::is_none")]
     mend: Option<String>,
 }
@@ -90,7 +90,7 @@ impl HostFinding {
     }
 }
 
-/// Looks at everything and prints; exit code 1 if something does not work.
+/// Runs all checks and prints the findings; exit code 1 if something does not work.
 pub(super) fn doctor(
     options: &DoctorArguments,
     settings: &CliSettings,

@@ -1,4 +1,4 @@
-//! Faults of files, as they are printed and noticed.
+//! Faults of files, as commands print them and the console shows them.
 
 use std::env;
 use std::io::IsTerminal as _;
@@ -13,14 +13,14 @@ use crate::text::Text;
 /// The faults of a file.
 #[derive(Debug)]
 pub(super) enum FileFault {
-    /// Faults at places in it.
+    /// Faults at positions in the file.
     Inside(Source, Vec<Diagnostic>),
-    /// The whole of it.
+    /// A fault of the file as a whole.
     Whole(Text),
 }
 
 impl FileFault {
-    /// A line for each fault, without the folder: for notices. The first ones stand for too many.
+    /// A line for each fault without the folder, for notices; only the first few of many.
     pub fn texts(&self) -> Vec<Text> {
         match self {
             Self::Inside(source, faults) => {
@@ -35,12 +35,12 @@ impl FileFault {
         }
     }
 
-    /// Each fault with the lines around it. The first ones stand for too many.
+    /// Each fault with the lines around it; only the first few of many.
     pub fn explained(&self) -> String {
         match self {
             Self::Inside(source, faults) => {
                 let colour = std::io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none();
-                // The renderer writes out the control characters of the file's text, and not those of its name.
+                // The renderer escapes control characters in the file's text, but not in its name.
                 let name = sanitised(&source.name);
                 let (shown, rest) = diagnostic::first_shown(faults);
                 let rendered = shown
@@ -54,7 +54,7 @@ impl FileFault {
         }
     }
 
-    /// The failure of a command that cannot do without the file.
+    /// The failure of a command that needs the file.
     pub fn failure(&self) -> Failure {
         Failure::Shown(self.explained())
     }

@@ -37,16 +37,16 @@ pub(super) struct FlyArguments {
     /// Simulated vehicles in free flight.
     #[arg(long, default_value_t = VEHICLES, value_parser = clap::value_parser!(u8).range(1..=250))]
     vehicles: u8,
-    /// Fly vehicles that are already there instead of simulated ones.
+    /// Fly running vehicles at these addresses instead of simulated ones.
     #[arg(long, value_name = "ADDR", num_args = 1.., conflicts_with_all = ["mission", "vehicles"])]
     connect: Vec<Address>,
-    /// Seed of the mission's world; without it every new try has another one.
+    /// Seed of the mission's world; without it, each new attempt has another one.
     #[arg(long)]
     seed: Option<u64>,
     /// Simulated seconds per second.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// Lines of text instead of a screen: for screen readers and pipes.
+    /// Print lines of text instead of a screen: for screen readers and pipes.
     #[arg(long)]
     plain: bool,
     #[command(flatten)]
@@ -58,7 +58,7 @@ pub(super) struct FlyArguments {
 /// Options of `sortie` without a command.
 #[derive(Debug, Args)]
 pub(super) struct HomeArguments {
-    /// Seed of the missions' worlds; without it every new try has another one.
+    /// Seed of the missions' worlds; without it, each new attempt has another one.
     #[arg(long)]
     seed: Option<u64>,
     /// Simulated seconds per second.
@@ -83,7 +83,7 @@ pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<E
     open(options, false)
 }
 
-/// A mission or free flight.
+/// Opens the console on a mission or on free flight.
 pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let opening = match &arguments.mission {
         _ if !arguments.connect.is_empty() => Opening::Connect(arguments.connect.clone()),
@@ -105,7 +105,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     open(options, arguments.plain)
 }
 
-/// Vehicles that are already there.
+/// Opens the console on running vehicles.
 pub(super) fn connect(
     addresses: Vec<Address>,
     plain: bool,
@@ -114,7 +114,7 @@ pub(super) fn connect(
     open(options(Opening::Connect(addresses), settings)?, plain)
 }
 
-/// A recording that is not there will not appear later, so it is no case for trying again.
+/// Reports a recording that does not exist: it will not appear later, so there is no point in trying again.
 fn check_recording(address: &Address) -> Result<(), Failure> {
     if let Address::File { path } = address
         && let Err(error) = std::fs::File::open(path)
@@ -127,7 +127,7 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The look: as set, otherwise by the terminal's features.
+/// The look of the console: as set, otherwise by the terminal's features.
 fn look(settings: &CliSettings) -> Look {
     let environment = Environment::of_process();
     Look {
@@ -197,12 +197,12 @@ pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Fai
             Box::pin(shell::run(options)).await.map(|()| true)
         }
     });
-    // Tasks that still wait for a socket are not worth waiting for.
+    // The runtime does not wait for tasks that still wait for a socket.
     runtime.shutdown_background();
     Ok(ExitCode::from(u8::from(!outcome?)))
 }
 
-/// Why there can be no screen, if there can be none.
+/// The reason why no screen can be opened, if there is one.
 fn no_screen() -> Option<Text> {
     if std::io::stdout().is_terminal() && std::io::stdin().is_terminal() {
         Environment::of_process().fault()

@@ -25,18 +25,18 @@ pub(super) struct HangarArguments {
     serve: serve::ServeArguments,
 }
 
-/// What to do instead of serving.
+/// The subcommand; without one, the hangar serves.
 #[derive(Debug, Subcommand)]
 enum HangarTask {
     /// Prints how to start SITL by hand: folders, files and command lines, ready to paste into a shell.
     Command(command::CommandArguments),
-    /// Asks SITL programs what they are: which vehicle, which version.
+    /// Asks SITL programs for their vehicle type and their version.
     Identify(identify::IdentifyArguments),
-    /// Tells how services are doing: what they can start, how full they are, what runs.
+    /// Shows the state of services: what they can start, how many instances run, and which.
     Status(status::StatusArguments),
 }
 
-/// Serves, or does what else is asked.
+/// Runs the service or the subcommand.
 pub(super) fn hangar(
     options: &HangarArguments,
     settings: &CliSettings,

@@ -1,4 +1,4 @@
-//! `sortie completions` and `sortie man`: made from the definitions that the command line itself is read by.
+//! `sortie completions` and `sortie man`: generated from the definition of the command line.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -15,7 +15,7 @@ use crate::language;
 
 /// Prints the completions of a shell.
 pub(super) fn completions(shell: Shell) -> Result<ExitCode, Failure> {
-    // The generator panics where it cannot write, so it writes to memory.
+    // The generator panics on a write error, so it writes to memory.
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut CliArguments::command(), "sortie", &mut script);
     io::stdout().write_all(&script)?;
@@ -105,7 +105,7 @@ fn subcommand(parent: &str, command: &Command, page: &mut Vec<u8>) -> io::Result
     man.render_description_section(&mut inner)?;
     man.render_options_section(&mut inner)?;
     examples(command, &mut inner)?;
-    // Its sections lie below its name.
+    // A subcommand's sections lie one level below its name.
     let inner = String::from_utf8_lossy(&inner).replace(".SH ", ".SS ");
     page.extend_from_slice(inner.as_bytes());
     let below = command.get_subcommands();
@@ -114,7 +114,7 @@ fn subcommand(parent: &str, command: &Command, page: &mut Vec<u8>) -> io::Result
         .try_for_each(|command| subcommand(&name, command, page))
 }
 
-/// The text after a command's help, which is examples.
+/// The text after a command's help: its examples.
 fn examples(command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
     let Some(text) = command.get_after_help() else {
         return Ok(());
@@ -126,7 +126,7 @@ fn examples(command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
     roff.to_writer(page)
 }
 
-/// Lines that keep their breaks and their indentation.
+/// Writes lines with their breaks and their indentation.
 fn as_written(roff: &mut Roff, text: &str) {
     roff.control("nf", []);
     for line in text.lines() {

@@ -24,7 +24,7 @@ pub(super) struct ProfileArguments {
 
 #[derive(Debug, Subcommand)]
 enum ProfileCommand {
-    /// Makes a new profile.
+    /// Creates a new profile.
     #[command(
         after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'"
     )]
@@ -57,18 +57,18 @@ enum ProfileCommand {
     Export {
         /// The profile; by default the one of the settings, or the only one.
         name: Option<String>,
-        /// Write to this file; `-` is standard output.
+        /// The file to write; `-` is standard output.
         #[arg(long, value_name = "FILE", default_value = "-")]
         output: PathBuf,
     },
-    /// Takes in an exported profile.
+    /// Imports an exported profile.
     #[command(after_help = "Examples:\n  \
                             sortie profile import anna.json\n  \
                             sortie profile import anna.json --name anna-2")]
     Import {
-        /// What `sortie profile export` has written.
+        /// The file that `sortie profile export` has written.
         file: PathBuf,
-        /// The name that it gets here; its own where none is given.
+        /// The name of the profile here; by default the exported name.
         #[arg(long)]
         name: Option<String>,
     },
@@ -79,11 +79,11 @@ enum ProfileCommand {
     Delete {
         /// The name of the profile.
         name: String,
-        /// Delete without asking first.
+        /// Delete without confirmation.
         #[arg(long)]
         yes: bool,
     },
-    /// Buys the right to use a part, with the credits of the profile of `--profile`.
+    /// Buys the right to use a part, with the credits of the profile that `--profile` names.
     #[command(after_help = "Examples:\n  \
                             sortie workshop parts radio\n  \
                             sortie profile buy r_rfd900 --profile anna")]
@@ -115,7 +115,7 @@ pub(super) fn profile(
     }
 }
 
-/// The shared parts of the subcommands.
+/// The profiles, settings and locale that the subcommands share.
 struct ProfileCommands<'a> {
     profiles: Profiles,
     settings: &'a CliSettings,
@@ -172,7 +172,7 @@ impl ProfileCommands<'_> {
     fn list(&self, json: bool) -> Result<ExitCode, Failure> {
         let (mut members, mut code) = (Vec::new(), ExitCode::SUCCESS);
         for profile in self.profiles.list().map_err(|error| self.refused(&error))? {
-            // One that cannot be read takes nothing from the others.
+            // An unreadable profile does not hide the others.
             match self.member(&profile) {
                 Ok(member) => members.push(member),
                 Err(error) => {

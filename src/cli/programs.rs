@@ -1,4 +1,4 @@
-//! The options that name SITL's programs, and what else may name them.
+//! The options that name SITL's programs, and the other sources of their names.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -12,17 +12,17 @@ use crate::sitl::SitlKind;
 /// Options of commands that start SITL.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct ProgramOptions {
-    /// SITL's program of multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or in
-    /// a usual build folder.
+    /// SITL's program for multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or
+    /// in a usual build folder.
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arducopter: Option<PathBuf>,
-    /// The one of planes (`SORTIE_ARDUPLANE`).
+    /// SITL's program for planes (`SORTIE_ARDUPLANE`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arduplane: Option<PathBuf>,
-    /// The one of rovers and boats (`SORTIE_ARDUROVER`).
+    /// SITL's program for rovers and boats (`SORTIE_ARDUROVER`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardurover: Option<PathBuf>,
-    /// The one of submarines (`SORTIE_ARDUSUB`).
+    /// SITL's program for submarines (`SORTIE_ARDUSUB`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardusub: Option<PathBuf>,
 }
@@ -39,7 +39,7 @@ impl ProgramOptions {
         named.into_iter().any(Option::is_some)
     }
 
-    /// Looks for the programs: by these options, then by what is set, then where programs usually are.
+    /// Looks for the programs: in these options, then in the settings, then in the usual folders.
     pub fn find(&self, settings: &CliSettings) -> Programs {
         let places = Places::of_environment();
         let named: BTreeMap<SitlKind, Named> = SitlKind::ALL

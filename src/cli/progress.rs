@@ -1,4 +1,4 @@
-//! Own progress as tables, for `sortie profile show` and `sortie report`.
+//! A profile's progress as tables, for `sortie profile show` and `sortie report`.
 
 use std::time::{Duration, UNIX_EPOCH};
 
@@ -9,7 +9,7 @@ use crate::store::{PastRun, utc};
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// The day in words: `2026-11-20`; nothing for one that no clock will ever show.
+/// A day as `2026-11-20`; empty for a day out of range.
 pub(super) fn date(day: i64) -> String {
     let seconds = u64::try_from(day)
         .unwrap_or_default()

@@ -39,17 +39,17 @@ enum RecordsCommand {
         #[arg(long)]
         json: bool,
     },
-    /// Shows what a record holds: its files, how long it is, its moments.
+    /// Shows the content of a record: its files, its duration, its moments.
     #[command(after_help = "Examples:\n  sortie records show\n  sortie records show 3 --json")]
     Show {
-        /// The number in the list, or a file; by default the newest.
+        /// The number in the list, or a file; by default the newest record.
         #[arg(default_value = "1")]
         record: String,
         /// One JSON document instead of tables.
         #[arg(long)]
         json: bool,
     },
-    /// Writes a record, or any tlog, for other programs: all vehicles and all messages; or the review of it.
+    /// Exports a record, or any tlog, for other programs, with all vehicles and all messages; or its review.
     #[command(after_help = "Examples:\n  \
                             sortie records export 1 --format kml --output flight.kml\n  \
                             sortie records export flight.tlog --format csv --output tables\n  \
@@ -58,8 +58,8 @@ enum RecordsCommand {
     Export {
         /// The number in the list, or a file.
         record: String,
-        /// What to write: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap,
-        /// or md (the review).
+        /// The format: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap, or md (the
+        /// review).
         #[arg(long, value_enum)]
         format: Format,
         /// The file or folder, which must not exist yet.
@@ -82,13 +82,13 @@ enum RecordsCommand {
         after_help = "Examples:\n  sortie records join logs/v3-log12.bin\n  sortie records join flight.bin 4 --vehicle 3"
     )]
     Join(JoinArguments),
-    /// Deletes records; what a career counts of a mission stays.
+    /// Deletes records; the flights counted in profiles stay.
     #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
     Delete {
         /// The numbers in the list.
         #[arg(required = true, value_name = "NUMBER")]
         records: Vec<usize>,
-        /// Delete them: without it, they are only counted.
+        /// Delete the records; without this, they are only counted.
         #[arg(long)]
         yes: bool,
     },
@@ -105,7 +105,7 @@ enum Format {
 }
 
 impl Format {
-    /// The format of the recording itself; `None` for its review.
+    /// The export format; `None` for the review.
     fn of_recording(self) -> Option<ExportFormat> {
         match self {
             Self::Csv => Some(ExportFormat::Csv),
@@ -126,7 +126,7 @@ struct ListedRecord {
     began: String,
     subject: String,
     profile: Option<String>,
-    /// Whether it belongs to a mission whose score is recorded.
+    /// Whether it belongs to a run of a mission.
     has_run: bool,
     duration_s: Option<f64>,
     bytes: u64,
@@ -197,7 +197,7 @@ pub(super) fn records(
 pub(super) struct RecordsCommands {
     pub(super) records: Records,
     pub(super) locale: Locale,
-    /// The user's, which decides for example which alerts a replay raises.
+    /// The user's configuration, which decides for example which alerts a replay raises.
     pub(super) config: Config,
 }
 
@@ -211,7 +211,7 @@ impl RecordsCommands {
         (1..).zip(self.records.list().into_iter().rev())
     }
 
-    /// The record of a number of the list, or of a file.
+    /// The record with a number in the list, or of a file.
     pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
         match named.parse() {
             Ok(number) => self.numbered_as(number),
@@ -227,7 +227,7 @@ impl RecordsCommands {
     }
 
     fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
-        // The two ends of the frames say enough: a list of 200 records must not read them all.
+        // The first and the last frame give the duration: a list of 200 records must not read all frames.
         let span = files
             .frames
             .as_deref()

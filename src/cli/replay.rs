@@ -13,7 +13,7 @@ use crate::shell::Opening;
 /// Options of `sortie replay`.
 #[derive(Debug, Args)]
 pub(super) struct ReplayArguments {
-    /// A record's file, or a tlog; without one, the newest record.
+    /// A record's file, or a tlog; by default the newest record.
     file: Option<PathBuf>,
 }
 

@@ -1,4 +1,4 @@
-//! `sortie report`: own progress as a document.
+//! `sortie report`: a profile's progress as a document.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,13 +22,13 @@ use crate::text::Locale;
     sortie report --format json --output anna.json\n  \
     sortie report --format csv --table missions > missions.csv")]
 pub(super) struct ReportArguments {
-    /// Write it in this format.
+    /// The format of the report.
     #[arg(long, value_enum, default_value = "md")]
     format: Format,
-    /// Which table goes into a CSV file.
+    /// The table for a CSV file.
     #[arg(long, value_enum, default_value = "runs")]
     table: Which,
-    /// Write it to this file; `-` is standard output.
+    /// The file to write; `-` is standard output.
     #[arg(long, value_name = "FILE", default_value = "-")]
     output: PathBuf,
 }
@@ -45,9 +45,9 @@ enum Format {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Which {
-    /// Where each mission stands.
+    /// The state of each mission.
     Missions,
-    /// Where each skill stands.
+    /// The state of each skill.
     Skills,
     /// A row for every flight.
     Runs,

@@ -1,4 +1,4 @@
-//! `sortie run`: a pilot script flies a mission.
+//! `sortie run`: flies a mission with a pilot script.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -56,8 +56,8 @@ pub(super) struct RunArguments {
     /// One JSON document instead of the debrief.
     #[arg(long)]
     json: bool,
-    /// Seed of the mission's world; without it 1, and with --profile another one for each try. With --profile, a seed
-    /// that is named makes the flight practice.
+    /// Seed of the mission's world; by default 1, or another one for each attempt with --profile. A seed given with
+    /// --profile makes the flight practice.
     #[arg(long)]
     seed: Option<u64>,
     /// Fly the seed of the day (UTC), the same for all trainees.
@@ -66,29 +66,29 @@ pub(super) struct RunArguments {
     /// Refused: exams are flown by hand.
     #[arg(long, hide = true)]
     exam: bool,
-    /// Simulated seconds per second, or `max`: as fast as the embedded simulator can, as fast as all of ArduPilot's
-    /// SITL processes keep together (20 on a processor of its own).
+    /// Simulated seconds per second, or `max`: as fast as the embedded simulator can run, or as fast as all of
+    /// ArduPilot's SITL processes can run together (20 with a processor for each).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     #[command(flatten)]
     designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
-    /// Which try at the mission it is: on the first one, which it is unless this says otherwise, hints are free. With
-    /// --profile, tries are counted.
+    /// The number of this attempt at the mission, from 1: hints are free on the first one. With --profile, attempts
+    /// are counted.
     #[arg(long = "try", value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=9999))]
     attempt: Option<u32>,
-    /// Record the run in this folder instead of that of the data; what is in it stays. With --profile, runs are recorded
-    /// in the folder of its data.
+    /// Record the run in this folder instead of the data folder; its files stay. With --profile, runs are recorded in
+    /// the data folder.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
-    /// Leave out how long it took, so that equal runs print equal bytes.
+    /// Leave out the duration of the run, so that equal runs print equal bytes.
     #[arg(long)]
     no_timing: bool,
 }
 
 impl RunArguments {
-    /// How the flight is to count. Without a profile nothing counts, and with one, a layout that was chosen is practice.
+    /// How the flight should count. Without a profile it never counts, and with a chosen seed it is practice.
     fn wanted(&self, is_kept: bool) -> Stake {
         if self.daily {
             Stake::Daily
@@ -103,7 +103,7 @@ impl RunArguments {
 /// How fast simulated time passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Speedup {
-    /// As fast as the machine can.
+    /// As fast as the machine can run.
     Max,
     /// Simulated seconds per second.
     Times(f64),
@@ -113,7 +113,7 @@ enum Speedup {
 const SITL_KEEPS: f64 = 20.0;
 
 impl Speedup {
-    /// The least speed-up.
+    /// The speed-up, with 1 for `max`.
     fn least(self) -> f64 {
         match self {
             Self::Max => 1.0,
@@ -121,7 +121,8 @@ impl Speedup {
         }
     }
 
-    /// The speed-up for SITL. At full speed vehicles would drift apart, so it is one that all of them can hold.
+    /// The speed-up for SITL. At full speed the vehicles' clocks would drift apart, so it is one that all of them can
+    /// hold.
     fn of_sitl(self, vehicles: usize) -> f64 {
         match self {
             Self::Times(times) => times,
@@ -191,7 +192,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
         .map(|trainee| trainee.store(&flown, &mut report, recorder.landing()));
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
-        // Whole seconds: anything finer would differ between equal runs.
+        // Whole seconds, since finer ones would differ between equal runs.
         let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         let document = RunResultDocument {
             report: &report,
@@ -252,7 +253,7 @@ impl<'l> RunRequest<'_, 'l> {
         Ok((Arc::new(mission), attempt))
     }
 
-    /// What tells and records the run: as which try, and where.
+    /// The recorder that reports and records the run, for an attempt.
     fn recorder(&self, mission: &Mission, attempt: Attempt) -> Result<RunRecorder<'l>, Failure> {
         let number = match self.trainee {
             Some(trainee) => trainee.attempt(mission)?,
@@ -292,7 +293,7 @@ struct RunFlight {
 }
 
 impl RunFlight {
-    /// Flies on whatever backend was chosen.
+    /// Flies on the chosen backend.
     fn fly(
         self,
         backend: &VehicleBackend,

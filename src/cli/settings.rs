@@ -1,7 +1,7 @@
-//! What the user has set, gathered from flags, environment and files before a command begins.
+//! The user's settings, collected from flags, environment and files before a command begins.
 //!
-//! Whoever names something wrong on the command line or in the environment is told at once, with exit code 2. A fault in
-//! the files of the configuration folder keeps nobody from flying: what is wrong is left out, and told.
+//! A wrong value on the command line or in the environment ends the command with exit code 2. A fault in a file of the
+//! configuration folder does not prevent flying: the wrong part is left out, and the fault is reported.
 
 use std::env;
 use std::ops::Range;
@@ -32,37 +32,37 @@ const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 /// The variable that names the folder of the data.
 const DATA_VARIABLE: &str = "SORTIE_DATA";
 
-/// Everything that is set.
+/// All settings and the files that they come from.
 #[derive(Debug)]
 pub(super) struct CliSettings {
-    /// The values and where they came from.
+    /// The settings, with the source of each.
     pub layers: Layers,
-    /// What the values amount to.
+    /// The typed values of the settings.
     pub config: Config,
-    /// What the keys mean.
+    /// The actions of the keys.
     pub keymap: Keymap,
-    /// The themes on offer.
+    /// The embedded themes and the user's.
     pub themes: Themes,
-    /// The one that was chosen.
+    /// The theme in use.
     pub theme: Theme,
-    /// Where files are kept, if there is a home folder at all.
+    /// The program's folders; `None` without a home folder.
     pub folders: Option<Folders>,
-    /// Where profiles and recorded runs are kept, if there is such a place.
+    /// The folder of profiles and recorded runs; `None` without one.
     pub data: Option<PathBuf>,
-    /// The configuration file, whether it is there or not.
+    /// The configuration file, which need not exist.
     pub file: Option<PathBuf>,
-    /// What is wrong with the files.
+    /// The faults of the files.
     pub faults: Vec<FileFault>,
-    /// The configuration files, as far as they could be read.
+    /// The configuration files that could be read.
     sources: Vec<Source>,
-    /// Whether the configuration file was named, so that a fault in it is one of usage.
+    /// Whether the configuration file was named, so that its faults are faults of usage.
     is_named: bool,
 }
 
-/// Gathers what is set.
+/// Collects all settings.
 ///
 /// # Errors
-/// Something that was named on the command line or in the environment is wrong or not there.
+/// A value or file named on the command line or in the environment is wrong or missing.
 pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
     let named = variable(DATA_VARIABLE).map(PathBuf::from);
@@ -105,14 +105,14 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     Ok(settings)
 }
 
-/// The themes on offer: the embedded ones and the user's.
+/// The available themes: the embedded ones and the user's.
 pub(super) fn themes() -> Themes {
     let mut themes = Themes::default();
     add_themes(&mut themes, store::themes());
     themes
 }
 
-/// Adds files to the themes on offer.
+/// Adds files to the available themes.
 pub(super) fn add_themes(themes: &mut Themes, files: Vec<Source>) {
     for file in files {
         let name = file.stem().to_owned();
@@ -122,13 +122,13 @@ pub(super) fn add_themes(themes: &mut Themes, files: Vec<Source>) {
     }
 }
 
-/// The names of the themes on offer.
+/// The names of the available themes.
 pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
     themes.names().map(str::to_owned).collect()
 }
 
 impl CliSettings {
-    /// Where flights are recorded, and how much of them is kept; `None` without a folder for data.
+    /// Where flights are recorded, and how many of them are kept; `None` without a data folder.
     pub fn records(&self) -> Option<Records> {
         let set = &self.config.records;
         let limits = RecordLimits {
@@ -159,7 +159,7 @@ impl CliSettings {
         }
     }
 
-    /// Lays a configuration file over what is set already; what is wrong in it is returned.
+    /// Applies a configuration file over the present settings; returns its faults.
     fn lay_on(&mut self, source: &Source) -> Vec<Diagnostic> {
         let themes = theme_names(&self.themes);
         let check = |setting: &str, word: &str| check(setting, word, &themes);
@@ -192,7 +192,7 @@ impl CliSettings {
         for (setting, flag, value) in common.flags() {
             faults.extend(self.layers.flag(setting, flag, value).err());
         }
-        // POSIX: the first of these that is set decides, also where it names a language that is not ours.
+        // POSIX: the first of these variables that is set decides, even if it names an unsupported language.
         let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
             .into_iter()
             .find_map(|name| Some((name, variable(name)?)));
@@ -232,7 +232,7 @@ impl CliSettings {
             let text = text!("config-log-level", error = error.to_string());
             return Err(Failure::Invalid(format!("sortie: {text}")));
         }
-        // A log of every session belongs into the folder for such things, not into the one that happens to be current.
+        // A log that a file enables for every session belongs into the state folder, not into the current folder.
         if self.is_of_file("log.file")
             && let (Some(folders), Some(file)) = (&self.folders, &mut self.config.log.file)
         {
@@ -241,7 +241,7 @@ impl CliSettings {
         Ok(())
     }
 
-    /// Paths of the section hangar in a configuration file lie beside it, unless they say otherwise.
+    /// Relative paths of the section `hangar` in a configuration file are relative to that file.
     fn place_hangar_files(&mut self) {
         let folders = [
             "arducopter",
@@ -268,7 +268,7 @@ impl CliSettings {
         }
     }
 
-    /// Lets the group read results, where that is set. The folder of another user is not ours to change.
+    /// Lets the group read results, if that is set. The folder of another user is not changed.
     fn share_results(&self) {
         if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
             drop(store::share_with_group(data));
@@ -298,7 +298,7 @@ impl CliSettings {
         }
     }
 
-    /// The keymap file, whether it is there or not. One that the configuration names lies beside it.
+    /// The keymap file, which need not exist. A relative path in the configuration is relative to that file.
     pub fn keymap_file(&self) -> Option<PathBuf> {
         match &self.config.keymap {
             Some(name) => Some(match self.folder_of("keymap") {
@@ -322,8 +322,8 @@ impl CliSettings {
         matches!(self.layers.origin(setting), Origin::Flag(_))
     }
 
-    /// Whether a fault in what a setting names is one of usage: it was set by a flag, by the environment or by a file
-    /// that was named, and not by a file that is read unasked.
+    /// Whether a wrong value is a fault of usage: it was set by a flag, by the environment or by a file that was
+    /// named, and not by a file that is read by default.
     fn has_to_be_right(&self, setting: &str) -> bool {
         match self.layers.origin(setting) {
             Origin::Flag(_) | Origin::Environment(_) => true,
@@ -339,7 +339,7 @@ impl CliSettings {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }
 
-    /// The folder of the configuration file that sets it.
+    /// The folder of the configuration file with this setting.
     fn folder_of(&self, setting: &str) -> Option<PathBuf> {
         match self.layers.origin(setting) {
             Origin::File { name, .. } => {
@@ -350,7 +350,7 @@ impl CliSettings {
         }
     }
 
-    /// The value of a setting is wrong: a fault of its place in the file, else of usage.
+    /// Reports a wrong value of a setting: at its place in the file, otherwise as a fault of usage.
     fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
         let place: Option<(Source, Range<usize>)> = match self.layers.origin(setting) {
             Origin::File { name, span, .. } => {
@@ -369,7 +369,7 @@ impl CliSettings {
         }
     }
 
-    /// A fault of usage ends the command; any other is kept, to be told.
+    /// A fault of usage ends the command; any other is kept for a later report.
     fn told(&mut self, fault: FileFault, is_usage: bool) -> Result<(), Failure> {
         if is_usage {
             return Err(fault.failure());
@@ -378,14 +378,14 @@ impl CliSettings {
         Ok(())
     }
 
-    /// Prints what is wrong with the files on standard error.
+    /// Prints the faults of the files on standard error.
     pub fn complain(&self) {
         for fault in &self.faults {
             super::show(&fault.explained());
         }
     }
 
-    /// What is wrong with the files, for the console to say.
+    /// The faults of the files, as warnings for the console.
     pub fn warnings(&self) -> Vec<Text> {
         let faults = self.faults.iter().flat_map(FileFault::texts);
         faults
@@ -394,7 +394,7 @@ impl CliSettings {
     }
 }
 
-/// What is wrong with a configuration file.
+/// The faults of a configuration file.
 pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnostic>> {
     let themes = theme_names(themes);
     let check = |setting: &str, word: &str| check(setting, word, &themes);
@@ -402,7 +402,7 @@ pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnost
     layers.file(&source.name, &source.text, &check).err()
 }
 
-/// Checks what a word of a configuration file names.
+/// Checks a word of a setting whose type does not say enough: a macro, the vehicles of a swarm, a theme, the log level.
 fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic> {
     let fault = |text| Err(Diagnostic::new(0..word.len(), text));
     match setting {
@@ -421,7 +421,7 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
     }
 }
 
-/// An environment variable that is set to something.
+/// The value of an environment variable, unless it is empty.
 fn variable(name: &str) -> Option<String> {
     env::var(name).ok().filter(|value| !value.is_empty())
 }

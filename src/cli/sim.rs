@@ -20,17 +20,17 @@ use crate::sim::{SYSTEMS, World, WorldConfig};
     sortie sim --vehicles 4\n  \
     sortie sim --udp 127.0.0.1:14550 --home 50.45,30.52,180,90")]
 pub(super) struct SimArguments {
-    /// How many vehicles; their system ids are 1 to 254 and then begin again at 1.
+    /// The number of vehicles; their system ids are 1 to 254 and then begin again at 1.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=5000))]
     vehicles: u16,
-    /// Serve TCP: vehicle i on PORT + 10 * i (serial 0), and 2 and 3 above that (serial 1 and 2), as ArduPilot's
-    /// SITL does. The default, on 127.0.0.1:5760.
+    /// Serve TCP: vehicle i on PORT + 10 * i (serial 0), and on the ports 2 and 3 above that (serial 1 and 2), as
+    /// ArduPilot's SITL does. By default on 127.0.0.1:5760.
     #[arg(long, value_name = "HOST:PORT")]
     tcp: Option<HostPort>,
-    /// Send UDP to a ground station that listens there, often on port 14550.
+    /// Send UDP to a ground station that listens at this address, often on port 14550.
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_target)]
     udp: Option<HostPort>,
-    /// Once a vehicle has a signing key, accept nothing unsigned on serial 0 either.
+    /// Once a vehicle has a signing key, drop unsigned packets on serial 0, too.
     #[arg(long)]
     strict_signing: bool,
     /// Simulated seconds per second.
@@ -39,10 +39,10 @@ pub(super) struct SimArguments {
     /// Seed of the simulation's noise.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Boot as slowly as the real autopilot does: the first heartbeat after 1 s, ready for GUIDED after 42 s.
+    /// Boot as slowly as the real autopilot: the first heartbeat after 1 s, ready for GUIDED after 42 s.
     #[arg(long)]
     realistic_boot: bool,
-    /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
+    /// Home of the first vehicle: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
         default_value = "-35.363262,149.165237,584,0",
@@ -79,7 +79,7 @@ impl FromStr for HostPort {
     }
 }
 
-/// Somewhere to send to.
+/// An address to send to.
 fn parse_target(text: &str) -> Result<HostPort, String> {
     match text.parse()? {
         HostPort { port: 0, .. } => Err(
@@ -121,7 +121,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     })
 }
 
-/// Where ground stations are served: over TCP on loopback unless something else is asked for.
+/// The endpoints for ground stations: TCP on loopback by default.
 fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
     let mut endpoints = Vec::new();
     if let Some(HostPort { host, port }) = options.udp.clone() {
@@ -137,15 +137,15 @@ fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
     endpoints
 }
 
-/// Every TCP server is an open file, and the usual limit of 1024 may be raised by anybody. If that is not enough, the
-/// simulator reports the error.
+/// Raises the limit of open files, which is usually 1024 and may be raised by any user: each TCP server needs one. If
+/// that is not enough, the simulator reports the error.
 fn allow_many_files() {
     if let Ok((_, hard)) = getrlimit(Resource::RLIMIT_NOFILE) {
         let _ = setrlimit(Resource::RLIMIT_NOFILE, hard, hard);
     }
 }
 
-/// Names the TCP ports: of a few vehicles each, of many the first and the last.
+/// Prints the TCP ports: of each vehicle if there are few, otherwise of the first and the last.
 fn say_where(started: &StartedSimulator) -> Result<(), Failure> {
     let all: Vec<_> = started
         .addresses

@@ -1,18 +1,18 @@
-//! Rows of words in columns: for people, as Markdown, and for spreadsheets.
+//! Tables of words: as aligned columns, as Markdown, and for spreadsheets.
 
 use unicode_width::UnicodeWidthStr;
 
 use crate::notice::sanitised;
 use crate::text::{Locale, Text};
 
-/// A table of words. Columns of figures stand to the right.
+/// A table of words. Columns of figures are aligned to the right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct TextTable {
     columns: Vec<(String, Side)>,
     rows: Vec<Vec<String>>,
 }
 
-/// Where the words of a column stand.
+/// The alignment of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Left,
@@ -37,7 +37,7 @@ impl TextTable {
             .push(row.into_iter().map(|it| sanitised(&it)).collect());
     }
 
-    /// The same table with a first column that says the same in every row.
+    /// The same table with a new first column that has one value in every row.
     pub fn led_by(mut self, name: &Text, value: &str, locale: &Locale) -> Self {
         self.columns.insert(0, (locale.text(name), Side::Left));
         for row in &mut self.rows {
@@ -46,7 +46,7 @@ impl TextTable {
         self
     }
 
-    /// In columns as wide as they need to be.
+    /// The table in columns as wide as needed.
     pub fn plain(&self) -> String {
         let widths: Vec<usize> = (0..self.columns.len())
             .map(|at| {
@@ -77,7 +77,7 @@ impl TextTable {
         text
     }
 
-    /// As a Markdown table.
+    /// The table in Markdown.
     pub fn markdown(&self) -> String {
         let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
         let named = self.columns.iter();
@@ -96,7 +96,7 @@ impl TextTable {
         text
     }
 
-    /// As comma-separated values (RFC 4180). What a spreadsheet would take for a formula is kept from being one.
+    /// As comma-separated values (RFC 4180). Cells that a spreadsheet would take for formulas are made inert.
     ///
     /// # Errors
     /// A row has more or fewer cells than there are columns.
@@ -121,7 +121,7 @@ impl TextTable {
     }
 }
 
-/// What would end a cell or begin markup is written out.
+/// Escapes characters that would end a cell or begin markup.
 pub(super) fn escaped(cell: &str) -> String {
     let mut text = String::new();
     for c in cell.chars() {
@@ -133,9 +133,9 @@ pub(super) fn escaped(cell: &str) -> String {
     text
 }
 
-/// A cell that no spreadsheet takes for a formula.
+/// A cell that no spreadsheet treats as a formula.
 fn inert(cell: &str, side: Side) -> String {
-    // Figures may begin with a minus, and a dash alone says that there is none.
+    // Figures may begin with a minus, and a single dash stands for no value.
     let is_figure = side == Side::Right && cell.parse::<f64>().is_ok();
     let is_formula =
         cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_figure && cell != "-";

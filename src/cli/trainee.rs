@@ -1,4 +1,4 @@
-//! Profiles as commands need them: opened, found by name, with their faults explained.
+//! Profiles for commands: opened, and found by name, with explained faults.
 
 use std::process::ExitCode;
 
@@ -11,7 +11,7 @@ use crate::text::{Locale, Text};
 /// The profiles of the data folder; with warnings about repaired files and recovered flights.
 ///
 /// # Errors
-/// There is no data folder, or its profiles cannot be opened.
+/// The data folder is missing, or its profiles cannot be opened.
 pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
     let Some(data) = &settings.data else {
         return Err(invalid(&text!("career-nowhere"), locale));
@@ -23,10 +23,10 @@ pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, 
     Ok(profiles)
 }
 
-/// The profile of a name; without one, that of the settings, or the only one there is.
+/// The profile with a name; without a name, that of the settings, or the only one.
 ///
 /// # Errors
-/// There is none of this name, or none is chosen.
+/// The name is unknown, no profile exists, or several exist and none is chosen.
 pub(super) fn choose(
     profiles: &Profiles,
     name: Option<&str>,
@@ -48,7 +48,7 @@ pub(super) fn choose(
     }
 }
 
-/// A fault of profiles as a command's: a wrong name or file is one of usage.
+/// Converts a fault of profiles to a failure of the command: a wrong name or file is a fault of usage.
 pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
     let words = locale.text(&error.text());
     match error {
@@ -65,12 +65,12 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
     }
 }
 
-/// A fault of usage.
+/// A failure for a fault of usage.
 pub(super) fn invalid(text: &Text, locale: &Locale) -> Failure {
     Failure::Invalid(format!("sortie: {}", locale.text(text)))
 }
 
-/// Says something, and that all went well.
+/// Prints a text and returns success.
 pub(super) fn done(text: &Text, locale: &Locale) -> Result<ExitCode, Failure> {
     say!("{}", locale.text(text))?;
     Ok(ExitCode::SUCCESS)

@@ -1,4 +1,4 @@
-//! `sortie verify`: a record is flown again, and compared with what it says.
+//! `sortie verify`: flies a record again and compares the result with the record.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -32,24 +32,24 @@ pub(super) struct VerifyArguments {
     /// The key that the record must be signed with: the text of a minisign public key, or its file.
     #[arg(long, value_name = "KEY")]
     public_key: Option<String>,
-    /// One JSON document instead of words.
+    /// Print one JSON document instead of text.
     #[arg(long)]
     json: bool,
 }
 
-/// What became of it.
+/// The result of a verification.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Verdict {
-    /// Flown again, the flight is what the record says.
+    /// The repeated flight matches the record.
     Verified,
-    /// It is not.
+    /// The repeated flight differs from the record.
     Differs,
-    /// It is not, and another program has flown it.
+    /// The repeated flight differs, and another program has flown the original.
     OtherProgram,
-    /// The text of the mission is not that of this program's mission of that name.
+    /// The mission in the record differs from this program's mission of the same name.
     OtherMission,
-    /// It cannot be flown again: its score follows from its telemetry, or does not.
+    /// The flight cannot be repeated; its score was checked against its telemetry instead.
     Rescored,
 }
 
@@ -57,21 +57,21 @@ enum Verdict {
 #[derive(Debug, Serialize)]
 struct VerifyDocument {
     verdict: Verdict,
-    /// What follows from the record; nothing where there is no mission.
+    /// The score that follows from the record; `None` without a mission.
     score: Option<u16>,
-    /// What the record says.
+    /// The score that the record states.
     recorded_score: Option<u16>,
-    /// Where flight and record first differ, in simulated seconds.
+    /// The first difference between flight and record, in simulated seconds.
     at_s: Option<f64>,
     vehicle: Option<VehicleId>,
-    /// In which way they differ, in English.
+    /// The kind of difference, in English.
     what: Option<String>,
     flown_by: Option<FlyingHand>,
-    /// The program that flew it.
+    /// The program that flew the original.
     program: String,
     #[serde(flatten)]
     signature: SignatureDocument,
-    /// Which desk has witnessed the flight.
+    /// The instructor's desk that witnessed the flight.
     witnessed: Option<String>,
     #[serde(skip)]
     words: Text,
@@ -85,25 +85,25 @@ struct SignatureDocument {
     signature: SignatureState,
     /// The id of the key, in hexadecimal digits.
     signed_with: Option<String>,
-    /// What the signature says, once it is checked.
+    /// The comment in the signature, once it is checked.
     signed_comment: Option<String>,
 }
 
-/// What came of looking at the signatures.
+/// The result of checking the signatures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 enum SignatureState {
     #[default]
     None,
-    /// No key was given.
+    /// No key was given, so nothing was checked.
     Unchecked,
     Valid,
     Invalid,
-    /// Some files have none.
+    /// Some files are not signed.
     Partial,
 }
 
-/// What gave the commands.
+/// The source of the flight's commands: a person or a script.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(rename_all = "snake_case")]
 enum FlyingHand {
@@ -122,7 +122,7 @@ impl From<FlownBy> for FlyingHand {
     }
 }
 
-/// Verifies a record. The exit code tells whether its score can be relied on.
+/// Verifies a record. The exit code shows whether its score is reliable.
 pub(super) fn verify(
     options: &VerifyArguments,
     settings: &CliSettings,
@@ -179,7 +179,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     }
 }
 
-/// A flight without a mission: nothing but the flight itself can be compared.
+/// Compares a flight without a mission, of which only the flight itself can be repeated.
 fn judge_free(head: Option<&Head>, inputs: Option<&StoredInputs>) -> Result<VerifyDocument, Text> {
     let is_free = head.is_none_or(|head| head.subject == Subject::Free);
     let (Some(inputs), true) = (inputs, is_free) else {
@@ -239,7 +239,7 @@ fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDoc
     })
 }
 
-/// A flight that cannot be flown again: of ArduPilot, or without its inputs.
+/// The result for a flight that cannot be repeated: of ArduPilot, or without its inputs.
 fn rescored(rescored: &Rescored, backend: FlightBackend, program: String) -> VerifyDocument {
     let score = rescored.report.score;
     let is_same = rescored.before.is_some_and(|before| before.score == score);
@@ -273,7 +273,7 @@ impl VerifyDocument {
         }
     }
 
-    /// Adds what the signatures say. A key that was asked for must have signed every file.
+    /// Adds the result of the signatures. With a requested key, every file must be signed by it.
     fn add_signature(&mut self, found: RecordSignature, is_wanted: bool) {
         let (state, text) = match &found {
             RecordSignature::None if is_wanted => (SignatureState::None, text!("sign-none")),

@@ -1,4 +1,4 @@
-//! `sortie workshop`: parts, designs, and what designs can do.
+//! `sortie workshop`: parts, designs, and the performance of designs.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -28,10 +28,10 @@ enum WorkshopCommand {
     /// Lists the parts of all slots, or of one.
     #[command(after_help = "Examples:\n  sortie workshop parts\n  sortie workshop parts motor")]
     Parts {
-        /// frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
+        /// The slot: frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
         slot: Option<String>,
     },
-    /// Shows the parts of a design, what it can do, and its problems.
+    /// Shows the parts of a design, its performance, and its problems.
     #[command(after_help = "Examples:\n  \
                             sortie workshop show starter\n  \
                             sortie workshop show my-drone.toml --altitude 1500 --battery-temperature -5")]
@@ -44,7 +44,7 @@ enum WorkshopCommand {
         #[arg(long)]
         json: bool,
     },
-    /// Compares two designs side by side: before, after, and what changes.
+    /// Compares two designs side by side: before, after, and the difference.
     #[command(after_help = "Examples:\n  \
                             sortie workshop compare starter scout\n  \
                             sortie workshop compare mine.toml theirs.toml --temperature 35")]
@@ -56,7 +56,7 @@ enum WorkshopCommand {
         #[command(flatten)]
         air: AirArguments,
     },
-    /// Compares a design with what a mission needs of its drones.
+    /// Compares a design with the requirements of a mission for its drones.
     #[command(after_help = "Examples:\n  \
                             sortie workshop fit starter 01\n  \
                             sortie workshop fit my-drone.toml 05-night-search")]
@@ -79,16 +79,16 @@ enum WorkshopCommand {
     },
 }
 
-/// The air that is flown in.
+/// The conditions of the flight.
 #[derive(Debug, Args)]
 struct AirArguments {
-    /// Metres above sea level.
+    /// Altitude above sea level, in metres.
     #[arg(long, default_value_t = 0.0, value_parser = within::<-400, 6000>, allow_negative_numbers = true, value_name = "M")]
     altitude: f64,
-    /// Of the air, in degrees Celsius.
+    /// Temperature of the air, in degrees Celsius.
     #[arg(long, default_value_t = 15.0, value_parser = within::<-40, 50>, allow_negative_numbers = true, value_name = "C")]
     temperature: f64,
-    /// Of the battery, in degrees Celsius.
+    /// Temperature of the battery, in degrees Celsius.
     #[arg(long, default_value_t = 25.0, value_parser = within::<-40, 60>, allow_negative_numbers = true, value_name = "C")]
     battery_temperature: f64,
 }
@@ -110,7 +110,7 @@ fn within<const LEAST: i32, const MOST: i32>(text: &str) -> Result<f64, String> 
         .ok_or_else(|| format!("expected a number from {LEAST} to {MOST}"))
 }
 
-/// Does what was asked for.
+/// Carries out the subcommand.
 pub(super) fn workshop(
     options: &WorkshopArguments,
     settings: &CliSettings,
@@ -270,7 +270,7 @@ fn compare(
     Ok(ExitCode::SUCCESS)
 }
 
-/// Seats with equal needs are merged. Exit code 1 where a design cannot do the task of any seat.
+/// Seats with equal requirements are merged. Exit code 1 if a design cannot do the task of a seat.
 fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
     let mut fits_somewhere = false;
     for need in mission.needs() {
@@ -327,7 +327,7 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
     Ok(ExitCode::SUCCESS)
 }
 
-/// A document with its numbers rounded to thousandths: more is noise of the arithmetic.
+/// A document with its numbers rounded to thousandths, since finer digits are noise of the arithmetic.
 fn with_rounded_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) if number.is_f64() => {
@@ -341,7 +341,7 @@ fn with_rounded_numbers(value: Value) -> Value {
     }
 }
 
-/// A word with spaces after it, so that it is so many columns wide.
+/// A word padded with spaces to a number of columns.
 fn padded(word: &str, columns: usize) -> String {
     let width = word.width();
     format!("{word}{}", " ".repeat(columns.saturating_sub(width)))

@@ -9,7 +9,7 @@ use super::super::run::{load_mission, load_script};
 use crate::exercise::{Playthrough, PlaythroughFlight};
 use crate::store;
 
-/// A day to begin on: nothing depends on which.
+/// The day of the first flight; the result does not depend on it.
 const FIRST_DAY: i64 = 20_000;
 
 /// Options of `sortie bench campaign`.
@@ -18,7 +18,7 @@ const FIRST_DAY: i64 = 20_000;
     sortie bench campaign\n  \
     sortie bench campaign --seed 7 --flights 20 --json")]
 pub(in crate::cli) struct CampaignArguments {
-    /// The seed of the first flight; each one has the next.
+    /// The seed of the first flight; each further flight has the next one.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// The most flights to fly.
@@ -29,7 +29,7 @@ pub(in crate::cli) struct CampaignArguments {
     json: bool,
 }
 
-/// Plays and prints; exit code 1 if the end was not reached.
+/// Plays and prints; exit code 1 if the course was not completed.
 pub(in crate::cli) fn campaign(options: &CampaignArguments) -> Result<ExitCode, Failure> {
     let mut pilots = Vec::new();
     for offer in store::course().offers() {

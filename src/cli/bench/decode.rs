@@ -27,7 +27,7 @@ use crate::wire::{
 
 /// Time per message in Table 2 of the paper that this program follows.
 const PAPER_NS_PER_MESSAGE: f64 = 24_500.0;
-/// Each variant is measured this often, in turns; the fastest counts, being the least disturbed.
+/// Each variant is measured this often, in turns; the fastest round counts, since it was disturbed the least.
 const ROUNDS: usize = 7;
 
 /// Options of `sortie bench decode`.
@@ -110,7 +110,7 @@ fn frames_of(path: &PathBuf) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// Two minutes of one simulated vehicle that flies a leg, with the streams that the console asks for.
+/// Two minutes of one simulated vehicle that flies a leg, with the streams that the console requests.
 fn embedded_flight() -> Vec<u8> {
     let start = Start {
         at: LatLon::new(50.4501, 30.5234),
@@ -147,7 +147,7 @@ fn embedded_flight() -> Vec<u8> {
     recorded
 }
 
-/// Lines of the embedded flight and the seconds after which they are given.
+/// Lines of the embedded flight, and the seconds after which they are entered.
 const FLIGHT: [(u64, &str); 4] = [
     (3, "guided"),
     (4, "arm"),
@@ -168,7 +168,7 @@ fn give(session: &mut Session, line: &str, now: Duration) {
     }
 }
 
-/// The floor: the mavlink crate's reader finds frames and checks their checksums, and nothing is decoded.
+/// The floor: the mavlink crate's reader finds frames and checks their checksums, without decoding.
 fn find_frames(bytes: &[u8]) -> u64 {
     let mut reader = MavlinkReader::new(bytes);
     let mut frames = 0;

@@ -9,11 +9,11 @@ use serde::Serialize;
 use super::super::Failure;
 use crate::fidelity::{self, Answers, Comparison, Flight, Recording};
 
-/// Where a checkout keeps its recordings.
+/// The recordings in a checkout of the sources.
 const RECORDINGS: &str = "tests/data/fidelity";
 /// The suffix of a recording of sent frames.
 const SENT: &str = ".tx.tlog";
-/// Answers of one kind that are named in the table.
+/// The most answers of one kind that the table names.
 const NAMED: usize = 6;
 
 /// Options of `sortie bench fidelity`.

@@ -20,7 +20,7 @@ use crate::vehicle::{
     SystemStatus, Vehicle, VehicleClass, VehicleId,
 };
 
-/// Swarms that are drawn.
+/// The sizes of the swarms that are drawn.
 const SWARMS: [VehicleId; 4] = [1, 10, 100, 1000];
 /// Frames per swarm; the first ones warm up and are not counted.
 const FRAMES: u32 = 300;
@@ -40,7 +40,7 @@ pub(in crate::cli) struct FrameArguments {
     /// Rows of the screen.
     #[arg(long, default_value_t = 40, value_parser = clap::value_parser!(u16).range(24..=1000))]
     height: u16,
-    /// The room of the map instead of the flight screen.
+    /// Draw the map instead of the flight screen.
     #[arg(long)]
     map: bool,
     /// One JSON document instead of the table.
@@ -120,7 +120,7 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<FrameCost, F
     })
 }
 
-/// The console's own rule: a frame is drawn when the state has moved since the last one.
+/// Draws a frame only if the state has changed since the last one, as the console does.
 fn draw_if_changed(
     screen: &mut Screen,
     state: &State,
@@ -151,7 +151,7 @@ fn swarm(vehicles: VehicleId) -> App {
     app
 }
 
-/// The next tenth of the swarm has moved on.
+/// Moves the next tenth of the swarm.
 fn advance(app: &mut App, vehicles: VehicleId, frame: u32) {
     let now = Duration::from_millis(u64::from(frame) * 100);
     feed(app, Event::Tick { now, wall: now });

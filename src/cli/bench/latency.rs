@@ -1,4 +1,4 @@
-//! `sortie bench latency`: from a key to the bytes that show it, through a terminal of its own.
+//! `sortie bench latency`: from a key to the bytes that show it, through a pseudo-terminal.
 
 use std::fs::File;
 use std::io::{self, Read as _, Write as _};
@@ -17,11 +17,11 @@ use super::super::Failure;
 
 /// Keys that move the cursor down and up again on the home screen.
 const KEYS: [&[u8]; 2] = [b"j", b"k"];
-/// A terminal that has sent nothing for so long has nothing more to show.
+/// After this long without output, a program has nothing more to show.
 const QUIET: Duration = Duration::from_millis(120);
 /// The longest wait for the console's first screen.
 const STARTING: Duration = Duration::from_secs(10);
-/// A key that shows nothing for so long is a fault.
+/// A key without any output for this long is a fault.
 const PATIENCE: Duration = Duration::from_secs(2);
 /// The console's query to a terminal, and the terminal's answer.
 const QUESTION: &[u8] = b"\x1b[5n";
@@ -75,7 +75,7 @@ pub(in crate::cli) fn latency(options: &LatencyArguments) -> Result<ExitCode, Fa
     Ok(ExitCode::SUCCESS)
 }
 
-/// This program on its home screen, with a folder of its own for everything that it keeps.
+/// This program on its home screen, with separate folders for its files.
 fn console(options: &LatencyArguments) -> io::Result<Command> {
     let mut command = Command::new(std::env::current_exe()?);
     command.args(["--fps", &options.frame_rate.to_string(), "--theme", "dark"]);
@@ -131,7 +131,7 @@ impl Typist {
             ws_ypixel: 0,
         };
         let pty = openpty(&size, None)?;
-        // Raw from the beginning: the kernel's own echo would be measured otherwise.
+        // Raw from the beginning: otherwise the kernel's own echo would be measured.
         let mut mode = tcgetattr(&pty.slave)?;
         cfmakeraw(&mut mode);
         tcsetattr(&pty.slave, SetArg::TCSANOW, &mode)?;
@@ -162,7 +162,7 @@ impl Typist {
         })
     }
 
-    /// Presses keys one after another, each in a pause of the program; how long each took to show.
+    /// Presses keys one after another, each in a pause of the program; returns the time until each one showed.
     fn type_keys(&mut self, program: &str, keys: u32) -> Result<Vec<Duration>, Failure> {
         self.press(b"j")?;
         self.wait(STARTING)
@@ -170,7 +170,7 @@ impl Typist {
         let mut took = Vec::new();
         for at in 0..keys {
             self.settle();
-            // Not in step with anything that happens in the program.
+            // The delay varies, so that keys do not fall into step with the program.
             std::thread::sleep(Duration::from_micros(u64::from(at * 7919 % 50) * 1000));
             let pressed = Instant::now();
             self.press(KEYS[at as usize % KEYS.len()])?;

@@ -14,7 +14,7 @@ use crate::scoring::FlownBy;
 use crate::shell::{self, ConsoleOptions, Opening, Preferences};
 use crate::ui::Look;
 
-/// The time after which the vehicles are in flight.
+/// The time within which the vehicles take off.
 const WARM_UP: Duration = Duration::from_secs(25);
 /// The screen that is drawn.
 const SIZE: Size = Size::new(120, 40);

@@ -1,4 +1,4 @@
-//! `sortie bench missions`: how much faster than real time the shipped missions are flown.
+//! `sortie bench missions`: the speed of the shipped missions, relative to real time.
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ use crate::store;
 pub(in crate::cli) struct MissionsArguments {
     /// Missions by name or number; without any, all that are shipped.
     missions: Vec<String>,
-    /// Flies each mission with so many vehicles as well, where it is made for fewer.
+    /// Flies each mission with this many vehicles as well, if it is made for fewer.
     #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=100))]
     vehicles: u8,
     /// Seed of the missions' worlds.
@@ -33,7 +33,7 @@ pub(in crate::cli) struct MissionsArguments {
     json: bool,
 }
 
-/// One flight of the reference pilot. Processor time, so that a busy machine measures the same.
+/// One flight of the reference pilot, in processor time, so that other load does not change the result.
 #[derive(Debug, Serialize)]
 struct MissionCost {
     mission: String,

@@ -28,8 +28,8 @@ const START: Start = Start {
     altitude_amsl_m: 180.0,
     heading_deg: 0.0,
 };
-/// Messages that come ten times a second, as much as a ground station asks for: `SYS_STATUS`, `GPS_RAW_INT`, `RAW_IMU`,
-/// `ATTITUDE`, `LOCAL_POSITION_NED`, `GLOBAL_POSITION_INT`, `SERVO_OUTPUT_RAW`, `RC_CHANNELS`, `VFR_HUD`,
+/// Messages that come ten times a second, as many as a ground station requests: `SYS_STATUS`, `GPS_RAW_INT`,
+/// `RAW_IMU`, `ATTITUDE`, `LOCAL_POSITION_NED`, `GLOBAL_POSITION_INT`, `SERVO_OUTPUT_RAW`, `RC_CHANNELS`, `VFR_HUD`,
 /// `POSITION_TARGET_GLOBAL_INT`, `BATTERY_STATUS`, `EKF_STATUS_REPORT`, `VIBRATION`.
 const STREAMS: [f32; 13] = [
     1.0, 24.0, 27.0, 30.0, 32.0, 33.0, 36.0, 65.0, 74.0, 87.0, 147.0, 193.0, 241.0,
@@ -45,7 +45,7 @@ pub(in crate::cli) struct BenchReplayArguments {
     /// How many vehicles fly.
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u8).range(1..=250))]
     vehicles: u8,
-    /// How long the recording is.
+    /// How long the recording is, in minutes.
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=600))]
     minutes: u32,
     /// One JSON document instead of the table.
@@ -59,7 +59,7 @@ struct ReplayCost {
     record_s: f64,
     bytes: u64,
     frames: u64,
-    /// Until the console shows the beginning and takes keys.
+    /// Milliseconds until the console shows the beginning and accepts keys.
     open_ms: f64,
     /// The time to index the whole recording.
     index_s: f64,
@@ -103,7 +103,7 @@ struct TemporaryFolder(std::path::PathBuf);
 
 impl Drop for TemporaryFolder {
     fn drop(&mut self) {
-        // What cannot be removed lies in the folder for such things.
+        // A folder that cannot be removed stays among the temporary files.
         drop(fs::remove_dir_all(&self.0));
     }
 }
@@ -149,7 +149,7 @@ fn record(vehicles: u8, seconds: u64, path: &Path) -> io::Result<()> {
     tlog.flush()
 }
 
-/// The ground station's messages at a tick of a tenth of a second.
+/// The ground station's messages in one tick of a tenth of a second.
 fn said(tick: u64, vehicles: u8) -> Vec<Outgoing> {
     let mut said = Vec::new();
     if tick.is_multiple_of(10) {
@@ -196,7 +196,7 @@ fn measure(vehicles: u8, seconds: u64, path: &Path) -> Result<ReplayCost, Failur
     let length = Duration::from_secs(seconds);
     let mut took: Vec<Duration> = (0..SEEKS)
         .map(|number| {
-            // Scattered without chance: equal runs go to equal places.
+            // Scattered, but the same in each run.
             let share = f64::from(number) * 0.618_033_988_75 % 1.0;
             let target = SeekTarget::At(length.mul_f64(share));
             let began = Instant::now();
@@ -223,8 +223,7 @@ fn measure(vehicles: u8, seconds: u64, path: &Path) -> Result<ReplayCost, Failur
     })
 }
 
-/// How long it takes to take all frames of a recording down and to write them, a quarter of a second at a time; and how
-/// many there are.
+/// The time to record and write all frames of a recording, a quarter of a second at a time; and the number of frames.
 fn recording_time(path: &Path) -> Result<(Duration, u64), Failure> {
     let sink = FrameSink::new(|| 1_700_000_000_000_000);
     let mut copy = File::create(path.with_extension("copy"))?;
@@ -243,7 +242,7 @@ fn recording_time(path: &Path) -> Result<(Duration, u64), Failure> {
     Ok((spent, frames))
 }
 
-/// Memory of this process (Linux: `VmRSS`).
+/// Resident memory of this process in bytes (Linux: `VmRSS`).
 fn resident_bytes() -> io::Result<u64> {
     let mut status = String::new();
     File::open("/proc/self/status")?.read_to_string(&mut status)?;

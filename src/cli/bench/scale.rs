@@ -40,7 +40,7 @@ const MOST_ARDUPILOT: u16 = 1024;
 /// Options of `sortie bench scale`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "What is measured: vehicles are started and, once all can be armed, stream GLOBAL_POSITION_INT and\n\
+    after_help = "The measurement: vehicles are started and, once all can be armed, stream GLOBAL_POSITION_INT and\n\
     ATTITUDE at 10 Hz each. They are switched to GUIDED, armed, take off, and are sent to a place 1 km away at\n\
     200 m. Then the processor time of the simulator and of the console's model update is taken. A repeat in which\n\
     a vehicle does not move does not count. Beyond 254 vehicles, the console has a fleet and a thread for each 254.\n\n\
@@ -50,7 +50,7 @@ const MOST_ARDUPILOT: u16 = 1024;
     sortie bench scale --counts 32 --beyond --repeat 1"
 )]
 pub(in crate::cli) struct ScaleArguments {
-    /// How many vehicles fly: one measurement for each number. 0 is what the programs cost without any.
+    /// How many vehicles fly: one measurement for each number. 0 measures the cost without vehicles.
     #[arg(long, value_delimiter = ',', default_value = "0,1,2,4,8,16,32",
         value_parser = clap::value_parser!(u16).range(0..=16384))]
     counts: Vec<u16>,
@@ -60,18 +60,18 @@ pub(in crate::cli) struct ScaleArguments {
     /// How often each number is measured, from the start of the vehicles on; the median counts.
     #[arg(long, default_value = "3")]
     repeat: NonZeroU16,
-    /// The least time between two kinds of commands, in seconds; what one asks for is waited for too.
+    /// The least time between two kinds of commands, in seconds; each kind is also waited for.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
-    /// What simulates the vehicles; embedded unless a program is named.
+    /// The simulator; embedded unless a program is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
     programs: ProgramOptions,
-    /// Afterwards, doubles the number until real time is no longer held, and says what gave way.
+    /// Afterwards, doubles the number until real time is no longer held, and names the overloaded part.
     #[arg(long)]
     beyond: bool,
-    /// Draws the figures into this file too.
+    /// Also draws the figures into this SVG file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     /// One JSON document instead of the tables and the chart.
@@ -91,7 +91,8 @@ pub(in crate::cli) fn scale(
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     if let Some(path) = &options.svg {
-        // Better now than after half an hour; a drawing that is there stays until there is another.
+        // A file that cannot be written is reported now, not after half an hour; an existing drawing stays until it is
+        // replaced.
         let writable = OpenOptions::new().create(true).append(true).open(path);
         writable.map_err(|error| {
             Failure::Invalid(format!("sortie: cannot write {}: {error}", path.display()))
@@ -187,7 +188,7 @@ impl<'a> ScaleSeries<'a> {
         Ok(rows)
     }
 
-    /// All repeats of one number of vehicles. More vehicles than come up are a result, not an error.
+    /// Measures all repeats of one number of vehicles. Vehicles that do not start are a result, not an error.
     fn count(&mut self, vehicles: u16) -> anyhow::Result<ScaleRow> {
         let repeats = usize::from(self.options.repeat.get());
         let mut samples = Vec::new();

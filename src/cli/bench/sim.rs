@@ -19,7 +19,7 @@ const WARM_UP: Duration = Duration::from_secs(30);
 /// Messages streamed, and how often: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 const STREAMED: [u32; 2] = [33, 30];
 const RATE_HZ: u64 = 10;
-/// The output of this many steps is gathered before it is counted.
+/// The output of this many steps is collected before it is counted.
 const STEPS_PER_COUNT: u64 = 100;
 
 /// Options of `sortie bench sim`.
@@ -183,14 +183,14 @@ impl SimSwarm {
         }
     }
 
-    /// Whether the measurement is valid: all in the air, and no stream message missing.
+    /// Whether the measurement is valid: all vehicles in the air, and no streamed message missing.
     fn check(&self, heard: u64, seconds: u64) -> Result<(), Failure> {
         let vehicles = self.world.vehicles();
         let flying = (0..vehicles)
             .filter(|&vehicle| !self.world.truth(vehicle).on_ground)
             .count();
         let expected = vehicles as u64 * seconds * RATE_HZ * STREAMED.len() as u64;
-        // A message may fall just outside at either end.
+        // At either end, a message may fall just outside the measurement.
         let tolerated = vehicles as u64 * STREAMED.len() as u64;
         if flying == vehicles && heard.abs_diff(expected) <= tolerated {
             return Ok(());
@@ -215,7 +215,7 @@ fn count_streamed(output: &mut Vec<u8>) -> u64 {
     count
 }
 
-/// Processor time of all threads of this process, ended ones too.
+/// Processor time of all threads of this process, including ended ones.
 fn processor_time() -> Result<Duration, Failure> {
     let time = clock_gettime(ClockId::CLOCK_PROCESS_CPUTIME_ID).map_err(anyhow::Error::from)?;
     Ok(Duration::from(time))

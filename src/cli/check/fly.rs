@@ -20,15 +20,15 @@ use crate::store;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum CheckPilot {
-    /// The script that shows how: has to pass with a silver medal at least.
+    /// The model solution: must pass with at least a silver medal.
     Reference,
     /// A script that makes the mistakes of a beginner: must not earn a medal.
     Naive,
-    /// Nobody at the controls: must not pass, nor score.
+    /// No commands at all: must not pass or score.
     DoNothing,
 }
 
-/// One flight and whether its result is as it should be.
+/// One flight, and whether its result is as required.
 #[derive(Debug, Serialize)]
 struct CheckFlight {
     mission: String,
@@ -38,7 +38,7 @@ struct CheckFlight {
     score: u16,
     medal: Option<Medal>,
     sim_time_s: f64,
-    /// Simulated seconds per second, of one flight among as many as there are processors.
+    /// Simulated seconds per second of one flight, while as many fly as there are processors.
     realtime_factor: f64,
     /// Whether the result is as required.
     good: bool,
@@ -62,8 +62,8 @@ impl CheckPilot {
     }
 }
 
-/// Flies each mission with each pilot and each seed from 1 on, and prints how it went; exit code 1 where a pilot did
-/// not do as it should.
+/// Flies each mission with each pilot and each seed from 1 on, and prints the results; exit code 1 if a result is not
+/// as required.
 pub(in crate::cli) fn fly(
     missions: &[String],
     seeds: u64,
@@ -91,7 +91,7 @@ fn course(name: &str, seeds: u64) -> Result<Vec<CheckFlight>, Failure> {
     let reference = pilot_beside(name, &mission.id);
     let naive = pilot_beside(name, &format!("{number}-naive"));
     let mut pilots = vec![(CheckPilot::Reference, load_script(&reference, &mission)?)];
-    // A drill has none.
+    // A drill has no naive pilot.
     if store::pilot(&naive).is_ok() {
         pilots.push((CheckPilot::Naive, load_script(&naive, &mission)?));
     }
@@ -104,7 +104,7 @@ fn course(name: &str, seeds: u64) -> Result<Vec<CheckFlight>, Failure> {
     Ok(flown_by_all_processors(&mission, &tasks))
 }
 
-/// The path of a pilot's script in one of the folders where it may lie with the mission's file, or else its name.
+/// The path of a pilot's script beside the mission's file or in its folder `pilots`; otherwise the script's name.
 fn pilot_beside(mission: &str, pilot: &str) -> String {
     let folder = Path::new(mission).parent().unwrap_or(Path::new(""));
     let file = format!("{pilot}.pilot");
@@ -113,7 +113,7 @@ fn pilot_beside(mission: &str, pilot: &str) -> String {
     found.map_or_else(|| pilot.to_owned(), |path| path.display().to_string())
 }
 
-/// The flights in the order of the tasks, whichever is done first.
+/// The flights in the order of the tasks, regardless of which ends first.
 fn flown_by_all_processors(
     mission: &Arc<Mission>,
     tasks: &[(CheckPilot, &Script, u64)],
@@ -144,7 +144,7 @@ fn flown(mission: &Arc<Mission>, pilot: CheckPilot, script: &Script, seed: u64) 
     let mut exercise = Exercise::new(Arc::clone(mission), seed, script.clone(), Vec::new());
     while !exercise.is_over() {
         exercise.step();
-        // They are not read here, and would only pile up.
+        // Notices are not read here and would only pile up.
         drop(exercise.take_notices());
     }
     let report = exercise.report();
@@ -162,7 +162,7 @@ fn flown(mission: &Arc<Mission>, pilot: CheckPilot, script: &Script, seed: u64) 
 }
 
 impl CheckFlight {
-    /// What is wrong with it, and which way to mend it.
+    /// The fault of the result, with a hint for its repair.
     fn wrong(&self) -> String {
         let score = self.score;
         match self.pilot {

@@ -1,4 +1,4 @@
-//! Which mission a pilot's script is checked for: its places and its vehicles can be known then.
+//! The mission of a pilot's script, whose places and vehicles the check then knows.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec
     if let Some(mission) = mission_of(script, named) {
         return crate::exercise::read_script(text, &mission).err();
     }
-    // The mission is not known: its places may have any name.
+    // Without a known mission, places may have any name.
     let context = Context {
         places: None,
         areas: None,
@@ -21,8 +21,8 @@ pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec
     Script::parse(text, &context).err()
 }
 
-/// The mission that it is called after and that lies beside it, by its id or its number; or else the only one that was
-/// named with it.
+/// The mission with the script's id or number in the same folder; otherwise the only mission named on the command
+/// line.
 fn mission_of(script: &Path, named: &[PathBuf]) -> Option<Mission> {
     let stem = script.file_stem()?.to_str()?;
     let number = stem.split('-').next()?;
@@ -42,7 +42,7 @@ fn mission_of(script: &Path, named: &[PathBuf]) -> Option<Mission> {
     Mission::parse(&text.or_else(|| only_mission(named))?).ok()
 }
 
-/// The text of the only mission among the files, where these are one mission and scripts.
+/// The text of the only mission among the files, if all others are scripts.
 fn only_mission(named: &[PathBuf]) -> Option<String> {
     let is_script = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "pilot");
     let mut others = named.iter().filter(|path| !is_script(path));

@@ -1,4 +1,4 @@
-//! Whether folders can be written, and how much the machine can carry.
+//! Checks of the host: writable folders, and the number of instances that it can carry.
 
 use std::fs;
 use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _};
@@ -10,15 +10,15 @@ use super::super::settings::CliSettings;
 use super::HostFinding;
 use super::mount::network_file_system;
 
-/// What one idle or flying `ArduCopter` 4.6 takes, measured with up to 32 of them: per cent of a core, and resident
+/// The cost of one idle or flying `ArduCopter` 4.6, measured with up to 32 of them: percent of a core, and resident
 /// memory in kibibytes.
 const CORE_PERCENT: f64 = 3.1;
 const MEMORY_KIB: u64 = 8 * 1024;
-/// Below so much free space, logs soon fill a disk: an instance that flies writes about a megabyte a minute.
+/// With less free space than this, logs soon fill a disk: a flying instance writes about a megabyte a minute.
 const LEAST_FREE_MIB: u64 = 512;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
 const FILES_EACH: u64 = 4;
-/// Files that this program has open besides.
+/// Files that this program keeps open without instances.
 const FILES_OWN: u64 = 64;
 
 /// The folders of the configuration, of the data and of the state.
@@ -50,7 +50,7 @@ pub(super) fn hangar_folder(settings: &CliSettings) -> Option<PathBuf> {
 }
 
 fn folder(about: &str, path: &Path) -> HostFinding {
-    // What is not there yet is made when it is needed.
+    // A missing folder is created when it is needed, so its nearest existing parent is checked.
     let there = path
         .ancestors()
         .find(|folder| folder.exists())
@@ -86,13 +86,13 @@ fn folder(about: &str, path: &Path) -> HostFinding {
     }
 }
 
-/// Whether the profiles lie where a database is safe: on this machine, and in a folder that no other user writes to.
+/// Whether the folder of the profiles is safe for a database: on this machine, and not writable by other users.
 pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
     let mounts = fs::read_to_string("/proc/self/mountinfo").unwrap_or_default();
     let data = settings.data.as_deref().into_iter();
     data.flat_map(|data| {
         let nearest = data.ancestors().find(|folder| folder.exists());
-        // A link leads to where the files are.
+        // The files lie behind a link, if the folder is one.
         let real = nearest.and_then(|folder| folder.canonicalize().ok());
         let there = real.unwrap_or_else(|| data.to_owned());
         let far = on_network(&mounts, data, &there);
@@ -110,7 +110,7 @@ fn on_network(mounts: &str, data: &Path, there: &Path) -> Option<HostFinding> {
     ))
 }
 
-/// A folder that others may write to: they could lay links there that lead the program's files elsewhere.
+/// A finding if other users may write to the folder: they could make links that lead the program's files elsewhere.
 fn open_to_others(data: &Path) -> Option<HostFinding> {
     let facts = fs::metadata(data).ok()?;
     let is_open = facts.permissions().mode() & 0o022 != 0;
@@ -129,7 +129,7 @@ fn free_mib(path: &Path) -> Option<u64> {
     Some(facts.blocks_available() * facts.fragment_size() / 1024 / 1024)
 }
 
-/// Processors, memory and limits, and how many instances fit.
+/// Processors, memory and limits, and the number of instances that fit.
 pub(super) fn machine() -> Vec<HostFinding> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let by_cores = (cores as f64 * 100.0 / CORE_PERCENT) as u64;
@@ -153,7 +153,7 @@ pub(super) fn machine() -> Vec<HostFinding> {
         "ulimit -n",
         |files| files.saturating_sub(FILES_OWN) / FILES_EACH,
     ));
-    // Each instance has two threads, which count as processes.
+    // Each instance has two threads, which count as processes for the limit.
     all.push(limit(
         "processes",
         Resource::RLIMIT_NPROC,
@@ -185,7 +185,7 @@ fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> Hos
     }
 }
 
-/// The memory that programs can still have, in KiB: `MemAvailable` of `/proc/meminfo`.
+/// The memory still available to programs, in KiB: `MemAvailable` of `/proc/meminfo`.
 fn available_kib(text: &str) -> Option<u64> {
     let line = text
         .lines()
@@ -193,7 +193,7 @@ fn available_kib(text: &str) -> Option<u64> {
     line.split_ascii_whitespace().next()?.parse().ok()
 }
 
-/// Whether the token of the services is one's own secret.
+/// Whether only its owner can read the token of the services.
 pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
     let set = settings
         .config

@@ -1,8 +1,8 @@
-//! The kind of file system of a folder.
+//! The file system type of a folder.
 
 use std::path::{Path, PathBuf};
 
-/// File systems whose files lie on another machine, as Linux names them.
+/// File systems whose files are stored on another machine, by their names in Linux.
 const NETWORK: [&str; 17] = [
     "9p",
     "acfs",
@@ -23,22 +23,22 @@ const NETWORK: [&str; 17] = [
     "smb3",
 ];
 
-/// The file system of a folder by `/proc/self/mountinfo`, if it is one of a network.
+/// The network file system of a folder from `/proc/self/mountinfo`, if it is on one.
 pub(super) fn network_file_system<'a>(mounts: &'a str, folder: &Path) -> Option<&'a str> {
     let mounted = mounts.lines().filter_map(mount);
-    // Of two at one place, the later one hides the earlier.
+    // Of two mounts at one place, the later one hides the earlier.
     let (_, kind) = mounted
         .filter(|(at, _)| folder.starts_with(at))
         .max_by_key(|(at, _)| at.as_os_str().len())?;
     NETWORK.contains(&kind).then_some(kind)
 }
 
-/// Where a line of `/proc/self/mountinfo` says that something is mounted, and of what kind it is (proc(5)).
+/// The mount point and the file system type in a line of `/proc/self/mountinfo` (proc(5)).
 fn mount(line: &str) -> Option<(PathBuf, &str)> {
     let (before, after) = line.split_once(" - ")?;
     let at = before.split(' ').nth(4)?;
     let kind = after.split(' ').next()?;
-    // Blanks in a name are octal.
+    // Blanks in a path are written as octal escapes.
     let at = at
         .replace("\\040", " ")
         .replace("\\011", "\t")

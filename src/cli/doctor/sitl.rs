@@ -1,4 +1,4 @@
-//! Checks of SITL: whether it can be started, and what it exposes to others.
+//! Checks of SITL: whether it can be started, and which of its ports others can reach.
 
 use std::collections::BTreeSet;
 
@@ -8,11 +8,11 @@ use crate::hangar::programs::{self, Missing, PATIENCE, ProgramIdentity, Programs
 use crate::hangar::sockets::{self, ListeningSocket, Protocol};
 use crate::sitl::SitlKind;
 
-/// The first ports of SITL's TCP listeners and RC inputs, and how far apart those of two instances are.
+/// The first ports of SITL's TCP listeners and RC inputs, and the distance between those of two instances.
 const FIRST_TCP: u16 = 5760;
 const FIRST_RC: u16 = 5501;
 const APART: u16 = 10;
-/// Instances that are looked for.
+/// The number of instances whose ports are checked.
 const INSTANCES: u16 = 64;
 
 const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, then ./waf configure --board sitl && \
@@ -25,7 +25,7 @@ pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
         match all.of(kind) {
             Ok(found) => findings.extend(program(kind, &found.file, &found.by).await),
             Err(Missing::Nowhere { program, .. }) => {
-                // Multirotors are what missions are made for.
+                // Missions need multirotors, so only a missing `arducopter` gets advice.
                 let found = "neither on the PATH nor in a usual build folder";
                 findings.push(if kind == SitlKind::Copter {
                     let mend = format!("name one with --{program}, SORTIE_ARDUCOPTER or the configuration; to get one: {GET}");
@@ -103,7 +103,7 @@ fn purpose(socket: &ListeningSocket) -> String {
     }
 }
 
-/// The owners of the ports that SITL takes when started by hand.
+/// The programs that hold the ports of a SITL started by hand.
 pub(super) fn ports() -> Vec<HostFinding> {
     let own = nix::unistd::geteuid().as_raw();
     let all = sockets::open();

@@ -1,14 +1,14 @@
-//! Whether the terminal can show the console.
+//! Checks whether the terminal can show the console.
 
 use std::env;
 use std::io::IsTerminal as _;
 
 use super::HostFinding;
 
-/// The least that the screens are made for, columns and rows.
+/// The least size of the screens: columns and rows.
 const LEAST: (u16, u16) = (80, 24);
 
-/// The findings.
+/// The findings about the terminal.
 pub(super) fn findings() -> Vec<HostFinding> {
     let term = variable("TERM");
     let size = std::io::stdout()

@@ -23,27 +23,27 @@ use crate::store;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     sortie hangar command | sh                                one copter on port 5760; Ctrl-C ends it\n  \
-    sortie hangar command --vehicles 3 --formation wedge      three of them, to paste into a shell\n  \
+    sortie hangar command --vehicles 3 --formation wedge      three copters, to paste into a shell\n  \
     sortie hangar command --frame hexa.json --param RTL_ALT=3000\n  \
     sortie hangar command --kind rover --connect-out 127.0.0.1:5760")]
 pub(super) struct CommandArguments {
     /// The kind of vehicle.
     #[arg(long, value_enum, default_value = "copter")]
     kind: KindWord,
-    /// SITL's name of a model: quad (which means plus), x, hexa; by default what suits the kind and the frame.
+    /// SITL's name of a model: quad (a plus frame), x, hexa; by default the one that suits the kind and the frame.
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
     /// The airframe of a multirotor: a frame file of SITL, in JSON.
     #[arg(long, value_name = "FILE")]
     frame: Option<PathBuf>,
-    /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
+    /// Home of the first vehicle: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
         default_value = "-35.363262,149.165237,584,0",
         allow_hyphen_values = true
     )]
     home: StartPlace,
-    /// The system id of the first vehicle; the others count on.
+    /// The system id of the first vehicle; further vehicles have the next ones.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     system: u8,
     /// Simulated seconds per second.
@@ -52,20 +52,20 @@ pub(super) struct CommandArguments {
     /// The number of vehicles.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     vehicles: u8,
-    /// How they stand, the first one at the home and all looking its way.
+    /// The formation of the vehicles: the first one is at home, and all have its heading.
     #[arg(long, value_enum, default_value = "row")]
     formation: ShapeWord,
     /// Metres between neighbours of the formation.
     #[arg(long, value_name = "METRES", default_value_t = 5.0, value_parser = parse_spacing)]
     spacing: f64,
-    /// A parameter; give the option once for each. Names that the vehicle does not know are left out by it without a
-    /// word: 4.7 has `SIM_GPS1_NUMSATS` for `SIM_GPS_NUMSATS` of 4.6.
+    /// A parameter; give the option once for each. The vehicle silently ignores unknown names: 4.7 has
+    /// `SIM_GPS1_NUMSATS` for `SIM_GPS_NUMSATS` of 4.6.
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
     set: Vec<(String, f64)>,
-    /// A file of parameters, `NAME VALUE` a line.
+    /// A file of parameters, one `NAME VALUE` per line.
     #[arg(long, value_name = "FILE")]
     params: Option<PathBuf>,
-    /// SITL's number of the first instance: it listens on port 5760 + 10 * this.
+    /// SITL's number of the first instance: it listens on port 5760 + 10 * N.
     #[arg(
         long,
         value_name = "I",
@@ -73,7 +73,7 @@ pub(super) struct CommandArguments {
         conflicts_with = "connect_out"
     )]
     listen_instance: u16,
-    /// Connect to a ground station that listens there, instead of listening.
+    /// Connect to a ground station that listens at this address, instead of listening.
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_address)]
     connect_out: Option<SocketAddr>,
     /// One JSON document instead of a script.
@@ -158,9 +158,9 @@ struct WrittenStart {
     program: String,
     arguments: Vec<String>,
     files: BTreeMap<&'static str, String>,
-    /// What a ground station is told.
+    /// The address for a ground station.
     connect: String,
-    /// Ports on which it listens, on all interfaces unless it was built otherwise.
+    /// Ports on which the instance listens, by default on all interfaces.
     ports: Vec<u16>,
     /// The command line, for a shell in the folder.
     command: String,
@@ -266,7 +266,7 @@ fn order(
     })
 }
 
-/// Those of the file, and over them those of the command line.
+/// The parameters of the file, overridden by those of the command line.
 fn given_parameters(options: &CommandArguments) -> Result<BTreeMap<String, f64>, Failure> {
     let mut all = BTreeMap::new();
     if let Some(path) = &options.params {
@@ -286,7 +286,7 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
             .collect();
         Failure::Invalid(lines.join("\n"))
     })?;
-    // By way of the shortest decimal: 0.1 stays 0.1.
+    // Converted through the shortest decimal, so that 0.1 stays 0.1.
     let exact = |value: f32| value.to_string().parse().unwrap_or(f64::from(value));
     Ok(values
         .into_iter()
@@ -294,8 +294,8 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
         .collect())
 }
 
-/// Everything for a POSIX shell: in a subshell, so that nothing of the shell that it is pasted into changes, and
-/// which stays the parent of the instances, because SITL ends when its parent does.
+/// A script for a POSIX shell. It runs in a subshell, so that the shell into which it is pasted does not change. The
+/// subshell stays the parent of the instances, because SITL ends with its parent.
 fn script(options: &CommandArguments, orders: &[WrittenStart]) -> String {
     let mut text = String::from("(\npids=\n");
     for order in orders {

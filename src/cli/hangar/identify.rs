@@ -1,4 +1,4 @@
-//! `sortie hangar identify`: which SITL programs are there, and their versions.
+//! `sortie hangar identify`: the SITL programs that are found, and their versions.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ use crate::sitl::SitlKind;
     sortie hangar identify\n  \
     sortie hangar identify ~/ardupilot/build/sitl/bin/arducopter")]
 pub(super) struct IdentifyArguments {
-    /// Programs; by default those that would be started.
+    /// Programs to ask; by default those that a hangar would start.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     /// One JSON document instead of lines.
@@ -30,17 +30,17 @@ pub(super) struct IdentifyArguments {
 
 #[derive(Debug, Serialize)]
 struct IdentifyAnswer {
-    /// The vehicle that it is meant to be, if it was looked for as such.
+    /// The vehicle type for which the program was looked up, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     wanted: Option<SitlKind>,
     file: Option<PathBuf>,
-    /// Why it is this file.
+    /// Why this file was chosen: the option, the setting or the search.
     by: Option<String>,
     identity: Option<ProgramIdentity>,
     fault: Option<String>,
 }
 
-/// Asks and prints; exit code 1 if a program is not what it should be, or none was found.
+/// Asks the programs and prints their answers; exit code 1 if a program is not as expected, or none was found.
 pub(super) fn identify(
     options: &IdentifyArguments,
     settings: &CliSettings,
@@ -74,7 +74,7 @@ pub(super) fn identify(
             say!("{}", line(answer))?;
         }
     }
-    // Not everybody has all four: without any of them, there is nothing to start.
+    // Few users have all four programs; a missing one is not a fault, unless all are missing.
     let is_wrong = |it: &IdentifyAnswer| it.file.is_some() && it.fault.is_some();
     let is_bad = answers.iter().any(is_wrong) || answers.iter().all(|it| it.file.is_none());
     Ok(ExitCode::from(u8::from(is_bad)))

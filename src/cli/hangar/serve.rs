@@ -26,35 +26,35 @@ use crate::hangar::{
 };
 use crate::sitl::SitlKind;
 
-/// How long a program may take to say what it is.
+/// How long a program may take to identify itself.
 const IDENTIFIED: Duration = Duration::from_secs(3);
 
 /// Options of the service.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Service")]
 pub(super) struct ServeArguments {
-    /// Where to listen; with port 0 the system chooses one, which is printed.
+    /// The address to listen on; with port 0 the system chooses a port, which is printed.
     #[arg(long, value_name = "HOST:PORT", default_value_t = format!("127.0.0.1:{PORT}"), value_parser = parse_listen)]
     listen: String,
-    /// The most instances at once.
+    /// The most instances at the same time.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=254))]
     instances: Option<u16>,
     /// Address space of one instance, in mebibytes.
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(64..=65_536))]
     memory: Option<u64>,
-    /// What happens to instances that end by themselves.
+    /// Restart policy for instances that end by themselves.
     #[arg(long, value_name = "WHEN")]
     restart: Option<RestartWhen>,
-    /// Where the instances' folders are made.
+    /// The folder for the instances' files.
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// The file with the token; made if it is not there.
+    /// The file with the token; created if it does not exist.
     #[arg(long, value_name = "FILE")]
     token_file: Option<PathBuf>,
-    /// Ask for the token also on loopback, of programs of the same user.
+    /// Require the token on loopback, too, from programs of the same user.
     #[arg(long)]
     require_token: bool,
-    /// Give each vehicle's MAVLink also on a TCP port on loopback, for other ground stations. Every user of this
+    /// Offer each vehicle's MAVLink also on a TCP port on loopback, for other ground stations. Every user of this
     /// machine can then fly it.
     #[arg(long)]
     expose: bool,
@@ -65,9 +65,9 @@ pub(super) struct ServeArguments {
 /// When an instance that has ended by itself is started again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum RestartWhen {
-    /// It stays down until it is started again by hand.
+    /// The instance stays down until it is started again by hand.
     Never,
-    /// At once, and then later and later, until it has failed five times in a row.
+    /// At once, then after growing delays, until it has failed five times in a row.
     Always,
 }
 
@@ -91,7 +91,7 @@ fn parse_listen(text: &str) -> Result<String, String> {
     Ok(format!("{host}:{port}"))
 }
 
-/// Logs a line for the service's operator, if anyone reads it.
+/// Logs a line for the service's operator; does nothing if standard error is closed.
 fn log(words: std::fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "sortie hangar: {words}");
 }
@@ -163,7 +163,7 @@ fn config(options: &ServeArguments, settings: &CliSettings) -> Result<HangarSetu
 async fn programs(options: &ServeArguments, settings: &CliSettings) -> Vec<Program> {
     let found = options.programs.find(settings);
     for &kind in SitlKind::ALL {
-        // That there is none is worth a word only of the usual kind; that a named one is none is always.
+        // A program that was named is always reported if it is missing; of the others, only the default kind.
         match found.of(kind) {
             Err(fault @ Missing::Named { .. }) => log(format_args!("warning: {fault}")),
             Err(fault) if kind == SitlKind::default() => {
@@ -264,7 +264,7 @@ async fn report(mut seen: watch::Receiver<Instances>) {
     }
 }
 
-/// The line about a change of an instance, if it deserves one.
+/// The log line about a change of an instance, if the change is worth one.
 fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
     let is_new = before.is_none_or(|before| before.pid != now.pid);
     if let Some(pid) = now.pid.filter(|_| is_new) {

@@ -1,4 +1,4 @@
-//! The options that name hangars elsewhere.
+//! The options that name hangars on other machines.
 
 use std::path::{Path, PathBuf};
 
@@ -9,17 +9,17 @@ use super::super::settings::CliSettings;
 use crate::hangar::HangarToken;
 use crate::hangar::client::{HangarAddress, RemoteHangar};
 
-/// The token of the hangars, in the folder of the state.
+/// The file of the hangars' token in the folder of the state.
 const TOKEN_FILE: &str = "hangar-token";
 
-/// Options of commands that start SITL by hangars elsewhere.
+/// Options of commands that start SITL in hangars on other machines.
 #[derive(Debug, Clone, Default, Args)]
 pub(in crate::cli) struct ServiceOptions {
-    /// Start the vehicles by this `sortie hangar`; give it several times to spread them over several machines.
+    /// Start the vehicles in this `sortie hangar`; repeat the option to spread them over several machines.
     #[arg(long = "hangar", value_name = "http://HOST:PORT")]
     hangars: Vec<HangarAddress>,
-    /// The file with the token of the hangars; by default the one of the configuration, or the one that `sortie hangar`
-    /// makes on this machine.
+    /// The file with the token of the hangars; by default the one of the configuration, or the one that
+    /// `sortie hangar` creates on this machine.
     #[arg(long, value_name = "FILE")]
     hangar_token: Option<PathBuf>,
 }
@@ -46,7 +46,7 @@ impl ServiceOptions {
         let file = token_file(self.hangar_token.as_deref(), settings)?;
         let token = match HangarToken::load(&file) {
             Ok(token) => Some(token),
-            // A hangar of this user on this machine wants none.
+            // A hangar of the same user on this machine needs no token.
             Err(error) if error.is_missing() && !is_named => None,
             Err(error) => return Err(invalid(&error)),
         };
@@ -55,7 +55,7 @@ impl ServiceOptions {
     }
 }
 
-/// The file of the token: as named, as set, or in the folder of the state.
+/// The path of the token file: as named, as set, or in the folder of the state.
 pub(super) fn token_file(named: Option<&Path>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let set = settings.config.hangar.token_file.as_deref();
     let in_state = || Some(settings.folders.as_ref()?.state.join(TOKEN_FILE));

@@ -1,4 +1,4 @@
-//! `sortie hangar status`: how the services are doing.
+//! `sortie hangar status`: the state of the services.
 
 use std::process::ExitCode;
 
@@ -32,11 +32,11 @@ struct StatusAnswer {
     hangar: String,
     status: Option<Status>,
     vehicles: Vec<Instance>,
-    /// Why nothing is known.
+    /// Why the state is unknown, if it is.
     fault: Option<String>,
 }
 
-/// Asks and prints; the exit code is 1 if one of them does not answer.
+/// Asks the services and prints their state; exit code 1 if one of them does not answer.
 pub(super) fn status(
     options: &StatusArguments,
     settings: &CliSettings,

@@ -1,4 +1,4 @@
-//! `sortie records join`: what a vehicle's own log says, on the timeline of a record.
+//! `sortie records join`: puts a vehicle's own log on the timeline of a record.
 
 use std::path::PathBuf;
 
@@ -14,13 +14,13 @@ use crate::text::Text;
 /// Options of `sortie records join`.
 #[derive(Debug, Args)]
 pub(super) struct JoinArguments {
-    /// The log.
+    /// The vehicle's `DataFlash` log.
     #[arg(value_name = "FILE.bin")]
     file: PathBuf,
-    /// The number in the list, or a file; by default the newest.
+    /// The number in the list, or a file; by default the newest record.
     #[arg(default_value = "1")]
     record: String,
-    /// Which vehicle it is of, where the log does not say so.
+    /// The vehicle of the log, if the log does not name it.
     #[arg(long, value_name = "ID")]
     vehicle: Option<u16>,
     /// One JSON document instead of a table.
@@ -29,7 +29,7 @@ pub(super) struct JoinArguments {
 }
 
 impl RecordsCommands {
-    /// Joins a log to a record, and says what it adds.
+    /// Joins a log to a record, and prints the added moments.
     pub(super) fn join(&self, arguments: &JoinArguments) -> Result<(), Failure> {
         let invalid =
             |fault: Text| Failure::Invalid(format!("sortie: {}", self.locale.text(&fault)));

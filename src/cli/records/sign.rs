@@ -1,4 +1,4 @@
-//! `sortie records key` and `sortie records sign`: who says that a record is theirs.
+//! `sortie records key` and `sortie records sign`: signatures that name the author of a record.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -16,10 +16,10 @@ use crate::text::Text;
 /// Options of `sortie records key`.
 #[derive(Debug, Args)]
 pub(super) struct KeyArguments {
-    /// The folder for the two files; without it, that of minisign (`~/.minisign`).
+    /// The folder for the two files; by default minisign's (`~/.minisign`).
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Protect the key by no password: anyone who reads the file can sign with it.
+    /// Do not protect the key with a password: anyone who reads the file can sign with it.
     #[arg(long)]
     no_password: bool,
 }
@@ -27,10 +27,10 @@ pub(super) struct KeyArguments {
 /// Options of `sortie records sign`.
 #[derive(Debug, Args)]
 pub(super) struct SignArguments {
-    /// The number in the list, or a file; by default the newest.
+    /// The number in the list, or a file; by default the newest record.
     #[arg(default_value = "1")]
     record: String,
-    /// The secret key; without it, that of minisign (`~/.minisign/minisign.key`).
+    /// The secret key; by default minisign's (`~/.minisign/minisign.key`).
     #[arg(long, value_name = "FILE")]
     key: Option<PathBuf>,
 }
@@ -97,7 +97,7 @@ fn about(files: &RecordFiles) -> Result<String, Text> {
     Ok(about.join("\t"))
 }
 
-/// Where minisign keeps the key of a user.
+/// The folder where minisign keeps the user's key.
 fn key_folder() -> Result<PathBuf, Failure> {
     let named = env::var_os("MINISIGN_CONFIG_DIR").map(PathBuf::from);
     let own = || env::home_dir().map(|home: PathBuf| Path::new(&home).join(".minisign"));

@@ -1,4 +1,4 @@
-//! A mission on ArduPilot's SITL: its processes are started, flown and ended.
+//! A mission on ArduPilot's SITL: starts its processes, flies, and ends them.
 
 use std::cell::RefCell;
 use std::time::{Duration, Instant};
@@ -25,14 +25,14 @@ const READY_WITHIN: Duration = Duration::from_secs(120);
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
 /// The interval of checks while no vehicle sends anything.
 const LOOK_EVERY: Duration = Duration::from_millis(5);
-/// The most pieces of output that wait.
+/// The most pieces of output in a queue.
 const PIECES_KEPT: usize = 256;
 const PIECE_LEN: usize = 4096;
 
-/// Starts the vehicles, flies, and ends them, whatever happens.
+/// Starts the vehicles, flies, and ends them in every case.
 ///
 /// # Errors
-/// They cannot be started, do not get ready, or the user interrupts.
+/// The vehicles cannot be started or do not become ready, or the user interrupts the run.
 pub(super) fn fly(
     source: &SitlSource,
     launches: Vec<Launch>,
@@ -48,7 +48,7 @@ pub(super) fn fly(
             () = interrupted() => Err(anyhow!("interrupted")),
         };
         let ended = join_all(places.take().into_iter().map(|place| hangars.stop(place)));
-        // One that has gone by itself needs no ending; what does not end in time ends with the hangar.
+        // A process that has already ended needs no stop; one that does not end in time ends with the hangar.
         let _ = timeout(ENDED_WITHIN, ended).await;
         flown
     });
@@ -140,7 +140,7 @@ struct SitlFleet {
 }
 
 impl SitlFleet {
-    /// Waits until all can be armed, and reports their progress.
+    /// Waits until all vehicles can be armed, and reports their progress.
     async fn get_ready(&mut self) -> anyhow::Result<()> {
         let mut told: Vec<Option<String>> = vec![None; self.places.len()];
         loop {
@@ -166,7 +166,7 @@ impl SitlFleet {
             }
             tokio::select! {
                 changed = self.seen.changed() => changed?,
-                // What they say while they boot is the hangar's business.
+                // Output during the boot is evaluated by the hangar.
                 Some(_) = self.heard.recv() => {}
             }
         }
@@ -235,7 +235,7 @@ fn find(all: &Seen, wanted: InstancePlace) -> Option<&Instance> {
     all.find_map(|(place, instance)| (*place == wanted).then_some(instance))
 }
 
-/// How far a vehicle is, and what it has lacked for too long.
+/// The state of a vehicle, and what it still waits for.
 fn words(instance: &Instance) -> String {
     let stage = match instance.stage {
         SitlStage::Queued => "waits for its start".to_owned(),
@@ -253,7 +253,7 @@ fn words(instance: &Instance) -> String {
     }
 }
 
-/// Why a vehicle is no more, with the last that its process said.
+/// Why a vehicle has ended, with the last output of its process.
 fn obituary(instance: &Instance) -> String {
     let fault = instance.fault.as_deref().unwrap_or("it was ended");
     let mut text = format!("vehicle {}: {fault}", instance.system);

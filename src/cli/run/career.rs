@@ -1,4 +1,4 @@
-//! A run that is flown for a career: whether it may be, how it counts, and its reward.
+//! A run that is flown for a career: its admission, how it counts, and its reward.
 
 use serde::Serialize;
 
@@ -25,17 +25,17 @@ pub(super) struct RunTrainee<'a> {
     locale: &'a Locale,
 }
 
-/// What a flight brought, as a document.
+/// The result of a flight for a career, as a document.
 #[derive(Debug, Serialize)]
 pub(super) struct CareerDocument {
     profile: String,
-    /// Whether the profile has it.
+    /// Whether the profile contains the flight.
     stored: bool,
     #[serde(flatten)]
     reward: Reward,
 }
 
-/// What became of a flight.
+/// The result of a flight for a career.
 pub(super) struct CareerOutcome {
     pub reward: Reward,
     profile: String,
@@ -51,7 +51,7 @@ impl CareerOutcome {
         }
     }
 
-    /// As a section of the debrief.
+    /// The result as a section of the debrief.
     pub fn text(&self, locale: &Locale) -> String {
         let rewards = self.reward.lines();
         let lines: Vec<String> = rewards
@@ -67,10 +67,11 @@ impl CareerOutcome {
 }
 
 impl<'a> RunTrainee<'a> {
-    /// Whoever was named on the command line or in the environment; a script means nobody's career by what lies in a file.
+    /// The trainee named on the command line or in the environment. A profile from a file does not count here, so that
+    /// scripts do not change a career by accident.
     ///
     /// # Errors
-    /// There is no such profile, or profiles cannot be had.
+    /// The profile does not exist, or profiles cannot be opened.
     pub fn named(settings: &CliSettings, locale: &'a Locale) -> Result<Option<Self>, Failure> {
         if !settings.is_named("profile") {
             return Ok(None);
@@ -91,17 +92,17 @@ impl<'a> RunTrainee<'a> {
         }))
     }
 
-    /// Whose name is in the record.
+    /// The profile's name for the record.
     pub fn name(&self) -> &str {
         &self.profile.name
     }
 
-    /// Where the flight is recorded.
+    /// The folder where the flight is recorded.
     pub fn runs(&self) -> &Runs {
         &self.runs
     }
 
-    /// The trainee, for deciding how a flight counts.
+    /// The trainee's data that decide how a flight counts.
     pub fn of_attempt(&self) -> AttemptTrainee<'_> {
         AttemptTrainee {
             standing: &self.standing,
@@ -109,8 +110,8 @@ impl<'a> RunTrainee<'a> {
         }
     }
 
-    /// Refuses a flight of a locked mission or with parts that the trainee does not own. Anything else may be flown for
-    /// practice.
+    /// Refuses a flight of a locked mission or with parts that the trainee does not own. Any other flight is allowed,
+    /// at least as practice.
     ///
     /// # Errors
     /// Why the flight is refused.
@@ -138,7 +139,7 @@ impl<'a> RunTrainee<'a> {
         Ok(())
     }
 
-    /// Says that a flight counts as practice, although more was wanted.
+    /// Prints why a flight counts as practice only.
     pub fn tell_practice(&self, reasons: &[PracticeReason]) {
         let text = PracticeReason::sentence(reasons);
         tell!("sortie: {}", self.locale.text(&text));
@@ -173,7 +174,7 @@ impl<'a> RunTrainee<'a> {
         trainee::invalid(&Text::joined("\n  ", lines), self.locale)
     }
 
-    /// Which try at the mission comes next, from 1.
+    /// The number of the next attempt at the mission, from 1.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -186,8 +187,8 @@ impl<'a> RunTrainee<'a> {
         tries.map_err(|error| trainee::refused(&error, self.locale))
     }
 
-    /// Stores a finished flight and tells what it brought. Where it cannot be stored, that is told, and what it would have
-    /// brought; a whole record is made up for at the next start.
+    /// Stores a finished flight and returns its reward. If it cannot be stored, it prints the reason; the next start
+    /// recovers the flight from a complete record.
     pub fn store(
         &mut self,
         mission: &Mission,

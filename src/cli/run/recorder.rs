@@ -1,4 +1,4 @@
-//! Tells what is said during a run, and keeps its record.
+//! Prints the notices of a run, and keeps its record.
 
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
@@ -10,26 +10,26 @@ use crate::store::{Landing, RecordPiece, RecordWriter, Records, RunFile, Runs, S
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// A record is written in pieces of this length, so that a fast run does not write a line at a time.
+/// A record is written in pieces of this many bytes, so that a fast run does not write every line.
 const PIECE_LEN: usize = 64 * 1024;
-/// What is killed loses no more than this.
+/// A killed program loses no more than this.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
 /// The plan for reporting and recording a run.
 pub(super) struct RecordingPlan {
-    /// Whether what is said is said aloud.
+    /// Whether notices are printed.
     pub is_heard: bool,
-    /// Which try it is.
+    /// The number of this attempt at the mission.
     pub attempt: u32,
-    /// Where the data that it is scored from is recorded, if it is.
+    /// The folder for the data that decide the score, if they are recorded.
     pub runs: Option<Runs>,
-    /// Where its frames, its journal and what enters simulated vehicles are recorded beside that, if they are.
+    /// The folder for frames, journal and inputs of simulated vehicles, if they are recorded.
     pub records: Option<Records>,
-    /// What the record says of it.
+    /// The circumstances of the run, as the record states them.
     pub occasion: Occasion,
 }
 
-/// Tells and records a run.
+/// Prints the notices of a run, and records it.
 pub(super) struct RunRecorder<'a> {
     plan: RecordingPlan,
     locale: &'a Locale,
@@ -37,15 +37,16 @@ pub(super) struct RunRecorder<'a> {
     id: String,
     file: Option<RunFile>,
     record: Option<RecordWriter>,
-    /// What of the run is not written yet.
+    /// Lines of the run that are not written yet.
     piece: String,
-    /// What has entered simulated vehicles and is not written yet.
+    /// Inputs of simulated vehicles that are not written yet.
     inputs: String,
     written: Instant,
 }
 
 impl<'a> RunRecorder<'a> {
-    /// Begins the record, if one is wanted. Says so if the folder cannot be written; the run is flown all the same.
+    /// Begins the record, if one is wanted. If the folder cannot be written, it prints a warning and the run is flown
+    /// without a record.
     pub fn new(plan: RecordingPlan, mission: &str, locale: &'a Locale) -> Self {
         let when = &plan.occasion.when;
         let runs = plan.runs.as_ref();
@@ -72,7 +73,7 @@ impl<'a> RunRecorder<'a> {
         recorder
     }
 
-    /// Makes a flight ready for it.
+    /// Prepares a flight for being recorded.
     pub fn prepare<L>(&mut self, exercise: &mut Exercise<L>) {
         let flight = exercise.flight_mut();
         flight.set_attempt(self.plan.attempt);
@@ -102,7 +103,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Makes a flight in the embedded simulator ready for it.
+    /// Prepares a flight in the embedded simulator for being recorded.
     pub fn prepare_embedded(&mut self, exercise: &mut Exercise) {
         self.prepare(exercise);
         if self.record.is_some() {
@@ -110,7 +111,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Takes what has entered the simulated vehicles, as long as it is recorded.
+    /// Takes the inputs of the simulated vehicles, as long as they are recorded.
     pub fn take_inputs(&mut self, exercise: &mut Exercise) {
         let inputs = exercise.take_inputs();
         if self.record.is_some() {
@@ -118,7 +119,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// What the run is called, now that it has ended.
+    /// The end of the run, with the run's name.
     pub fn landing(&self) -> Landing {
         Landing {
             id: self.id.clone(),
@@ -128,7 +129,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Says what is to be heard.
+    /// Prints a notice, if notices are printed.
     pub fn tell(&self, notice: Notice) {
         let words = match notice.vehicle {
             Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
@@ -141,7 +142,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Writes what was recorded of a flight, once there is enough of it or it has waited for long enough.
+    /// Writes recorded data of a flight once there is enough of it or it has waited long enough.
     pub fn keep<L>(&mut self, exercise: &mut Exercise<L>) {
         self.piece.push_str(&exercise.flight_mut().take_record());
         let frames = exercise.log_mut().map_or(0, |log| log.waiting());
@@ -151,7 +152,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Writes the rest of a flight that was flown to its end.
+    /// Writes the rest of a flight that has ended.
     pub fn finish<L>(&mut self, exercise: &mut Exercise<L>) {
         if let Some(log) = exercise.log_mut() {
             log.end();

@@ -7,10 +7,10 @@ use clap::Args;
 /// Options of every command.
 #[derive(Debug, Default, Args)]
 pub(in crate::cli) struct Common {
-    /// Read this configuration instead of the one in the folder of the user.
+    /// Read this configuration file instead of the user's.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     pub config: Option<PathBuf>,
-    /// Keep profiles and recorded runs in this folder instead of the one of the user.
+    /// Keep profiles and recorded runs in this folder instead of the user's.
     #[arg(long, global = true, value_name = "DIR", help_heading = "Settings")]
     pub data: Option<PathBuf>,
     /// Use this profile: its career, designs and language.
@@ -27,14 +27,14 @@ pub(in crate::cli) struct Common {
     /// The theme: dark, light, high-contrast, monochrome, or one of your own.
     #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
     theme: Option<String>,
-    /// Frames per second at most.
+    /// The most frames per second.
     #[arg(long, global = true, value_name = "N", help_heading = "Settings")]
     fps: Option<String>,
-    /// What curves and maps are drawn with: braille, block, ascii.
+    /// The symbols for curves and maps: braille, block, ascii.
     #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
     symbols: Option<String>,
-    /// Listen to the mouse: its wheel moves the cursor, a click chooses a row, presses a key of the last line or points
-    /// at a place of the map.
+    /// Use the mouse: the wheel moves the cursor; a click selects a row, presses a key of the last line, or points at
+    /// a place on the map.
     #[arg(
         long,
         global = true,
@@ -55,7 +55,7 @@ pub(in crate::cli) struct Common {
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
-    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
+    /// The level of the log: error, warn, info, debug or trace, also for single parts: `warn,sortie::link=debug`.
     #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
     log_level: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! Language and symbols as set, as far as the terminal can show them.
+//! Language and symbols as set, if the terminal can show them.
 
 use super::CliSettings;
 use crate::config::Symbols;
@@ -6,16 +6,16 @@ use crate::terminal::Environment;
 use crate::text::Language;
 
 impl CliSettings {
-    /// The language that is written: the one that is set where the terminal shows its letters, else English.
+    /// The language of the output: the one that is set if the terminal shows its letters, otherwise English.
     pub fn language(&self) -> Language {
-        // Words of other scripts would be nothing but question marks.
+        // An ASCII terminal would show words of other scripts as question marks.
         if self.symbols() == Symbols::Ascii {
             return Language::English;
         }
         self.config.lang.unwrap_or_default()
     }
 
-    /// What curves and maps are drawn with: as set, else as the terminal can.
+    /// The symbols for curves and maps: as set, otherwise the best that the terminal can show.
     pub fn symbols(&self) -> Symbols {
         let symbols = self.config.symbols;
         symbols.unwrap_or_else(|| Environment::of_process().symbols())

@@ -31,13 +31,13 @@ impl Counted {
             })
             .enable_all()
             .build()?;
-        // A task that has run has had a thread, which is known by then.
+        // Once a task has run, its thread exists and is known.
         let first = runtime.spawn(async {});
         runtime.block_on(first).map_err(io::Error::other)?;
         Ok(Self { runtime, threads })
     }
 
-    /// Processor time used so far.
+    /// Processor time that the threads of this runtime have used so far.
     pub fn spent(&self) -> io::Result<Duration> {
         let threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         if threads.is_empty() {
@@ -75,7 +75,7 @@ pub(super) fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Share of the machine's memory that is still to be had, in percent.
+/// Share of the machine's memory that is still available, in percent.
 pub(super) fn memory_free_percent() -> Option<f64> {
     let told = fs::read_to_string("/proc/meminfo").ok()?;
     let available = kibibytes(&told, "MemAvailable:")?;
@@ -96,7 +96,7 @@ pub(super) struct Machine {
 }
 
 impl Machine {
-    /// As it is now.
+    /// The counters at this moment; `None` without `/proc/stat`.
     pub fn now() -> Option<Self> {
         Self::read(&fs::read_to_string("/proc/stat").ok()?)
     }
@@ -111,7 +111,7 @@ impl Machine {
             .map(|number| number.parse().unwrap_or(0))
             .collect();
         let all = numbers.iter().sum();
-        // The fourth and fifth are idle and waiting for disks.
+        // The fourth and the fifth number are the idle time and the wait for disks.
         let idle: u64 = numbers.iter().skip(3).take(2).sum();
         Some(Self {
             busy: all - idle,
@@ -119,7 +119,7 @@ impl Machine {
         })
     }
 
-    /// Share of all processors that was at work since then, in percent.
+    /// Share of all processors that was busy since then, in percent.
     pub fn busy_percent_since(self, before: Self) -> f64 {
         let all = self.all.saturating_sub(before.all).max(1);
         self.busy.saturating_sub(before.busy) as f64 / all as f64 * 100.0

@@ -1,12 +1,12 @@
-//! The four figures: the simulator's and the model update's processor time, in total and per vehicle, each against
-//! the number of vehicles and beside what the paper has. [`super::chart`] and [`super::svg`] draw them.
+//! The four figures: the simulator's and the model update's processor time, in total and per vehicle, each against the
+//! number of vehicles and beside the paper's figures. [`super::chart`] and [`super::svg`] draw them.
 
 use super::sample::ScaleRow;
 use crate::geo::maths;
 
 /// The paper's figures for a vehicle, in percent of a core: least and most.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
-/// The same for the console's model update.
+/// The paper's figures for the console's model update of a vehicle, in percent of a core: least and most.
 pub(super) const PAPER_MODEL: [f64; 2] = [0.045, 0.063];
 /// The paper's model update per message, in microseconds.
 pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;
@@ -14,7 +14,7 @@ pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Figure {
     pub title: &'static str,
-    /// Numbers of vehicles and percent of a core.
+    /// Measured points: the number of vehicles, and percent of a core.
     pub measured: Vec<(f64, f64)>,
     /// The paper's least and most at a vehicle number of 0 and at the highest.
     pub paper: [[(f64, f64); 2]; 2],

@@ -14,8 +14,7 @@ use crate::hangar::{
 use crate::sim::{SYSTEMS, Start};
 use crate::sitl::SitlKind;
 
-/// A hangar for a series of measurements. Killing this program ends its processes too; the next hangar cleans up its
-/// folder.
+/// A hangar for a series of measurements. Its processes end with this program; the next hangar cleans up the folder.
 pub(super) struct SitlBench {
     hangars: Hangars,
     counted: Counted,
@@ -33,7 +32,7 @@ impl SitlBench {
     /// Opens the hangar, once its program has identified itself as an `arducopter`.
     ///
     /// # Errors
-    /// It is none, or the hangar's folder cannot be used.
+    /// The program is not an `arducopter`, or the hangar's folder cannot be used.
     pub fn open(config: HangarSetup) -> anyhow::Result<Self> {
         let counted = Counted::start("hangar")?;
         let config = HangarSetup {
@@ -63,7 +62,7 @@ impl SitlBench {
         })
     }
 
-    /// Processor time of the hangar, which hands the processes' bytes on.
+    /// Processor time of the hangar, which passes the processes' bytes on.
     pub fn spent(&self) -> io::Result<Duration> {
         self.counted.spent()
     }
@@ -71,7 +70,7 @@ impl SitlBench {
     /// Starts a process for each place, and returns the bytes of their serial 0.
     ///
     /// # Errors
-    /// Why one of them cannot be started.
+    /// The reason why one of them cannot be started.
     pub fn launch(&self, starts: &[Start]) -> anyhow::Result<(Instances<'_>, Vec<DuplexStream>)> {
         let launch = |(index, &start): (usize, &Start)| Launch {
             home: LaunchHome::from(start),
@@ -95,10 +94,10 @@ impl SitlBench {
 }
 
 impl Instances<'_> {
-    /// How many of them can be armed.
+    /// How many of the processes can be armed.
     ///
     /// # Errors
-    /// What one has ended of.
+    /// The reason why one of them has ended.
     pub fn ready(&self) -> anyhow::Result<usize> {
         let channel = self.bench.hangars.instances();
         let seen = channel.borrow();
@@ -131,7 +130,7 @@ impl Drop for Instances<'_> {
             .places
             .drain(..)
             .map(|place| self.bench.hangars.stop(place));
-        // One that has ended by itself is as good.
+        // A process that has already ended needs no stop.
         self.bench.counted.runtime.block_on(join_all(stops));
     }
 }

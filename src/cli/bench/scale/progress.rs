@@ -1,4 +1,4 @@
-//! Says on standard error how far a series of measurements is.
+//! Shows the progress of a series of measurements on standard error.
 
 use std::io::{IsTerminal as _, Write as _, stderr};
 use std::time::{Duration, Instant};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 /// The interval of updates of the line on a terminal.
 const EVERY: Duration = Duration::from_millis(500);
 
-/// One line that is written again and again on a terminal, and a line per phase elsewhere.
+/// One line that is rewritten on a terminal, or a line per phase elsewhere.
 pub(super) struct ScaleProgress {
     is_terminal: bool,
     said: String,
@@ -15,11 +15,11 @@ pub(super) struct ScaleProgress {
     subject: String,
     /// When this repeat began.
     begun: Instant,
-    /// The duration of a repeat without the booting of its vehicles.
+    /// The duration of a repeat without the boot of its vehicles.
     repeat: Duration,
-    /// The last duration of the booting.
+    /// The duration of the last boot of the vehicles.
     boot: Duration,
-    /// Repeats from this one on.
+    /// The number of repeats that remain, this one included.
     pub left: usize,
 }
 
@@ -39,21 +39,21 @@ impl ScaleProgress {
         }
     }
 
-    /// The next repeat begins.
+    /// Begins the next repeat.
     pub fn begin(&mut self, subject: String) {
         self.begun = Instant::now();
         self.subject = subject;
         self.say("starting");
     }
 
-    /// The vehicles of this repeat can be armed.
+    /// Notes that the vehicles of this repeat can be armed.
     pub fn booted(&mut self) {
         self.boot = self.begun.elapsed();
     }
 
     /// Sets the present phase.
     pub fn say(&mut self, phase: &str) {
-        // A phase that counts is still the same phase.
+        // A changed count within a phase is not a new phase.
         let words: String = phase.chars().filter(|c| !c.is_ascii_digit()).collect();
         let is_news = self.said != words;
         if !(is_news || self.is_terminal && self.said_at.elapsed() >= EVERY) {
@@ -71,7 +71,7 @@ impl ScaleProgress {
         (self.said, self.said_at) = (words, Instant::now());
     }
 
-    /// Takes the line away.
+    /// Clears the line on the terminal.
     pub fn clear(&mut self) {
         if self.is_terminal && !self.said.is_empty() {
             let _ = write!(stderr(), "\r\x1b[K");

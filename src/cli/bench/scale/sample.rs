@@ -14,13 +14,14 @@ pub(super) struct ScaleMark {
     pub at: Instant,
     /// Processor time of each thread or process of the simulator.
     pub sim: Vec<Duration>,
-    /// The same for the console's model update: reading the links, decoding, and the vehicles' models.
+    /// Processor time of each thread of the console's model update: reading the links, decoding, and the vehicles'
+    /// models.
     pub model: Vec<Duration>,
-    /// The same for the hangar, which passes the instances' bytes to the console.
+    /// Processor time of the hangar, which passes the instances' bytes to the console.
     pub relay: Option<Duration>,
     /// Messages that have reached the models.
     pub messages: u64,
-    /// Messages missing there, and those already lost by the links.
+    /// Messages missing in the models, and those of them that the links already lost.
     pub missing: u64,
     pub missing_before: u64,
     /// Each vehicle's clock in milliseconds, and when it was read.
@@ -35,7 +36,7 @@ pub(super) struct ScaleSample {
     pub sim_ms: f64,
     pub model_ms: f64,
     pub relay_ms: Option<f64>,
-    /// Shares of a core of the busiest thread or process of each.
+    /// Shares of a core of the busiest thread or process: of the simulator, and of the model update.
     pub sim_most_percent: f64,
     pub model_most_percent: f64,
     pub messages: u64,
@@ -45,9 +46,9 @@ pub(super) struct ScaleSample {
     pub lost_before: u64,
     /// Simulated seconds per second: the mean over the vehicles, and the slowest.
     pub factor: Option<(f64, f64)>,
-    /// Share of all processors that was at work, other programs included.
+    /// Share of all processors that was busy, other programs included.
     pub machine_busy_percent: f64,
-    /// Share of the memory that was still to be had at the end.
+    /// Share of the memory that was still available at the end, in percent.
     pub memory_free_percent: Option<f64>,
     /// Why the repeat is invalid, if it is.
     pub void: Option<String>,
@@ -94,7 +95,7 @@ impl ScaleSample {
     }
 }
 
-/// The pace of the vehicles' clocks: the mean, and the slowest. A vehicle that says nothing stands still.
+/// The pace of the vehicles' clocks: the mean, and the slowest. A vehicle without messages has a pace of zero.
 fn factor(
     before: &[Option<(u32, Duration)>],
     after: &[Option<(u32, Duration)>],
@@ -130,19 +131,19 @@ pub(super) struct ScaleRow {
     pub us_per_message: Option<f64>,
     pub messages_per_s: f64,
     pub messages_lost: u64,
-    /// The hangar's own part, which neither the simulator's nor the model update's figures have.
+    /// Share of a core of the hangar; neither the simulator's nor the model update's figures include it.
     pub relay_percent: Option<f64>,
     pub machine_busy_percent: f64,
-    /// Repeats that the figures are of.
+    /// The number of repeats behind the figures.
     pub repeats: usize,
     /// The faults of the invalid repeats.
     pub void: Vec<String>,
-    /// Which part of the machine or of the program could not keep up, if one could not.
+    /// The part of the machine or of the program that could not keep up, if any.
     pub gave_way: Option<String>,
 }
 
 impl ScaleRow {
-    /// The row of a count's repeats. Void repeats do not count.
+    /// The row of a count's repeats; invalid repeats do not count.
     pub fn of(vehicles: u16, samples: &[ScaleSample]) -> Self {
         let used: Vec<&ScaleSample> = samples.iter().filter(|s| s.void.is_none()).collect();
         let some = |value: &dyn Fn(&ScaleSample) -> Option<f64>| {
@@ -192,7 +193,7 @@ fn percent(ms: f64, window_s: f64) -> f64 {
     ms / 10.0 / window_s.max(f64::EPSILON)
 }
 
-/// The middle one, or between the two middle ones.
+/// The middle value, or the mean of the two middle values.
 fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     let upper = *values.get(values.len() / 2)?;

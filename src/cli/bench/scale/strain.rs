@@ -5,16 +5,16 @@ use super::sample::ScaleSample;
 
 /// Below this many simulated seconds per second, real time is not held.
 const HELD_FROM: f64 = 0.97;
-/// More lost messages than this share of all is too many.
+/// A greater share of lost messages is too much.
 const LOST_SHARE: f64 = 0.01;
-/// A thread that works for this share of the time has none to spare.
+/// A thread that is busy for this share of the time is saturated.
 const SATURATED_PERCENT: f64 = 90.0;
-/// On a machine that works for this share of the time, threads wait for their turns: 12 800 embedded drones lost real
-/// time at 81 %, while no thread was at its end.
+/// On a machine that is busy for this share of the time, threads wait for processors: 12 800 embedded drones lost real
+/// time at 81 %, although no thread was saturated.
 const CROWDED_PERCENT: f64 = 75.0;
-/// A model update that takes this share of its thread is at its end, whatever the simulator does.
+/// A model update that needs this share of its thread is saturated, whatever the simulator needs.
 const AT_ITS_END_PERCENT: f64 = 98.0;
-/// So little free memory means that the system swaps or ends programs.
+/// With less free memory than this, the system swaps or ends programs.
 const MEMORY_SHORT_PERCENT: f64 = 3.0;
 
 /// The part that could not keep up; `None` if all could.
@@ -62,7 +62,7 @@ fn part(sample: &ScaleSample) -> String {
             sample.lost_before
         );
     }
-    // The processors are at work; the question is for whom.
+    // The processors are busy; the question is which program needs them.
     let of_all = |ms: f64| ms / 10.0 / sample.window_s.max(f64::EPSILON);
     let (sim, model) = (of_all(sample.sim_ms), of_all(sample.model_ms));
     let relay = of_all(sample.relay_ms.unwrap_or(0.0));

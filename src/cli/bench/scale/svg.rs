@@ -86,7 +86,7 @@ fn panel(figure: &Figure) -> String {
     parts.join("\n") + "\n"
 }
 
-/// What the lines mean, where they leave room: totals rise from zero.
+/// The legend, where the lines leave room: at the upper left in figures of totals, which rise from zero.
 fn legend(figure: &Figure, entries: &[(&str, &str)]) -> Vec<String> {
     let [[(_, at_none), _], _] = figure.paper;
     let (x, y) = if at_none > 0.0 {
@@ -118,7 +118,7 @@ fn line(figure: &Figure, points: &[(f64, f64)], stroke: &str) -> String {
     )
 }
 
-/// The pixel of a number of vehicles and percent of a core.
+/// The pixel of a point: a number of vehicles and a percentage of a core.
 fn at(figure: &Figure, vehicles: f64, percent: f64) -> (f64, f64) {
     let x = ORIGIN.0 + vehicles / figure.most_vehicles * PLOT.0;
     let y = ORIGIN.1 + (1.0 - percent / figure.top) * PLOT.1;

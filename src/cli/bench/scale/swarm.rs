@@ -1,4 +1,4 @@
-//! Vehicles to measure, the console's fleets on them, and the meters.
+//! Vehicles to measure, the console's fleets that control them, and the meters.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
 /// `SYS_STATUS` and `EKF_STATUS_REPORT`: they show when a vehicle can be armed, and are not streamed afterwards.
 const FOR_READINESS: [u32; 2] = [1, 193];
-/// Stands for the verbs of all commands: each is sent again so often until it is acknowledged.
+/// A verb for all commands: it has enough retries that each command is repeated until it is acknowledged.
 const VERB: Verb = Verb {
     name: "scale",
     danger: Danger::None,
@@ -42,7 +42,7 @@ const fn stream(message: u32, rate_hz: f64) -> Stream {
     Stream { message, rate_hz }
 }
 
-/// Vehicles in a row with the fleets on them. Dropping it ends everything.
+/// A row of vehicles and the fleets that control them. Dropping it ends everything.
 pub(super) struct ScaleSwarm<'a> {
     size: usize,
     parts: Vec<SwarmPart>,
@@ -51,7 +51,7 @@ pub(super) struct ScaleSwarm<'a> {
     running: RunningSimulation<'a>,
 }
 
-/// Up to 254 vehicles, of which each has a system id of its own, and the fleet on them.
+/// Up to 254 vehicles, each with its own system id, and the fleet that controls them.
 struct SwarmPart {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
@@ -68,7 +68,7 @@ impl<'a> ScaleSwarm<'a> {
     /// Starts the vehicles, embedded ones without a bench, and the console's fleets on them.
     ///
     /// # Errors
-    /// Why one of them cannot be started.
+    /// The reason why one of them cannot be started.
     pub fn start(bench: Option<&'a SitlBench>, size: u16) -> anyhow::Result<Self> {
         let size = usize::from(size);
         let row = WorldConfig::row(
@@ -139,7 +139,7 @@ impl<'a> ScaleSwarm<'a> {
         self.refusal.as_deref()
     }
 
-    /// A value of each vehicle that is heard, in order.
+    /// A value of each vehicle that the fleets know, in order.
     pub fn each<T>(&self, look: impl Fn(&Vehicle) -> T) -> Vec<T> {
         self.vehicles
             .values()
@@ -147,10 +147,10 @@ impl<'a> ScaleSwarm<'a> {
             .collect()
     }
 
-    /// How many vehicles can be armed, and how many there are to be.
+    /// How many vehicles can be armed, and how many were started.
     ///
     /// # Errors
-    /// Why one never will.
+    /// The reason why one of them never will be.
     pub fn ready(&self) -> anyhow::Result<(usize, usize)> {
         let ready = match &self.running {
             RunningSimulation::Embedded { .. } => {
@@ -164,7 +164,7 @@ impl<'a> ScaleSwarm<'a> {
         Ok((ready, self.size))
     }
 
-    /// Gives all vehicles a command of their own.
+    /// Sends a command to each vehicle, which may differ by vehicle.
     pub fn order(&mut self, command: impl Fn(&Vehicle) -> Command) {
         for (&(part, id), vehicle) in &self.vehicles {
             let command = command(&vehicle.borrow());
@@ -177,7 +177,7 @@ impl<'a> ScaleSwarm<'a> {
     /// The state of all meters.
     ///
     /// # Errors
-    /// The system does not tell, or a simulator has ended.
+    /// The system does not report a figure, or a simulator has ended.
     pub fn mark(&self) -> anyhow::Result<ScaleMark> {
         let model: Result<_, _> = self.parts.iter().map(|part| part.counted.spent()).collect();
         let (sim, relay) = match &self.running {
@@ -216,7 +216,7 @@ fn embedded(row: &WorldConfig) -> anyhow::Result<(RunningSimulation<'static>, Ve
     Ok((running, pipes))
 }
 
-/// Asks for a stream.
+/// The command that requests a stream.
 pub(super) fn interval(Stream { message, rate_hz }: Stream) -> Command {
     Command::Query(QueryCommand::Interval { message, rate_hz })
 }
@@ -236,7 +236,7 @@ impl SwarmPart {
         })
     }
 
-    /// Gives a vehicle a command, as soon as the fleet takes one. Returns whether it did.
+    /// Sends a command to a vehicle as soon as the fleet has room for it. Returns whether the fleet accepted it.
     fn order(&self, vehicle: VehicleId, command: Command) -> bool {
         let order = VehicleCommand::new(EntryId(0), &VERB, command);
         let until = Instant::now() + TAKEN_WITHIN;
@@ -259,7 +259,7 @@ mod tests {
     fn more_commands_than_the_fleet_keeps_are_not_lost() {
         let part = SwarmPart::start().expect("a thread");
         let (release, released) = std::sync::mpsc::channel::<()>();
-        // The fleet's only thread is busy until all are given but some.
+        // The fleet's only thread is blocked until most commands have been given.
         part.counted.runtime.spawn(async move { released.recv() });
         let helper = std::thread::spawn(move || {
             sleep(Duration::from_millis(100));

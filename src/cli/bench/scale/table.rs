@@ -9,7 +9,7 @@ pub(super) struct ScaleHeading<'a> {
     pub seconds: f64,
     pub repeats: u16,
     pub cores: usize,
-    /// Whether the simulator is an `ArduPilot`, of which others have measured the same.
+    /// Whether the simulator is `ArduPilot`, for which the paper has figures.
     pub is_ardupilot: bool,
 }
 
@@ -94,7 +94,7 @@ fn model(row: &ScaleRow) -> String {
     )
 }
 
-/// The paper's figure where it has one: it went from 1 to 32 drones.
+/// The paper's figure, for the 1 to 32 drones that it measured.
 fn paper(row: &ScaleRow, figure: String) -> String {
     if (1..=32).contains(&row.vehicles) {
         figure

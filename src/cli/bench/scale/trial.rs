@@ -19,11 +19,11 @@ const TAKEOFF_M: f64 = 10.0;
 /// The distance to the north and the height of the second command.
 const TARGET_NORTH_M: f64 = 1000.0;
 const TARGET_HEIGHT_M: f64 = 200.0;
-/// The least movement, up or north, of a vehicle that obeys.
+/// The least movement, up or north, of a vehicle that has obeyed.
 const MOVED_M: f64 = 2.0;
 /// How long all vehicles may take to obey, besides the time between two commands.
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
-/// How long vehicles may take until they can be armed, and how much longer for each of them.
+/// How long vehicles may take until they can be armed, and the extra time for each of them.
 const READY_WITHIN: Duration = Duration::from_secs(90);
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
@@ -37,16 +37,16 @@ pub(super) struct TrialPlan {
 }
 
 impl TrialPlan {
-    /// The duration of a repeat from when its vehicles can be armed.
+    /// The duration of a repeat after its vehicles can be armed.
     pub fn lasts(&self) -> Duration {
         self.window + 4 * self.spacing
     }
 }
 
-/// One repeat with so many vehicles.
+/// Runs one repeat with a number of vehicles.
 ///
 /// # Errors
-/// Why the vehicles could not be started, or did not become ready; or why nothing could be measured.
+/// The vehicles could not be started or did not become ready, or nothing could be measured.
 pub(super) fn trial(
     bench: Option<&SitlBench>,
     vehicles: u16,
@@ -97,7 +97,7 @@ impl ScaleTrial<'_> {
     /// Sends the vehicles into flight; returns a text about those that have not obeyed.
     fn fly(&mut self) -> Option<String> {
         self.progress.say("streams");
-        // Only what is to be measured is streamed.
+        // Only the measured messages are streamed.
         let others = WANTED_STREAMS
             .iter()
             .map(|stream| stream.message)
@@ -130,7 +130,7 @@ impl ScaleTrial<'_> {
         up.or_else(|| self.send())
     }
 
-    /// Sends them far away; returns a text with the number that have not moved.
+    /// Sends the vehicles to a distant place; returns a text with the number that have not moved.
     fn send(&mut self) -> Option<String> {
         self.progress.say("target");
         let starts = self.swarm.each(position);
@@ -146,7 +146,7 @@ impl ScaleTrial<'_> {
         })
     }
 
-    /// Gives a command, and lets time pass; says how many vehicles have not obeyed.
+    /// Gives a command and waits for its spacing; returns a text with the number of vehicles that have not obeyed.
     fn command(
         &mut self,
         name: &str,
@@ -159,7 +159,7 @@ impl ScaleTrial<'_> {
         self.wait(name, |swarm| swarm.each(&has_obeyed))
     }
 
-    /// Waits until that is true of all vehicles.
+    /// Waits until `are_good` holds for all vehicles; returns a text if it does not.
     fn wait(
         &mut self,
         name: &str,
@@ -201,7 +201,7 @@ impl ScaleTrial<'_> {
         self.progress.say("measuring");
         let before = self.swarm.mark()?;
         self.listen(self.plan.window);
-        // One that has ended would only be missed in the figures.
+        // An ended process would otherwise only show as a gap in the figures.
         self.swarm.ready()?;
         Ok(ScaleSample::between(&before, &self.swarm.mark()?))
     }
