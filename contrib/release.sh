@@ -39,6 +39,12 @@ for shell in bash zsh fish elvish powershell; do
 done
 "$program" man --dir "$stage/man/man1"
 cargo run --quiet --locked --example third_party -- "$target" >"$stage/THIRD-PARTY.md"
+# What the archive was built from.
+{
+    git log -1 --format='commit %H'
+    rustc --version
+    cargo --version
+} >"$stage/BUILD"
 # What is in the program besides crates.
 cp "$(rustc --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$stage/licences/rust-std.html"
 cp contrib/licences/musl.txt "$stage/licences/"

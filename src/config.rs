@@ -23,6 +23,7 @@ mod tests;
 pub use layers::{Layers, Origin, WordCheck};
 pub use live::LiveSetting;
 pub use setting::{SETTINGS, Setting, SettingKind};
+pub use show::setting_reference;
 pub use table::{Column, TableConfig, TableSort};
 
 /// The settings; each has a default.

@@ -21,6 +21,7 @@ mod history;
 mod journal;
 mod links;
 mod logs;
+mod new_name;
 mod output;
 mod profiles;
 mod records;
@@ -36,6 +37,7 @@ pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
 pub use links::open_own;
 pub use logs::LogFolder;
+pub use new_name::give_new_name;
 pub use output::{write, write_output};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,

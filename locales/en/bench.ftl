@@ -63,7 +63,7 @@ bench-part-for-sale = { $part }: not yours yet, { $key } buys it for { $price } 
 bench-part-locked = { $part }: on sale once "{ $mission }" is passed
 bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
-bench-payload-about = up to a thrust of { $least } times the weight; with { $spare } kg more it is { $good } times
+bench-payload-about = the curve ends where thrust is { $least } times the weight; with { $spare } kg more, thrust is { $good } times the weight
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
 bench-no-curve = no curve yet: needs frame, motors, propellers, speed controllers and a battery
 
@@ -82,7 +82,7 @@ bench-lent = lent by the mission
 bench-seat-taken = seat { $seat }: { $name }
 bench-seats-taken = all seats: { $name }
 bench-seats-lent = the mission lends its drones again
-bench-does-not-fly = it does not fly: { $reason }
+bench-does-not-fly = cannot fly: { $reason }
 bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
 bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr
 
@@ -100,7 +100,7 @@ bench-no-more = cannot be added: it is on board already, or the slot is full
 bench-not-on-board = it is not on board
 bench-nothing-to-undo = nothing to undo
 bench-nothing-to-redo = nothing to redo
-bench-nobody-buys = without a profile every part is free to try
+bench-nobody-buys = guests may try every part: nothing to buy
 bench-no-profile = designs are saved in a profile, and none is chosen: { $key } writes the design to a file
 bench-saved = saved: { $name }
 bench-name-taken = a design { $name } exists already

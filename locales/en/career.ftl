@@ -23,7 +23,7 @@ mission-state-passed = passed
 
 part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
 part-locked = { $part }: on sale after { $mission }
-parts-missing = { $design } has parts that { $profile } may not use yet
+parts-missing = { $design } has parts that { $profile } may not use
 
 profile-created = profile { $name } created; fly with `--profile { $name }`
 profile-none = no profiles yet; `sortie profile create NAME` creates one
@@ -33,9 +33,9 @@ profile-deleted = profile { $name } deleted
 profile-imported = profile { $name } imported, flights: { $flights }, none of them verified
 import-left-out = { $id } is left out: { $why }
 import-practice = { $id }: { $why }
-import-twice = it is there twice
+import-twice = it appears twice in the file
 import-no-report = it has no report
-import-unfit = its report does not fit together: { $fault }
+import-unfit = its report is inconsistent: { $fault }
 import-fleet = its designs cannot fly this mission
 profile-bought = { $part } is licensed for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
@@ -50,7 +50,7 @@ progress-standing = { $credits } credits, level { $level } ({ $experience } of {
    *[other] { $licence } drones
 }, flights: { $flights }
 progress-next = next: train { $skill } with { $mission }
-progress-aids = aids: { $aids }
+progress-aids = advice: { $aids }
 progress-lang = language: { $lang }
 progress-since = since { $day }
 progress-missions = Missions
@@ -71,7 +71,7 @@ progress-last = last
 progress-trend = points per try
 progress-why = why locked
 progress-skill = skill
-progress-chance = chance
+progress-chance = probability
 progress-mastery = mastery
 progress-shown = shown
 progress-due = due

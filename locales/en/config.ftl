@@ -12,7 +12,7 @@ config-expected-flag = true or false
 config-expected-words = a list of words, such as ["one", "two"]
 config-expected-lines = a line of the command language in quotes, or a list of them
 
-config-faulty = left out: { $fault }
+config-faulty = ignored: { $fault }
 
 keymap-no-key = unknown key `{ $key }`
 keymap-same-key = terminals send the same code for `{ $key }` and { $other }

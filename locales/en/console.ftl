@@ -54,7 +54,7 @@ prompt-connect-udpin = listen; vehicles send here
 prompt-connect-udp = send to a vehicle or a router
 prompt-connect-serial = an autopilot or a radio on a cable
 prompt-connect-file = a recording
-prompt-connect-several = several addresses: separate them with blanks.  { $submit } connects, { $escape } closes
+prompt-connect-several = several addresses: separate them with spaces.  { $submit } connects, { $escape } closes
 
 session-free = free flight
 class-copter = copter

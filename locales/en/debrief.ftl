@@ -38,10 +38,10 @@ debrief-good = good
 debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
-debrief-other-revision = This flight used another revision of the mission than the course has (r{ $revision } of { $mission }): the scores cannot be compared.
+debrief-other-revision = This flight used another revision of the mission (the course has r{ $revision } of { $mission }): the scores cannot be compared.
 debrief-altered-mission = The mission file differs from { $mission } r{ $revision } of the course: the scores cannot be compared.
 debrief-try = Try { $attempt }   Hints { $count } (x{ $factor })
-debrief-predicted-right = You predicted { $predicted }: exactly that.
+debrief-predicted-right = You predicted { $predicted }: exactly right.
 debrief-predicted-less = You predicted { $predicted }: { $by } less than you got.
 debrief-predicted-more = You predicted { $predicted }: { $by } more than you got.
 debrief-goal-reached = Your goal, { $goal }: reached ({ $result }).
@@ -107,12 +107,12 @@ workload-title = workload
 workload-busy = busy
 workload-alone = alone
 workload-waiting = waiting
-workload-answers = your word
-workload-how = busy with commands in the last minute, in tenths; drones that worked by themselves in it; drones that wait; your answers from 1 to 5
+workload-answers = your rating
+workload-how = share of the last minute spent on commands, in tenths; drones working by themselves in that minute; drones waiting; your ratings from 1 to 5
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands
     }: you were busy for { $interaction } s; the drones worked by themselves for { $neglect } s and waited for { $wait } s, all together
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
-workload-question = How much do you have to do, from 1 (almost nothing) to 5 (too much)? { $key } answers, as in `workload 3`. Never scored.
+workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers, as in `workload 3`. Never scored.

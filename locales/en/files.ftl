@@ -20,7 +20,7 @@ file-keymap = keymap
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 
-record-none = not a recorded run: the console records one for each flight, and `sortie run --record DIR` writes one
+record-none = not a recorded run: the console records every mission, and `sortie run --record DIR` writes a run to a folder
 record-version = this run was recorded in format version { $version }; this program reads version { $known }: use the program that recorded it
 record-head = the first line is damaged: { $error }
 record-damaged = line { $line } is damaged: the run is scored up to there
@@ -45,42 +45,42 @@ verify-other-position = the recorded position does not match
 verify-other-mode = the recorded mode or arming does not match
 verify-other-condition = the recorded condition (landed, ready) does not match
 verify-other-battery = the recorded battery does not match
-verify-other-text = the vehicle never wrote the recorded text
+verify-other-text = the vehicle did not send the recorded text
 verify-refusals = the vehicle refused { $refused } commands, the record has { $admitted }
 verify-other-score = { $recorded } points are recorded, { $score } follow from the record
-verify-no-inputs = nothing in this record can be flown again: what entered its vehicles was not recorded
-verify-verified = verified: flown again, the flight is what the record says; { $score } points
-verify-verified-flight = verified: flown again, the flight is what the record says, for { $length }
+verify-no-inputs = this record cannot be flown again: its vehicles' inputs were not recorded
+verify-verified = verified: the flight, flown again, matches the record; { $score } points
+verify-verified-flight = verified: the flight, flown again, matches the record for { $length }
 verify-differs = differs at { $seconds } s ({ $what })
 verify-of-vehicle = vehicle { $vehicle }: { $what }
 verify-other-program = other program: { $program } flew it, and here it differs at { $seconds } s ({ $what })
-verify-other-mission = other mission: the record's text of { $mission } (hash { $hash }) is not this program's
+verify-other-mission = other mission: { $mission } in the record (hash { $hash }) differs from the one in this program
 verify-rescored = re-scored from telemetry only: { $score } points, as recorded
-verify-rescored-other = re-scored from telemetry only: { $score } points, not those that are recorded
-verify-inputs-missing = re-scored from telemetry only: { $score } points; what entered the vehicles was not recorded
+verify-rescored-other = re-scored from telemetry only: { $score } points; another score is recorded
+verify-inputs-missing = re-scored from telemetry only: { $score } points; the vehicles' inputs were not recorded
 verify-damaged = line { $line } of the input log is damaged
-verify-no-end = the input log has no end
+verify-no-end = the input log is incomplete: its end is missing
 verify-other-clock = the clocks of the mission and of the simulator do not match
 verify-own-airframes = the flight counts, but its airframes are not those of the mission
 verify-beyond-inputs = the record continues beyond the end of the input log
 verify-too-many = the input log names { $count } drones: no flight has more vehicles than 255
 verify-no-file = no record { $file }
-verify-other-parameter = { $name } is not what the mission demands
+verify-other-parameter = { $name } does not have the value that the mission requires
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`
 sign-file = { $path }: { $error }
-sign-key = { $path } is not a key of minisign that can be used: { $why }
+sign-key = { $path } is not a usable minisign key: { $why }
 sign-password = the key cannot be used: { $why }
 sign-key-exists = { $path } exists already: delete it, or choose another folder with `--output`
 sign-being-written = the record is still being written: sign it once the flight is over
-sign-no-key = there is no key { $path }: make one with `sortie records key`, or name one with `--key`
+sign-no-key = no key { $path }: create one with `sortie records key`, or name one with `--key`
 sign-key-made = key { $key }: keep { $secret } to yourself, give { $public } to those who check your records
 sign-signed = { $count ->
     [one] signed with key { $key }: 1 file
    *[other] signed with key { $key }: { $count } files
 }
 sign-none = not signed
-sign-unchecked = signed, it says, with key { $key }: give `--public-key` to check that
+sign-unchecked = claims to be signed with key { $key }; `--public-key` checks it
 sign-valid = signed with key { $key } ({ $comment })
 sign-invalid = the signature of { $file } is not valid: the file was changed, or another key signed it
-sign-partial = { $file } is not signed, other files of the record are
+sign-partial = { $file } is not signed, but other files of the record are

@@ -19,7 +19,7 @@ fly-no-group = no group `{ $name }`
 forget-done = forgotten: { $vehicles }
 forget-heard = { $vehicles }: heard now; only vehicles whose link is lost can be forgotten
 forget-none-lost = no vehicle has lost its link: nothing to forget
-forget-not-here = simulated vehicles cannot be forgotten: this verb is for `connect`
+forget-not-here = simulated vehicles cannot be forgotten; `forget` works with `connect` only
 fly-ungrouped = group @{ $name } removed
 fly-place = { $at } of { $count }
 fly-log-keys = { $scroll } scroll   { $key } closes
@@ -170,7 +170,7 @@ hint-again = fly again
 hint-home = home
 
 commands-pane = commands
-commands-none = no command yet: press { $key } and write one
+commands-none = no command yet: press { $key } and type one
 commands-none-fit = no command matches: { $key } shows all
 commands-follows = follows the newest
 commands-only-vehicles = { $count ->

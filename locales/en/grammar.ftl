@@ -57,7 +57,7 @@ grammar-by-how-much = by how much? write `by n 10`, `by e -5`, `by up 2`
 grammar-keep-or-face = keep the heading or face another one, not both
 grammar-heading-range = a heading is 0 to 360; use `by` to turn the other way
 grammar-which-way = which way? write `n`, `e`, `d` or `up` and a speed
-grammar-down-or-up = it can go `d` or `up`, not both
+grammar-down-or-up = give `d` or `up`, not both
 grammar-small-circle = the radius must be at least 1 m
 grammar-four-parameters = four parameters are needed
 grammar-unknown-word = unknown
@@ -76,7 +76,7 @@ grammar-no-name = unknown name `{ $word }`
 grammar-no-vehicles = `{ $word }` names no vehicles: write numbers, `@group`, `all`, `none`, `filter` or `invert`
 grammar-largest-first = largest first
 grammar-no-targets-here = `{ $verb }` is a command of the console: it takes no vehicles
-grammar-only-plain = `{ $verb }` works in the plain console only: here the rooms show it
+grammar-only-plain = `{ $verb }` works in the plain console only; here, a room shows it
 grammar-only-console = `{ $verb }` works in the console only: a script cannot use it
 
 grammar-script-selection = a script has no selection

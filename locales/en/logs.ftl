@@ -1,7 +1,7 @@
 # Logs of vehicles, and what they add to a record.
-log-is-none = no DataFlash log: it has no format records
-log-is-empty = the log says nothing of a flight
-log-cut-off = the log is cut off: its last { $bytes } bytes are no whole record
+log-is-none = not a DataFlash log: it has no format records
+log-is-empty = the log contains no flight data
+log-cut-off = the log is cut off: its last { $bytes } bytes are an incomplete record
 log-damaged = the log is damaged: { $bytes } bytes belong to no record
 log-unreadable = { $file }: { $error }
 log-mode-why = mode { $mode } ({ $reason })
@@ -22,11 +22,11 @@ log-battery = battery { $number } lowest: { $volt } V at { $ampere } A
 log-by-gps-time = GPS time and time since boot
 log-by-boot-time = time since boot
 log-by-arming = arming
-log-no-vehicle = the log does not say which vehicle it is of, and the record has { $count }: give --vehicle
-log-not-in-record = the record has no vehicle { $vehicle }: give --vehicle if the log is of another one
-log-no-common-time = log and record have no time in common: the log is of another flight or of another boot
-log-join-unreadable = what was joined to the record cannot be read: { $error }
-log-join-later = what was joined to the record is of a later version ({ $version })
+log-no-vehicle = the log does not name its vehicle, and the record has { $count }: give --vehicle
+log-not-in-record = the record has no vehicle { $vehicle }: give --vehicle if the log belongs to another one
+log-no-common-time = log and record have no time in common: the log belongs to another flight or boot
+log-join-unreadable = the log data joined to the record cannot be read: { $error }
+log-join-later = the log data joined to the record was written by a later version ({ $version })
 log-joined = { $count ->
     [one] { $count } event of vehicle { $vehicle } joined by { $by }: { $path }
    *[other] { $count } events of vehicle { $vehicle } joined by { $by }: { $path }

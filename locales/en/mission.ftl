@@ -18,14 +18,14 @@ mission-cell-sampled = cell { $cell } sampled: { $count }/{ $all }
 mission-cells = { $count } cells
 mission-cells-of = { $sampled }/{ $count } cells
 mission-cells-more = { $cells } and { $more } more
-mission-cells-advice = Sample { $cells } too: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
+mission-cells-advice = Sample { $cells }, too: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
 
 # The map made of them.
 mission-map-none = no map
 mission-map-error = error { $error }
 mission-map-quality = map error { $error }
 mission-map-slower = fly slower at { $height } m through the middle of each cell, and stay in it longer
-mission-map-blank = sample { $cell } too, a blank cell counts as clean air; { $how }
+mission-map-blank = sample { $cell }, too: a blank cell counts as clean air; { $how }
 mission-map-advice = Map every cell at { $height } m with settled readings: fly slower, and turn outside the area.
 
 # Coming home. Advice at the first place begins a sentence.
@@ -151,7 +151,7 @@ mission-goal-score = { $points } points or more
 mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused { $seconds } s
-pause-begins = PAUSED: `continue` or { $key } goes on
+pause-begins = PAUSED: `continue` or { $key } resumes
 pause-ends = resumed
 pause-is-one = already paused
 pause-is-none = not paused
@@ -160,7 +160,7 @@ pause-not-processes = no pause with ArduPilot: its processes cannot be stopped
 pause-not-real = no pause: real drones cannot be stopped in the air
 pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = the mission is paused: continue first, then give the command
-pause-refuses-help = `continue` or { $key } goes on; then give the command
+pause-refuses-help = `continue` or { $key } resumes; then give the command
 speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
 speedup-idle = { $rate }x: time passes faster, but no command is under way; { $key } ends it
 speedup-usual = { $rate }x: usual speed
@@ -191,7 +191,7 @@ mission-reading = the clock
 mission-reading-first = it starts when you leave the brief
 mission-reading-is = running; { $key } pauses it while you read
 mission-reading-paused = paused; { $key } resumes
-mission-then = to begin
+mission-then = to start
 mission-then-is = { $drones } shows the drones and starts the clock, { $back } goes back, { $help } explains keys and commands
 mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }
 mission-marks-count = reports { $count }

@@ -45,7 +45,7 @@ outcome-too-late = not sent: expired after { $seconds } s in the queue
 outcome-queue-full = not sent: { $count } commands wait for this vehicle already
 outcome-forgotten = the vehicle was forgotten
 outcome-not-heard = not sent: no such vehicle is heard
-outcome-task-busy = not sent: the vehicle's task is overloaded
+outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
 # What was awaited in the telemetry; goes into outcome-not-seen and its like.
 effect-nothing = an effect
@@ -70,8 +70,8 @@ outcome-logs-listed = { $count ->
 }
 outcome-log-listed = { $number } ({ $size } kB)
 outcome-log-listed-at = { $number } ({ $size } kB, { $time })
-outcome-logs-kept = { $size } kB in { $files }
+outcome-logs-kept = { $size } kB saved in { $files }
 outcome-logs-silent = the vehicle does not list its logs
-outcome-log-stalled = the vehicle sends no more of the log: { $percent } % are kept; download it again to continue
-outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % are kept; disarm and download it again to continue
-outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: download it again
+outcome-log-stalled = the vehicle stopped sending the log: { $percent } % saved; repeat the download to continue
+outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % saved; disarm it and repeat the download to continue
+outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download

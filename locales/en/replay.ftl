@@ -44,10 +44,10 @@ verb-stopat = stop the replay at moments of these kinds
 verb-bookmark = bookmark this moment of the flight
 action-play-replay = play or stop the replay
 action-replay-back = go 10 s back
-action-replay-forward = go 10 s on
-action-frame-back = show the frame before
+action-replay-forward = go 10 s forward
+action-frame-back = show the previous frame
 action-frame-forward = show the next frame
-action-previous-moment = go to the moment before
+action-previous-moment = go to the previous moment
 action-next-moment = go to the next moment
 action-show-moments = list the moments of the recording
 export-exists = { $path } exists already: give another path
@@ -75,7 +75,7 @@ records-confirm = { $count ->
    *[other] { $count } records would be deleted: add --yes
 }
 records-deleted = deleted: { $name }
-action-replay-newest = replay the flight that was recorded last
+action-replay-newest = replay the newest record
 hint-replay = replay
 records-none = nothing is recorded yet: fly first, or name a file
 verb-rewind = play the recording backwards

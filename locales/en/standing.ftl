@@ -87,7 +87,7 @@ profiles-nameless = type a name
 prompt-profile = your name
 prompt-profile-advice = flights, credits and designs are stored under it on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; equal seeds give equal flights. { $submit } alone takes that of --seed, or 1. Practice earns nothing
+prompt-seed-advice = a number; equal seeds give equal flights. Leave it empty for the seed of --seed, or 1, and press { $submit }. Practice earns nothing
 
 # Own progress.
 standing-no-profile = Guests have no record. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
@@ -115,7 +115,7 @@ standing-mission = { $count ->
    *[other] { $count } flights
 }, best { $best } { $medal }, last { $last } { $when }
 standing-chart = points, flight by flight: { $mission }   x not passed   p practice
-standing-wealth = credits and experience, flight by flight and purchase by purchase
+standing-wealth = credits and experience after each flight and purchase
 standing-wealth-nothing = no flights yet
 standing-curve = { $what }: { $now } now
 standing-curve-credits = credits

@@ -35,7 +35,7 @@ transport-damage = { $count ->
 }
 transport-faults = { $first }; and { $second }
 transport-no-tlog = { $faults }; no record was found in it: is it a tlog?
-transport-tlog-cut-off = the recording is cut off: its last record, at byte { $byte }, ends too early; what came before it is sound
+transport-tlog-cut-off = the recording is cut off: its last record, at byte { $byte }, is incomplete; the records before it are intact
 transport-tlog-damaged = the recording is damaged: there is no MAVLink frame in the record at byte { $byte } (found { $found } where 0xFD or 0xFE belongs); is it a tlog?
 transport-tlog-unreadable = the recording cannot be read at byte { $byte }: { $error }
 

@@ -38,7 +38,7 @@ e40 = 40 A, 6S
 e40foc = 40 A, 6S, field oriented
 e60hv = 60 A, 12S
 e80hv = 80 A, 12S, field oriented
-e4in1_35 = 35 A, 6S, a quarter of four in one
+e4in1_35 = 35 A, 6S, one channel of a 4-in-1
 
 fc_h7 = small autopilot
 fc_px6c = autopilot, two IMUs

@@ -63,7 +63,7 @@ bench-part-for-sale = { $part }: ще не ваше, { $key } купує за { 
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання за вантажем
-bench-payload-about = до тяги в { $least } ваги; ще з { $spare } kg тяга становить { $good } ваги
+bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; ще з { $spare } kg — { $good } ваги
 bench-polar-about = найдовший політ за { $longest } m/s, найдальший за { $farthest } m/s
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 

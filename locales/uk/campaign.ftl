@@ -21,7 +21,7 @@ locked-licence = треба ліцензію на { $wanted } дронів, ва
 buy-unknown = такої деталі немає; усі деталі показує `sortie workshop parts`
 buy-owned = вона вже ваша
 buy-locked = спершу пройдіть { $mission }
-buy-too-dear = коштує { $price } кредитів, у вас { $credits }
+buy-too-dear = коштує { $price } cr, у вас { $credits }
 
 reward-heading = Кар'єра
 reward-exam-passed = ІСПИТ СКЛАДЕНО

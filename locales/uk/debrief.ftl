@@ -23,7 +23,7 @@ debrief-moved = що вплинуло
 debrief-sum = разом
 debrief-gold-needs = для золота треба: { $gates }
 
-debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! увага  x порушення  r відмова)
+debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! тривога  x порушення  r відмова)
 # Один рядок про відмову кількох дронів.
 debrief-to-many = { $what } (дронів: { $count })
 debrief-drone = дрон { $vehicle }: { $what }

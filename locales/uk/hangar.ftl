@@ -43,7 +43,7 @@ hangar-all-ready = { $count ->
     [few] усі { $count } апарати готові до зльоту
    *[other] усі { $count } апаратів готові до зльоту
 }
-hangar-ready-again = знову готовий до зльоту
+hangar-ready-again = знову готовий до активації двигунів
 hangar-restarted = його процес перезапущено ({ $count })
 hangar-crash = його процес аварійно завершився: { $reason }
 hangar-crash-said = його процес аварійно завершився: { $reason }: { $line }

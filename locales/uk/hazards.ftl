@@ -43,7 +43,7 @@ perimeter-advice = огляньте весь край незадовго до з
 
 # Fire and what it must not reach.
 protect-safe = нічого не згоріло
-protect-still = поки нічого не згоріло
+protect-still = поки що нічого не згоріло
 protect-burnt = згоріло клітинок: { $lost } з { $all }
 protect-target = нічого не горить
 protect-advice = Змочіть землю на шляху фронту від дороги до дороги, поки він не дійшов, а далі гасіть те, що прорвалося.

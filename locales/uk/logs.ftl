@@ -1,6 +1,6 @@
 # Журнали апаратів і те, що вони додають до запису.
 log-is-none = це не журнал `DataFlash`: у ньому немає описів форматів
-log-is-empty = журнал нічого не каже про політ
+log-is-empty = у журналі немає даних про політ
 log-cut-off = журнал обірваний: останні { $bytes } байтів не є цілим рядком
 log-damaged = журнал пошкоджений: { $bytes } байтів не належать до жодного рядка
 log-unreadable = { $file }: { $error }
@@ -14,7 +14,7 @@ log-clipping = { $count ->
     [few] акселерометри на межі { $count } рази
    *[other] акселерометри на межі { $count } разів
 }
-log-estimator = EKF відкидає { $of }: відношення до { $most }
+log-estimator = EKF відкидає { $of }: тестове відношення до { $most }
 log-of-velocity = швидкість
 log-of-position = положення
 log-of-height = висоту

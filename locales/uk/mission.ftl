@@ -155,8 +155,8 @@ mission-goal-commands = жодної відхиленої команди
 mission-goal-commands-result = відхилено { $count }
 mission-goal-attention = вчасно відповісти на кожну тривогу
 mission-goal-attention-result = запізно { $count } з { $all }
-mission-goal-score = щонайменше { $points } балів
-mission-goal-score-result = { $points } балів
+mission-goal-score = щонайменше балів: { $points }
+mission-goal-score-result = балів: { $points }
 # Пауза.
 mission-paused = пауза { $seconds } s
 pause-begins = ПАУЗА: `continue` або { $key } — далі
@@ -215,9 +215,9 @@ inject-done = введено: { $what }
 
 # Спроби, підказки та спорядження в кімнаті завдання.
 mission-tries = ваші спроби
-mission-try = { $score } балів, { $medal }
-mission-try-best = { $score } балів, { $medal }, найкраща
-mission-try-practice = { $score } балів, тренування
+mission-try = балів: { $score }, { $medal }
+mission-try-best = балів: { $score }, { $medal }, найкраща
+mission-try-practice = балів: { $score }, тренування
 mission-try-unfinished = не завершено
 mission-next-hint = підказка
 mission-hint-price = { $percent ->

@@ -3,7 +3,7 @@
 state-queued = у черзі
 state-sent = надіслано
 state-sent-again = надіслано, спроба { $tries }
-state-percent = у роботі { $percent } %
+state-percent = виконується { $percent } %
 state-in-progress = у роботі
 state-accepted = прийнято
 state-done = виконано

@@ -73,7 +73,7 @@ scoring-advice-alerts = Відповідайте на тривоги вчасн�
 
 # Завантаження.
 scoring-none-flown = жоден дрон не літав
-scoring-never-flown = не літав дрон { $vehicles }
+scoring-never-flown = не літали дрони: { $vehicles }
 scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
 scoring-never-idle = простою не було, дронів: { $count }
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.

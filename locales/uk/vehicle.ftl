@@ -55,8 +55,8 @@ vehicle-voltage = напруга
 vehicle-current = струм
 vehicle-log-vibration = вібрація
 vehicle-log-estimator = тест EKF
-vehicle-log-voltage = напруга жур.
-vehicle-log-current = струм жур.
+vehicle-log-voltage = напруга (лог)
+vehicle-log-current = струм (лог)
 vehicle-remaining = заряд
 vehicle-throttle = газ
 

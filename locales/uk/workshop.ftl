@@ -11,10 +11,10 @@ slot-radio = радіо
 slot-payload = корисне навантаження
 
 part-motor = двигун { $size }, { $kv } rpm/V
-part-propeller = { $size } дюйма
-part-propeller-plastic = { $size } дюйма, пластик
-part-propeller-carbon = { $size } дюйма, карбон
-part-propeller-folding = { $size } дюйма, складані
+part-propeller = { $size } in
+part-propeller-plastic = { $size } in, пластик
+part-propeller-carbon = { $size } in, карбон
+part-propeller-folding = { $size } in, складані
 part-lipo = LiPo { $cells }S { $capacity } Ah, { $rate }C
 part-liion = Li-ion { $cells }S { $capacity } Ah, { $rate }C
 
@@ -93,8 +93,8 @@ finding-propeller = пропелери { $diameter } дюйма зачеплят
 finding-motor-cells = в акумуляторі { $cells } банок, двигуни приймають від { $fewest } до { $most }
 finding-esc-cells = в акумуляторі { $cells } банок, регулятори витримують щонайбільше { $most }
 finding-esc-current = регулятори на { $current } A, двигуни беруть до { $peak } A: безпечно було б { $wanted } A
-finding-thrust = тяга { $ratio } ваги за маси { $mass } kg: не втримає місця на вітрі (найменше { $least }, добре { $good })
-finding-weak = тяга { $ratio } ваги: у штиль досить, але пориви та набір висоти забирають її всю (добре { $good })
+finding-thrust = тяга становить { $ratio } ваги (маса { $mass } kg): апарат не втримається на вітрі (найменше { $least }, добре { $good })
+finding-weak = тяга становить { $ratio } ваги: у штиль досить, але пориви та набір висоти забирають її всю (добре { $good })
 finding-collapse = напруга акумулятора падає вже в зависанні
 finding-current = зависання бере { $current } A, акумулятор дає { $most } A: напруга впаде
 finding-hover-current = зависання бере { $current } A, більше половини з { $most } A, які дає акумулятор: напруга просяде

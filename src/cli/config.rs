@@ -7,6 +7,7 @@ use clap::Args;
 
 use super::Failure;
 use super::settings::CliSettings;
+use crate::config::setting_reference;
 use crate::store::{Folders, History};
 use crate::text::Locale;
 
@@ -17,7 +18,8 @@ use crate::text::Locale;
     sortie config > new-config.toml                 a file to start from\n  \
     sortie config --theme light --fps 5             what these flags would change\n  \
     sortie config --keys                            the keys, and every action that a key could have\n  \
-    sortie config --paths                           the files and folders")]
+    sortie config --paths                           the files and folders\n  \
+    sortie config --reference                       the table of settings in the documentation")]
 pub(super) struct ConfigArguments {
     /// Print the files and folders instead of the values.
     #[arg(long, conflicts_with = "keys")]
@@ -25,6 +27,9 @@ pub(super) struct ConfigArguments {
     /// Print the meaning of the keys as a keymap file, instead of the values.
     #[arg(long)]
     keys: bool,
+    /// Every setting as a Markdown table: default, environment variable, meaning.
+    #[arg(long, conflicts_with_all = ["paths", "keys"])]
+    reference: bool,
 }
 
 /// Prints the settings as a configuration file; exit code 2 if a file is faulty.
@@ -32,6 +37,10 @@ pub(super) fn config(
     options: &ConfigArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
+    if options.reference {
+        say!("{}", setting_reference().trim_end())?;
+        return Ok(ExitCode::SUCCESS);
+    }
     if options.paths {
         // As TOML, too, so that scripts read both in the same way.
         for (name, path) in paths(settings) {

@@ -19,7 +19,8 @@ impl Layers {
             } else if !text.is_empty() {
                 text.push('\n');
             }
-            let _ = writeln!(text, "# {}", setting.about);
+            let variable = setting.variable.map(|it| format!(" ({it})"));
+            let _ = writeln!(text, "# {}{}", setting.about, variable.unwrap_or_default());
             match setting.kind {
                 SettingKind::Lines => self.show_lines(setting, &mut text),
                 SettingKind::OneOf(_)
@@ -52,6 +53,38 @@ impl Layers {
             }
         }
     }
+}
+
+/// Every setting as a Markdown table: its name, its default, its environment variable, its meaning.
+pub fn setting_reference() -> String {
+    let defaults = Layers::default();
+    let mut text =
+        "| setting | default | variable | meaning |\n| --- | --- | --- | --- |\n".to_owned();
+    for setting in SETTINGS {
+        let default = match setting.kind {
+            SettingKind::Lines => None,
+            SettingKind::OneOf(_)
+            | SettingKind::Text
+            | SettingKind::Whole(..)
+            | SettingKind::Flag
+            | SettingKind::Words
+            | SettingKind::Columns
+            | SettingKind::Sort
+            | SettingKind::AlertKinds => defaults.value(setting.name),
+        };
+        let default = default.map(|it| format!("`{it}`")).unwrap_or_default();
+        let variable = setting
+            .variable
+            .map(|it| format!("`{it}`"))
+            .unwrap_or_default();
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{}` | {default} | {variable} | {} |",
+            setting.name, setting.about
+        );
+    }
+    text
 }
 
 /// A key in TOML notation.

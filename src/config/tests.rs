@@ -35,6 +35,18 @@ fn nothing_set_is_the_default() {
 }
 
 #[test]
+fn the_guide_has_every_setting() {
+    let guide = include_str!("../../docs/configuration.md");
+    let (_, rest) = guide.split_once("<!-- settings begin").expect("it begins");
+    let (_, rest) = rest.split_once("-->").expect("the mark is whole");
+    let (written, _) = rest.split_once("<!-- settings end -->").expect("it ends");
+    assert!(
+        written.trim() == setting_reference().trim(),
+        "put what `sortie config --reference` prints between the marks of docs/configuration.md"
+    );
+}
+
+#[test]
 fn every_setting_of_the_table_is_one_of_the_configuration() {
     for setting in SETTINGS {
         let (value, tail) = match setting.kind {

@@ -146,18 +146,18 @@ fn a_log_tells_its_flight() {
 fn what_is_no_log_says_so_and_a_cut_one_how_much_is_missing() {
     for bytes in [&b""[..], b"# a text\n", &[0xA3, 0x95], &[0xA3, 0x95, 7, 0]] {
         let fault = LoggedFlight::read(bytes).expect_err("no log");
-        assert!(fault.to_string().contains("no DataFlash log"), "{fault}");
+        assert!(fault.to_string().contains("not a DataFlash log"), "{fault}");
     }
     let formats = Maker::with_formats().0;
     let fault = LoggedFlight::read(&formats).expect_err("an empty one");
-    assert!(fault.to_string().contains("nothing of a flight"), "{fault}");
+    assert!(fault.to_string().contains("no flight data"), "{fault}");
     let whole = flight();
     let cut = LoggedFlight::read(&whole[..whole.len() - 4]).expect("a log");
     assert_eq!(cut.damage.cut_off, 8);
     let words = cut.damage.text().expect("words").to_string();
     assert_eq!(
         words,
-        "the log is cut off: its last 8 bytes are no whole record"
+        "the log is cut off: its last 8 bytes are an incomplete record"
     );
     assert_eq!(cut.moments.len(), 9);
 }

@@ -10,6 +10,8 @@ use rand::TryRng as _;
 use rand::rngs::SysRng;
 use subtle::ConstantTimeEq as _;
 
+use crate::store::give_new_name;
+
 /// Random bytes in a token, written as two hexadecimal digits each.
 const LEN: usize = 32;
 /// Read and write for the owner alone.
@@ -160,8 +162,7 @@ impl HangarToken {
             .mode(PRIVATE)
             .open(&draft)
             .and_then(|mut file| writeln!(file, "{}", self.0).and_then(|()| file.sync_all()))
-            // Unlike a rename, a link does not replace a file created meanwhile.
-            .and_then(|()| fs::hard_link(&draft, path));
+            .and_then(|()| give_new_name(&draft, path));
         let _ = fs::remove_file(&draft);
         match written {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Ok(()),

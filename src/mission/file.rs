@@ -55,7 +55,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
             written,
             ..mission
         }),
-        _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, "this is no mission file")]),
+        _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, "not a mission file")]),
         _ => Err(faults.sorted()),
     }
 }
@@ -184,7 +184,7 @@ impl MissionContent {
         let places = file.may(
             "places",
             places_form,
-            "points that lines and objectives name",
+            "named points for commands and objectives",
         );
         file.draft().places = places.unwrap_or_default();
         let hazards_form = tables(hazard, MOST_HAZARDS);
@@ -195,7 +195,11 @@ impl MissionContent {
              the same world. `jitter` says by how much, so that the place cannot be learnt by heart",
         );
         let objectives_form = tables(objectives::objective, MOST_OBJECTIVES);
-        let objectives = file.need("objectives", objectives_form, "what has to be reached");
+        let objectives = file.need(
+            "objectives",
+            objectives_form,
+            "what the trainee has to achieve",
+        );
         objectives::check(file, objectives.as_deref());
         places::check_no_cells(file.draft());
         let hints = file.may("hints", tables(advice::advice, MOST_TABLES), "advice");
@@ -222,7 +226,7 @@ impl MissionCourse {
         let radio = file.may(
             "radio",
             table(radio::radio),
-            "how far vehicles are heard. Without it radio does not matter to the mission's own drones; those that \
+            "radio range. Without this table, range does not limit the mission's own drones; drones that \
              were built for it are heard as far as their own radios reach, with it or without",
         );
         let events = file.may(
@@ -233,7 +237,7 @@ impl MissionCourse {
         let may_inject = file.may(
             "instructor",
             table(radio::may_inject),
-            "what an instructor may have happen besides the events that are `by = \"instructor\"`",
+            "threats that an instructor may trigger besides events with `by = \"instructor\"`",
         );
         let lesson = file.may(
             "lesson",
@@ -259,13 +263,13 @@ struct MissionWorth {
 
 impl MissionWorth {
     fn need(file: &mut FileTable<'_>) -> Option<Self> {
-        let scoring = file.need("scoring", table(score::rules), "what it all is worth");
+        let scoring = file.need("scoring", table(score::rules), "how the flight is scored");
         let requires = file.may(
             "requires",
             table(career::requires),
-            "what a trainee must have shown before",
+            "what a trainee must have achieved first",
         );
-        let rewards = file.may("rewards", table(career::rewards), "what passing it brings");
+        let rewards = file.may("rewards", table(career::rewards), "what a pass earns");
         Some(Self {
             scoring: scoring?,
             requires: requires.unwrap_or_default(),

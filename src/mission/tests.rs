@@ -319,7 +319,7 @@ fn hints_follow_the_flight() {
     let mut pilot = Pilot::new(1);
     let hint = |pilot: &Pilot| pilot.flight.progress().hint.unwrap_or_default();
     pilot.tick();
-    assert!(hint(&pilot).contains("arming"));
+    assert!(hint(&pilot).contains("arm it"));
     pilot.take_off(20.0);
     assert!(hint(&pilot).contains("slow enough") && hint(&pilot).contains("A1"));
     pilot.goto(40.0, -20.0, 5.0);

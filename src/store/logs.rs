@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
-use super::{StoreError, links, sharing, user_path};
+use super::{StoreError, give_new_name, links, sharing, user_path};
 use crate::session::{GapMap, KeptLog, LogBytes, LogKeeper, VehicleLog};
 use crate::text;
 use crate::text::{Text, utc_of};
@@ -182,14 +182,10 @@ impl LogKeeper for LogFolder {
             ));
         }
         for path in paths.names() {
-            // A link takes no other file's place.
-            match fs::hard_link(&paths.part, &path) {
+            match give_new_name(&paths.part, &path) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
-                // File systems without hard links.
-                Err(_) if !path.exists() => fs::rename(&paths.part, &path),
-                linked => linked,
+                named => named.map_err(|error| unwritable(&path, error))?,
             }
-            .map_err(|error| unwritable(&path, error))?;
             drop(fs::remove_file(&paths.part));
             drop(fs::remove_file(&paths.gaps));
             return Ok(path.display().to_string());

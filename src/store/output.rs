@@ -7,7 +7,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use super::{StoreError, links};
+use super::{StoreError, give_new_name, links};
 use crate::config::Readers;
 
 /// The path that stands for standard output.
@@ -16,9 +16,6 @@ const STANDARD_OUTPUT: &str = "-";
 const PUBLIC: u32 = 0o666;
 /// The most links in a chain, as in Linux.
 const MOST_LINKS: usize = 40;
-
-/// Creates a hard link; file systems without them refuse it.
-type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 
 /// Writes a text file completely or not at all: a reader finds the old one or the new one.
 ///
@@ -38,7 +35,7 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
         Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
         Ok(Some(found)) => replace_file(path, text, &found),
         Ok(None) if replace => put_file(path, text, mode),
-        Ok(None) => create_file(path, text, mode, |from, to| fs::hard_link(from, to)),
+        Ok(None) => create_file(path, text, mode),
         Err(error) => Err(error),
     };
     written.map_err(|error| match error.kind() {
@@ -122,14 +119,10 @@ fn put_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
 }
 
 /// Writes a new file; one that has appeared meanwhile stays.
-fn create_file(path: &Path, text: &str, mode: u32, link: LinkFile) -> io::Result<()> {
+fn create_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
     let part = Part::write(&target, text, PartMode::New(mode))?;
-    // Linking fails if the name is taken meanwhile; renaming would replace that file.
-    match link(&part.path, &target) {
-        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => write_new(&target, text),
-        linked => linked,
-    }
+    give_new_name(&part.path, &target)
 }
 
 /// The target of a dangling link; any other path unchanged.
@@ -142,21 +135,6 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("too many links lead from one to the next"))
-}
-
-/// Without hard links: creates the name first, so that nothing is replaced, and removes it if writing fails.
-fn write_new(target: &Path, text: &str) -> io::Result<()> {
-    let mut file = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(target)?;
-    let written = file
-        .write_all(text.as_bytes())
-        .and_then(|()| file.sync_all());
-    if written.is_err() {
-        drop(fs::remove_file(target));
-    }
-    written
 }
 
 /// The mode of a part file.
@@ -238,19 +216,6 @@ mod tests {
             .collect();
         names.sort();
         names
-    }
-
-    #[test]
-    fn a_file_system_without_hard_links_takes_new_files_and_keeps_old_ones() {
-        let folder = folder();
-        let path = folder.path().join("copter.parm");
-        let refuse: LinkFile = |_, _| Err(io::ErrorKind::PermissionDenied.into());
-        create_file(&path, "A,1\n", PUBLIC, refuse).expect("it is written");
-        assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
-        let again = create_file(&path, "A,2\n", PUBLIC, refuse).expect_err("it is there");
-        assert_eq!(again.kind(), io::ErrorKind::AlreadyExists);
-        assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
-        assert_eq!(names(folder.path()), ["copter.parm"]);
     }
 
     #[cfg(unix)]

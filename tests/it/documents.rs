@@ -156,6 +156,19 @@ fn verbs_exist() {
 }
 
 #[test]
+fn every_verb_is_in_the_guides() {
+    let guides = ["commands", "console", "replay", "scripting"];
+    let texts = guides.map(|name| document(&format!("docs/{name}.md")).text);
+    let code = texts
+        .iter()
+        .flat_map(|text| text.split('`').skip(1).step_by(2));
+    let named: BTreeSet<&str> = code.flat_map(str::split_whitespace).collect();
+    let unnamed = language::rows().filter(|row| !named.iter().any(|word| row.is_called(word)));
+    let unnamed: Vec<_> = unnamed.map(|row| row.verb.name).collect();
+    assert_eq!(unnamed, [""; 0]);
+}
+
+#[test]
 fn every_room_has_a_row() {
     let locale = Locale::default();
     let rows = document("docs/console.md").rows();

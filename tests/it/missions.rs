@@ -34,7 +34,7 @@ const REFUSALS: &[&str] = &[
     "par-above-limit.toml:50:16: the par time must be shorter than `time_limit`",
     "partial-reversed.toml:47:16: `partial_from` must be above `target`: less is better here",
     "sensor-not-fitted.toml:32:10: unknown sensor of the fleet `s_pm25`; known: ..",
-    "stability.toml:22:13: unknown variant `G`, expected one of `A`, `B`, `C`, `D`, `E`, `F`",
+    "stability.toml:22:13: unknown value `G`, expected one of `A`, `B`, `C`, `D`, `E`, `F`",
     "syntax.toml:8:14: extra `=`, expected nothing",
     "target-above-cells.toml:37:10: `target` must lie between 1 and the 9 cells of the zone",
     "time-limit.toml:8:14: `time_limit` must lie between 10 and 86400, not 1e300",

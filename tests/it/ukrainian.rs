@@ -27,7 +27,7 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab R1 w3 p3",
     // Units that no argument has.
-    "B B/s cr g kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
+    "B B/s cr g in kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
     // Kinds of batteries and radios.
     "LiPo Li ion LoRa Wi Fi S C",
     // What stands for something in a line to write.

@@ -24,7 +24,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let least: u32 = prices.iter().take(bought).sum();
     if budget < least {
         let fault = format!(
-            "`budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs {least} credits"
+            "`budget` is too small: the cheapest fleet with these sensors and loads costs {least} credits"
         );
         examined.add(written.span.clone(), fault);
     }

@@ -40,7 +40,7 @@ const ACTIONS: &[KindOf<Action>] = &[
     },
     KindOf {
         name: "spawn",
-        about: "brings a person, a vehicle or a foreign drone, which follows the path once and then disappears",
+        about: "adds a person, an aircraft or a foreign drone, which follows the path once and then disappears",
         read: spawn,
     },
     KindOf {

@@ -69,7 +69,7 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         let text = written.get_ref();
         let rest = text.replace(NEXT_CELL, "");
         if rest.contains(['{', '}']) {
-            let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
+            let message = format!("unknown placeholder: a hint has only `{NEXT_CELL}`");
             table.draft().faults.add(written.span(), message);
         }
         if rest.len() < text.len() && no_cells {

@@ -41,7 +41,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let (missions, medals) = (missions.unwrap_or_default(), medals.unwrap_or_default());
     let skills = skills.unwrap_or_default();
     if missions.len() + medals.len() > MOST_NAMES {
-        table.fault(format!("`requires` may name {MOST_NAMES} missions"));
+        table.fault(format!("`requires` names at most {MOST_NAMES} missions"));
     }
     for (name, _) in &medals {
         mission(table, name.get_ref(), name);

@@ -146,7 +146,7 @@ impl FileValue for ConditionValue {
         let place = written.span();
         let source: String = draft.faults.read(written)?;
         if source.len() > LONGEST {
-            let fault = format!("a condition may have {LONGEST} characters");
+            let fault = format!("a condition has at most {LONGEST} characters");
             draft.faults.add(place, fault);
             return None;
         }

@@ -27,7 +27,11 @@ impl FileHead {
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let schema = table.need("schema", SchemaVersion, "version of the format");
         let id_form = mission_id();
-        let id = table.need("id", id_form, "a shipped file has this name");
+        let id = table.need(
+            "id",
+            id_form,
+            "must equal the name of a shipped file, without its ending",
+        );
         let rev = table.need(
             "rev",
             whole(0, u32::MAX, ""),
@@ -57,7 +61,7 @@ impl FileHead {
             "id of the mission that this drill prepares for",
         );
         if drill_of.is_some() && drill_of == id {
-            table.fault_of("drill_of", "a mission is no drill of itself");
+            table.fault_of("drill_of", "a mission cannot be its own drill");
         }
         schema?;
         // At most 255, so it fits.

@@ -30,7 +30,7 @@ pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
         let rest = written.get_ref().replace(STEP_KEY, "");
         let is_used = rest.len() < written.get_ref().len();
         if rest.contains(['{', '}']) {
-            let message = format!("a step knows one placeholder only: `{STEP_KEY}`");
+            let message = format!("unknown placeholder: a step has only `{STEP_KEY}`");
             table.draft().faults.add(written.span(), message);
         } else if is_used != key.is_some() {
             let message = format!("`{STEP_KEY}` and `key` go together");

@@ -18,8 +18,9 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     table.draft().surveys.extend(kind.survey().cloned());
     for name in kind.place_names() {
         if table.draft().drawn.contains(&name) {
-            let fault =
-                format!("an earlier objective has a place `{name}`: one of them may have gates");
+            let fault = format!(
+                "an earlier objective has gates already (place `{name}`): only one objective may have gates"
+            );
             table.fault_of("id", fault);
             break;
         }

@@ -91,7 +91,7 @@ impl FileFaults {
     ) -> Text {
         for text in std::iter::once(&english).chain(&ukrainian) {
             if text.get_ref().len() > LONGEST_TEXT {
-                let fault = format!("a text may have {LONGEST_TEXT} bytes");
+                let fault = format!("a text has at most {LONGEST_TEXT} bytes");
                 self.add(text.span(), fault);
             }
         }

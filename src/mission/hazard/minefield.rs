@@ -53,7 +53,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     };
     let all = count(&counts);
     if count(&mines) < 1.0 || all > MOST_OBJECTS {
-        let fault = format!("a minefield has a mine at least and {MOST_OBJECTS} objects at most");
+        let fault =
+            format!("a minefield needs at least one mine and holds at most {MOST_OBJECTS} objects");
         table.fault_of("count", fault);
     }
     let (low, high) = zone.shape.bounds();
@@ -61,7 +62,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     // Discs of half the gap cannot be packed randomly to more than about half of the area.
     if all * gap_m * gap_m > area_m2 {
         let zone = &zone.id;
-        let fault = format!("{all} objects with this gap have no room in zone `{zone}`");
+        let fault = format!("zone `{zone}` is too small for {all} objects with this gap");
         table.fault_of("min_gap", fault);
     }
     Some(Box::new(Minefield {

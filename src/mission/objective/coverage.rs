@@ -78,7 +78,7 @@ fn detectors(
     for sensor in &sensors {
         if sensor.get_ref().detector().is_none() {
             let id = sensor.get_ref().id;
-            let fault = format!("`{id}` measures where it is, it sweeps nothing");
+            let fault = format!("`{id}` measures at one point and sweeps no area");
             table.draft().faults.add(sensor.span(), fault);
         }
     }
@@ -94,7 +94,7 @@ fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<Coverag
     }
     let grid = CoverageGrid::new(shape, side_m);
     if grid.count() == 0 {
-        table.fault_of("cell", "no cell of this size has its middle in the zone");
+        table.fault_of("cell", "no cell of this size has its centre in the zone");
     }
     Some(grid)
 }

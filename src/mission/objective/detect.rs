@@ -54,7 +54,7 @@ pub(crate) struct DetectTally {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
-    about: "met when the F-measure of the reports, less what the wrong ones cost, reaches the target. It is counted when the flight is over, and a flight is not over before the last report is 20 s old. It makes a product",
+    about: "met when the F-measure of the reports, less what the wrong ones cost, reaches the target. It is counted when the flight is over, and a flight is not over before the last report is 20 s old. Its reports are a product",
     read,
 };
 

@@ -47,7 +47,7 @@ struct LocateReports {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak was reported near enough to its position, with at most one wrong report for each; the result is shown when the flight is over. It makes a product",
+    about: "met when each source or leak was reported near enough to its position, with at most one wrong report for each; the result is shown when the flight is over. Its reports are a product",
     read,
 };
 

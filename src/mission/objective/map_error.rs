@@ -36,7 +36,7 @@ struct MapTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "map_error",
-    about: "met when the error of a survey's map is at most the target: the root mean square error divided by the mean; a cell without a sample counts as 0. It makes a product",
+    about: "met when the error of a survey's map is at most the target: the root mean square error divided by the mean; a cell without a sample counts as 0. Its map is a product",
     read,
 };
 

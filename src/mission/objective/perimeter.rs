@@ -39,7 +39,7 @@ struct PerimeterTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "perimeter",
-    about: "met when the map of burnt ground, drawn from what the camera saw, agrees with the truth at these times: intersection over union, the mean of all times. It makes a product",
+    about: "met when the map of burnt ground, drawn from what the camera saw, agrees with the truth at these times: intersection over union, the mean of all times. Its map is a product",
     read,
 };
 
@@ -67,7 +67,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     }
     let times = times?;
     if !times.is_sorted_by(|a, b| a < b) {
-        table.fault_of("times", "`times` are seconds that rise, from 1 on");
+        table.fault_of(
+            "times",
+            "`times` must be rising seconds, the first at least 1",
+        );
     }
     let sensor = sensor?;
     if sensor.swath_m(1.0).is_none() {

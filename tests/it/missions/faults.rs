@@ -34,7 +34,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "brief = \"Bad.\"",
         "brief = \"Bad.\"\ndrill_of = \"bad\"",
-        "6:12: a mission is no drill of itself",
+        "6:12: a mission cannot be its own drill",
     ),
     (
         "brief = \"Bad.\"",
@@ -114,7 +114,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 0, 5]]\nradius = 5\n[[objectives]]\nid = \"p\"\ntitle = \"P\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 9, 5]]\nradius = 5\n[scoring]",
-        "57:6: an earlier objective has a place `gate1`: one of them may have gates",
+        "57:6: an earlier objective has gates already (place `gate1`): only one objective may have gates",
     ),
     (
         "[fleet]",
@@ -129,7 +129,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[requires]\nmedals = { lane = \"tin\" }\n[fleet]",
-        "24:19: unknown variant `tin`, expected one of `bronze`, `silver`, `gold`",
+        "24:19: unknown value `tin`, expected one of `bronze`, `silver`, `gold`",
     ),
     (
         "[fleet]",
@@ -158,12 +158,12 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nbudget = 942",
-        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 943 credits",
+        "32:10: `budget` is too small: the cheapest fleet with these sensors and loads costs 943 credits",
     ),
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nbudget = 1312\nloads = { ball = 1, kit = 1, spray = 30 }",
-        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 1313 credits",
+        "32:10: `budget` is too small: the cheapest fleet with these sensors and loads costs 1313 credits",
     ),
     (
         "pads = [[0, 0]]",
@@ -321,7 +321,10 @@ fn a_section_has_no_more_tables_than_a_mission_can_use() {
     let source = good().replace("[scoring]", &format!("{places}[scoring]"));
     let faults = Mission::parse(&source).expect_err("too many");
     let line = faults[0].one_line("m", &source);
-    assert!(line.starts_with("m:649:1: a mission has 200"), "{line}");
+    assert!(
+        line.starts_with("m:649:1: too many: a mission has at most 200"),
+        "{line}"
+    );
     assert_eq!(faults.len(), 1);
 }
 
@@ -332,7 +335,7 @@ fn texts_and_conditions_have_a_greatest_length() {
     let faults = Mission::parse(&source).expect_err("too long");
     assert_eq!(
         faults[0].one_line("m", &source),
-        "m:5:9: a text may have 8000 bytes"
+        "m:5:9: a text has at most 8000 bytes"
     );
     let sum = "1 + ".repeat(300);
     let event = format!(
@@ -342,7 +345,7 @@ fn texts_and_conditions_have_a_greatest_length() {
     let faults = Mission::parse(&source).expect_err("too long");
     assert_eq!(
         faults[0].one_line("m", &source),
-        "m:51:8: a condition may have 1000 characters"
+        "m:51:8: a condition has at most 1000 characters"
     );
 }
 

@@ -122,7 +122,7 @@ fn messages_name_the_key_that_is_in_force() {
     assert!(screen.contains("F4 reverses the order"), "{screen}");
     give(&mut console, "show commands");
     let screen = console.screen(120, 40);
-    assert!(screen.contains("press F5 and write one"), "{screen}");
+    assert!(screen.contains("press F5 and type one"), "{screen}");
 }
 
 #[test]

@@ -326,9 +326,7 @@ fn a_mission_asks_for_the_workload_every_two_minutes_unless_it_is_an_exam() {
         })));
         let screens = ["show fly", "show mission"].map(|room| {
             console.give(room);
-            console
-                .screen(80, 24)
-                .contains("How much do you have to do")
+            console.screen(80, 24).contains("Your workload, from 1")
         });
         assert_eq!(screens[0], screens[1]);
         screens[0]

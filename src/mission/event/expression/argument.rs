@@ -71,7 +71,7 @@ impl Argument {
                 let last = reader.names.vehicles;
                 let found = (1..=last).find(|index| (number - *index as f64).abs() < 1e-9);
                 found.map(|index| Given::Index(index - 1)).ok_or_else(|| {
-                    let message = format!("the mission has the vehicles 1 to {last}");
+                    let message = format!("no such vehicle: the mission has vehicles 1 to {last}");
                     Diagnostic::new(span, message)
                 })
             }

@@ -193,7 +193,7 @@ pub(super) fn read(
     let fields = || FIELDS.iter().map(|(name, ..)| *name);
     let ExpressionToken::Name(name) = token else {
         let known = fields().collect::<Vec<_>>().join(", ");
-        let message = format!("what is asked of the vehicle is missing: one of {known}");
+        let message = format!("the property of the vehicle is missing: write one of {known}");
         return Err(Diagnostic::new(span, message));
     };
     if let Some((_, field, is)) = FIELDS.iter().find(|(field, ..)| *field == name) {

@@ -152,7 +152,8 @@ impl Reader<'_> {
         }
         self.depth += 1;
         if self.depth > DEEPEST {
-            let message = format!("brackets and signs stand in one another at most {DEEPEST} deep");
+            let message =
+                format!("brackets and signs are nested too deeply: at most {DEEPEST} levels");
             return Err(Diagnostic::new(span.clone(), message));
         }
         self.at += 1;

@@ -166,14 +166,14 @@ fn faults_are_told_with_their_place_and_the_nearest_name() {
         ("tt > 5", 0, "unknown name `tt`"),
         ("airborn > 1", 0, "airborne"),
         ("inside('lan') > 0", 7, "lane"),
-        ("vehicle(4).airborne", 8, "the vehicles 1 to 3"),
+        ("vehicle(4).airborne", 8, "vehicles 1 to 3"),
         ("vehicle(1).hight > 2", 11, "a vehicle has no `hight`"),
         ("vehicle(1) > 2", 11, "`.` is needed here"),
         ("mode_any(['LNAD'])", 10, "LAND"),
         ("alert_open('urgent')", 11, "a level of alerts"),
         ("fired('third')", 6, "the id of an event"),
         ("t > 5 # 3", 6, "`#` has no meaning here"),
-        ("1.2.3 > 1", 0, "`1.2.3` is no number"),
+        ("1.2.3 > 1", 0, "`1.2.3` is not a number"),
         ("'open", 0, "is not closed"),
         ("no_command('x')", 11, "a number is needed here"),
         ("paused_or_clear('lane')", 22, "`,` is needed here"),
@@ -188,8 +188,8 @@ fn faults_are_told_with_their_place_and_the_nearest_name() {
 fn nesting_and_length_are_limited() {
     let deep = |depth: usize| format!("{}true{}", "(".repeat(depth), ")".repeat(depth));
     assert!(holds(&deep(30)));
-    assert!(fault(&deep(40)).1.contains("at most 32 deep"));
-    assert!(fault(&"not ".repeat(200)).1.contains("at most 32 deep"));
+    assert!(fault(&deep(40)).1.contains("at most 32 levels"));
+    assert!(fault(&"not ".repeat(200)).1.contains("at most 32 levels"));
     assert!(fault(&"t+".repeat(2000)).1.contains("at most 1000"));
     // Long chains do not count as nesting.
     assert!(holds(&format!("{}true", "true and ".repeat(100))));

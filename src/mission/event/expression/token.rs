@@ -57,7 +57,7 @@ fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, St
         let number: Option<f64> = written.parse().ok();
         return match number.filter(|number| number.is_finite()) {
             Some(number) => Ok((ExpressionToken::Number(number), length)),
-            None => Err((length, format!("`{written}` is no number"))),
+            None => Err((length, format!("`{written}` is not a number"))),
         };
     }
     if first.is_ascii_alphabetic() || first == '_' {

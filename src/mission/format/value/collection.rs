@@ -43,8 +43,8 @@ impl<V: FileValue> FileValue for ListValue<V> {
         if !(self.least..=self.most).contains(&items.len()) {
             let (least, most) = (self.least, self.most);
             let fault = match least {
-                0 => format!("`{name}` may have {most} entries"),
-                _ if most == usize::MAX => format!("`{name}` must have an entry"),
+                0 => format!("`{name}` has at most {most} entries"),
+                _ if most == usize::MAX => format!("`{name}` must have at least one entry"),
                 _ => format!("`{name}` must have {least} to {most} entries"),
             };
             draft.faults.add(place, fault);
@@ -146,7 +146,7 @@ impl<T> FileValue for TablesValue<T> {
         };
         if let Some(beyond) = items.get(self.most) {
             let (most, count) = (self.most, items.len());
-            let fault = format!("a mission has {most} of these at most, not {count}");
+            let fault = format!("too many: a mission has at most {most} of these, not {count}");
             draft.faults.add(beyond.span(), fault);
         }
         let items = items.into_iter().take(self.most);

@@ -114,7 +114,7 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
         let found = self.0.iter().find(|(known, _)| *known == word);
         if found.is_none() {
             let known: Vec<&str> = self.0.iter().map(|(known, _)| *known).collect();
-            let message = format!("unknown variant `{word}`, {}", expected(&known));
+            let message = format!("unknown value `{word}`, {}", expected(&known));
             let fault = Diagnostic::new(place, message);
             draft.faults.push(match word.len() {
                 // One-letter words are all equally close.

@@ -126,7 +126,7 @@ fn another_mission_text_is_named() {
     assert_named(
         &calm,
         INPUTS,
-        "SIM_WIND_SPD is not what the mission demands",
+        "SIM_WIND_SPD does not have the value that the mission requires",
     );
     let moved = with_line(RUN, &["sortie_run"], edited("lat = 50.45", "lat = 50.46"));
     assert_named(&moved, INPUTS, "other places");
@@ -142,7 +142,7 @@ fn shortened_records_are_named() {
     assert_named(&half(RUN), INPUTS, "stops before the end");
     assert_named(RUN, &half(INPUTS), "does not match");
     let end = with_line(INPUTS, &["\"end\""], removed);
-    assert_named(RUN, &end, "no end");
+    assert_named(RUN, &end, "its end is missing");
 }
 
 /// Telemetry that is altered or removed shows: the repeated drones are elsewhere.
