@@ -89,7 +89,7 @@ pub struct CliArguments {
 
 #[derive(Debug, Subcommand)]
 enum CliCommand {
-    /// Begins a mission, or free flight without one.
+    /// Starts a mission, or free flight without one.
     Fly(fly::FlyArguments),
     /// Connects the console to running vehicles.
     #[command(after_help = "Examples:\n  \
@@ -117,7 +117,7 @@ enum CliCommand {
     Replay(replay::ReplayArguments),
     /// Lists, shows, exports and deletes the records of flights.
     Records(records::RecordsArguments),
-    /// Flies a mission by a pilot script, without a console; prints the debrief.
+    /// Flies a mission with a pilot script, without a console, and prints the debrief.
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and says whether the record follows from it.
     Verify(verify::VerifyArguments),
@@ -127,7 +127,7 @@ enum CliCommand {
     Sim(sim::SimArguments),
     /// Checks this machine and says how to repair what is missing: terminal, folders, SITL, ports.
     Doctor(doctor::DoctorArguments),
-    /// Serves SITL processes on this host: starts, watches and ends them; prints how to start one by hand.
+    /// Runs ArduPilot SITL processes on this host as a service; prints how to start one by hand.
     Hangar(Box<hangar::HangarArguments>),
     /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
     /// column.
@@ -136,7 +136,7 @@ enum CliCommand {
                             sortie check ~/.config/sortie/*.toml\n  \
                             sortie check --fly 01 --seeds 20")]
     Check(check::CheckArguments),
-    /// Makes, lists, shows, exports, imports and deletes profiles, and buys parts.
+    /// Creates, lists, shows, exports, imports and deletes profiles, and buys parts.
     Profile(profile::ProfileArguments),
     /// Prints the progress of a profile over time, as Markdown, CSV or JSON.
     Report(report::ReportArguments),
@@ -156,7 +156,7 @@ enum CliCommand {
         /// The shell to write completions for.
         shell: clap_complete::Shell,
     },
-    /// Prints the manual page: this command line, and the language of commands.
+    /// Prints the manual page: this command line and the command language.
     #[command(after_help = "Examples:\n  \
                             sortie man | man -l -\n  \
                             sortie man --dir ~/.local/share/man/man1")]

@@ -145,9 +145,9 @@ impl Default for WorkloadConfig {
 pub struct RecordsConfig {
     /// Whether sessions are recorded.
     pub enabled: bool,
-    /// Records that are kept; the oldest go first.
+    /// The number of records kept; the oldest are removed first.
     pub count: u32,
-    /// Mebibytes that they may take together.
+    /// The limit on the size of all records, in MiB.
     pub space: u64,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts together,
 //! because one system id on two links is a fault of neither. It names causes, worst first; what a person reads of them
-//! is made from [`LinkFinding`] by whoever speaks to people.
+//! is made from [`LinkFinding`] by the modules that show it.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;

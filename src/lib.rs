@@ -31,7 +31,7 @@
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end or are overtaken; plans, parameters; when it counts as lost |
 //! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
-//! | | [`dataflash`] | what the log of a vehicle says of a flight, and when that was in a record |
+//! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | what became of each command; what is said to people; the kinds of alerts; what is worth coming back to |

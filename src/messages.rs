@@ -178,7 +178,7 @@ impl Inbox {
             M::LOCAL_POSITION_NED(data) => position::apply_local(vehicle, data, now),
             M::HOME_POSITION(data) => position::apply_home(vehicle, data),
             M::GPS_GLOBAL_ORIGIN(data) => self.origin = position::origin(data),
-            // A disarmed vehicle heads for nothing, whatever it says.
+            // A disarmed vehicle has no target, whatever it reports.
             M::POSITION_TARGET_GLOBAL_INT(_) | M::POSITION_TARGET_LOCAL_NED(_)
                 if vehicle.heartbeat.is_some_and(|beat| !beat.armed) => {}
             M::POSITION_TARGET_GLOBAL_INT(data) => target::apply_global(vehicle, data, now),

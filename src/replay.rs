@@ -342,7 +342,7 @@ impl Replay {
         let now = self.stage.now();
         let is_meant = |it: &&Moment| kind.is_none_or(|kind| it.kind == kind);
         let mut moments = self.moments.iter().filter(is_meant);
-        // What has just been reached is not the one before: who presses the key again wants to go further back.
+        // What has just been reached is not the one before: pressing the key again goes further back.
         let found = if forward {
             moments.find(|it| it.at >= now + FRAME)
         } else {

@@ -66,7 +66,7 @@ enum RecordsCommand {
         #[arg(long, value_name = "PATH")]
         output: PathBuf,
     },
-    /// Makes a key to sign records with, as `minisign -G` does.
+    /// Creates a key for signing records, as `minisign -G` does.
     #[command(
         after_help = "Examples:\n  sortie records key\n  sortie records key --output keys --no-password"
     )]

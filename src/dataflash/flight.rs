@@ -1,4 +1,4 @@
-//! What a log says of a flight: modes, errors, events, changed parameters, vibration, estimator, battery.
+//! The flight data read from a log: modes, errors, events, changed parameters, vibration, estimator, battery.
 
 use std::collections::BTreeMap;
 
@@ -108,7 +108,7 @@ pub struct LogDamage {
     pub cut_off: usize,
 }
 
-/// What a log says of a flight.
+/// The flight data read from a log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LoggedFlight {
     /// The vehicle, by the system id among the parameters.

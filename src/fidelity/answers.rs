@@ -78,7 +78,7 @@ impl Answers {
         }
     }
 
-    /// Whether both vehicles said the same in the same order.
+    /// Whether both vehicles sent the same answers in the same order.
     pub fn identical(&self) -> bool {
         self.first_difference.is_none()
     }

@@ -55,7 +55,7 @@ pub struct Launch {
     /// Parameters to start with.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, f64>,
-    /// Ends the instance once nobody has been attached to it for so many seconds; never by default.
+    /// Ends the instance after this many seconds without a client; never by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub idle_s: Option<u32>,
 }

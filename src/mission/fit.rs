@@ -11,7 +11,7 @@ use super::sensor::Sensor;
 pub(crate) struct Fit {
     /// Its sensors: those of the whole fleet, then its own.
     pub sensors: Vec<&'static Sensor>,
-    /// The loads that it starts with and that a pad restores; a load that is missing here it never has.
+    /// The loads that it starts with and that a pad restores; loads that are not listed here are never on board.
     pub loads: BTreeMap<Load, u32>,
     /// Its own radio; `None` for the mission's, if radio matters there.
     pub radio: Option<Set>,

@@ -60,7 +60,7 @@ impl ParameterType {
     /// Checks that a parameter of this type can take a value, and returns it as it goes over the wire.
     ///
     /// # Errors
-    /// It cannot. `ArduPilot` itself checks nothing: it cuts off fractions and wraps or saturates what is too large.
+    /// The type cannot hold the value. `ArduPilot` itself checks nothing: it truncates fractions and wraps or saturates large values.
     pub fn check(self, value: f64) -> Result<f32, ParameterUnfit> {
         if !value.is_finite() {
             return Err(ParameterUnfit::NotFinite);

@@ -135,7 +135,7 @@ impl ParameterList {
         };
     }
 
-    /// Takes in what a vehicle says of a parameter.
+    /// Stores a parameter value that a vehicle sent.
     pub fn note(&mut self, heard: &HeardParameter<'_>) {
         if heard.name == HASH {
             return;

@@ -131,7 +131,7 @@ impl LogReader {
         }
     }
 
-    /// Takes in what the vehicle says of its logs.
+    /// Handles the vehicle's messages about its logs.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
         let (Some(job), Content::Message(message)) = (&mut self.job, &frame.content) else {
             return;

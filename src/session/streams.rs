@@ -1,6 +1,6 @@
 //! Requests the telemetry for display, without competing with other ground stations for the rates.
 //!
-//! What arrives is counted. A message that comes often enough is left alone, whoever requested it; one that comes too
+//! What arrives is counted. A message that comes often enough is left alone, even if another station requested it; one that comes too
 //! seldom is requested, a few times at most: if another ground station keeps changing it back, that one wins.
 
 use std::collections::BTreeMap;

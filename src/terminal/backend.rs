@@ -14,7 +14,7 @@ use super::writer::FrameWriter;
 ///
 /// The terminal library hides the cursor and resets all styles with every frame, whether or not it differs from the
 /// one before. It asks for the cursor's position whenever it clears the screen, which it does after a resize: the
-/// answer would be waited for where nobody listens. The console's cursor is nobody's concern.
+/// console does not read that answer and would hang. It does not need the position.
 pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
     /// Whether something of the present frame has been written.

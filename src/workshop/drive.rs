@@ -71,7 +71,7 @@ impl Drive<'_> {
         }
     }
 
-    /// One motor in the hover of a mass. The arms push back a part of the air.
+    /// One motor in the hover of a mass. The arms block a part of the downwash, which costs thrust.
     pub fn hovering(&self, mass_kg: f64, density: f64) -> Turning {
         let thrust_n = mass_kg * GRAVITY_M_S2 * (1.0 + self.frame.download) / self.motors();
         self.turning(thrust_n, density)

@@ -20,7 +20,7 @@ pub struct Stamp {
 }
 
 impl Stamp {
-    /// The stamp of a signed frame, as it lay on the wire. `None` if it is too short to be signed.
+    /// The stamp of a signed frame, from its bytes as sent. `None` if it is too short to be signed.
     pub fn of(frame: &[u8]) -> Option<Self> {
         let (_, signature) = frame.split_last_chunk::<SIGNATURE_LEN>()?;
         let mut timestamp = [0; 8];

@@ -65,7 +65,7 @@ fn change(change: PaceChange) -> Effects {
     Effects::from(Effect::Session(SessionEffect::Speedup(change)))
 }
 
-/// Takes a change of the speed-up.
+/// Applies a change of the speed-up.
 pub fn changed(state: &mut State, change: PaceChange) {
     let session = &mut state.session;
     session.pace.now = change.speedup;

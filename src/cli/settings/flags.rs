@@ -16,7 +16,7 @@ pub(in crate::cli) struct Common {
     /// Use this profile: its career, designs and language.
     #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
     profile: Option<String>,
-    /// The language: en, uk.
+    /// Language: en, uk.
     #[arg(
         long,
         global = true,

@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// What the trainee has said before launch.
+/// The prediction and the goal given before launch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pledge {
     /// The score that the trainee expects.

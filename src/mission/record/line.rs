@@ -19,7 +19,7 @@ pub(super) enum RecordLine {
     Tick {
         /// Mission time in ms.
         t: u64,
-        /// The number of simulator steps by then, if its time is not the mission's.
+        /// The simulator's step count at that time, if its clock is not the mission's.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         s: Option<u64>,
         #[serde(flatten)]

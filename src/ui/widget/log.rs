@@ -70,7 +70,7 @@ fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
 /// The lines near the cursor, and which of them are shown.
 struct Window<'a> {
     lines: Vec<Line<'a>>,
-    /// Those of the entry under the cursor.
+    /// The lines of the entry under the cursor.
     marked: Range<usize>,
     first: usize,
 }

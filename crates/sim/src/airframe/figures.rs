@@ -1,4 +1,4 @@
-//! The figures of an airframe's file.
+//! The values in an airframe file.
 
 use glam::DVec3;
 

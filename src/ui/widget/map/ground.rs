@@ -194,7 +194,7 @@ pub fn next_place(state: &State) -> Option<LatLon> {
     mission.places.get(NEXT_PLACE).copied()
 }
 
-/// The sign before the name of that place.
+/// The sign before the name of the next place.
 pub const fn next_sign(symbols: Symbols) -> &'static str {
     match symbols {
         Symbols::Braille | Symbols::Block => "»",
