@@ -7,7 +7,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavMessage};
 
 use crate::commands::Command;
 use crate::ledger::RowUpdate;
@@ -17,11 +17,13 @@ use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{AskedSpeeds, Vehicle};
-use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
+use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, SystemId};
 
 mod acknowledgement;
 mod download;
 mod fit;
+mod ftp;
+mod gaps;
 mod hearing;
 mod line;
 mod logs;
@@ -46,7 +48,9 @@ use streams::Streams;
 use timesync::Timesync;
 
 pub use hearing::{LOST_AFTER, autopilot_of};
-pub use logs::{GapMap, KeptLog, ListedLog, LogBytes, LogKeeper, VehicleLog};
+pub use ftp::{FtpChecksum, FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask, FtpTicket};
+pub use gaps::{FileBytes, GapMap};
+pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 pub use order::{Report, Steering, VehicleCommand};
 pub use radio::RadioFault;
@@ -92,6 +96,7 @@ pub struct Session {
     line: Line,
     download: Download,
     logs: LogReader,
+    ftp: FtpClient,
     output: Output,
     /// The radio between the vehicle and us.
     channel: radio::Channel,
@@ -116,6 +121,7 @@ impl Session {
             line: Line::default(),
             download: Download::new(),
             logs: LogReader::default(),
+            ftp: FtpClient::new(),
             output: Output::default(),
             channel: radio::Channel::new(),
             settings: settings::Settings::default(),
@@ -254,6 +260,7 @@ impl Session {
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
+        self.ftp.forget();
         self.logs
             .clear(&newer, &self.vehicle, now, &mut self.output);
     }
@@ -301,7 +308,9 @@ impl Session {
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
-        self.logs.poll(&self.vehicle, now, &mut self.output);
+        self.logs
+            .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
+        self.handle_files(None, now);
         self.advance(now);
     }
 
@@ -309,7 +318,7 @@ impl Session {
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
-        if is_late || self.line.is_busy() || self.logs.is_busy() || is_fetching {
+        if is_late || self.line.is_busy() || self.logs.is_busy() || is_fetching || self.ftp.is_busy() {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -358,7 +367,30 @@ impl Session {
             .receive(&mut self.vehicle, frame, now, &mut messages);
         self.send(messages);
         self.logs.receive(frame, now);
+        if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
+            && matches!(data.target_system, 0 | GROUND_STATION_SYSTEM)
+        {
+            self.handle_files(Some(&data.payload), now);
+        }
         self.line.receive(frame, now, &mut self.output);
+    }
+
+    /// Lets the client for files go on, and hands out what came of its tasks.
+    fn handle_files(&mut self, incoming: Option<&FtpPayload>, now: Duration) {
+        let round_trip = self.vehicle.link.round_trip.unwrap_or_default();
+        let step = self.ftp.step(incoming, round_trip, now);
+        let requests = step.requests.into_iter().map(|payload| {
+            MavMessage::FILE_TRANSFER_PROTOCOL(FILE_TRANSFER_PROTOCOL_DATA {
+                target_network: 0,
+                target_system: self.vehicle.system,
+                target_component: self.vehicle.component,
+                payload,
+            })
+        });
+        self.output.messages.extend(requests.map(Outgoing::from));
+        for (ticket, event) in step.events {
+            self.logs.hear_file(ticket, event, &mut self.ftp, now);
+        }
     }
 
     /// A command that waits for its answer takes precedence over lists.

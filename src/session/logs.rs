@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{LOG_REQUEST_END_DATA, MavMessage};
 
+use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::{Output, VehicleCommand};
 use crate::commands::{Command, LogChoice, LogCommand};
 use crate::ledger::{RowState, RowUpdate};
@@ -17,22 +18,19 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
-mod gaps;
+mod files;
 mod keeper;
 mod listing;
+mod reading;
 mod transfer;
 mod words;
 
-pub use gaps::GapMap;
-pub use keeper::{KeptLog, ListedLog, LogBytes, LogKeeper, VehicleLog};
+use files::{FileSearch, LogFiles, hands_out_files};
+pub use keeper::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 use listing::Listing;
-use transfer::{Received, Transfer};
-use words::{kept, list};
+use reading::Reading;
+use words::{WholeLog, kept, list};
 
-/// Bytes that are collected before they are written.
-const BLOCK: usize = 64 * 1024;
-/// What has come is written at the latest after so long.
-const WRITE_EVERY: Duration = Duration::from_secs(1);
 /// Orders that may wait for one vehicle.
 const MOST_WAITING: usize = 8;
 
@@ -52,29 +50,25 @@ struct Job {
     phase: Phase,
     /// What was reported last.
     percent: Option<u8>,
-    /// The files that are whole by now, with their sizes.
-    files: Vec<(ListedLog, String)>,
+    /// The logs that are whole by now.
+    whole: Vec<WholeLog>,
 }
 
 #[derive(Debug, Clone)]
 enum Phase {
     Listing(Listing),
+    /// The list is there; a vehicle that hands out files is asked for those of its logs.
+    Searching(Box<FileSearch>),
     Reading(Box<Reading>),
 }
 
-/// A log that is read, and those after it.
-#[derive(Debug, Clone)]
-struct Reading {
-    log: VehicleLog,
-    later: VecDeque<ListedLog>,
-    /// Bytes of all logs that are to be read.
-    bytes: u64,
-    transfer: Transfer,
-    /// The file, if it was whole before.
-    file: Option<String>,
-    /// What has not been written yet.
-    unwritten: Vec<LogBytes>,
-    written_at: Duration,
+/// What an order is carried out with.
+struct Desk<'a> {
+    keeper: &'a dyn LogKeeper,
+    vehicle: &'a Vehicle,
+    ftp: &'a mut FtpClient,
+    now: Duration,
+    output: &'a mut Output,
 }
 
 /// How an order ends.
@@ -139,21 +133,38 @@ impl LogReader {
         match (&mut job.phase, message) {
             (Phase::Listing(listing), MavMessage::LOG_ENTRY(entry)) => listing.receive(entry, now),
             (Phase::Reading(reading), MavMessage::LOG_DATA(data)) => {
-                match reading.transfer.receive(data, now) {
-                    Received::Nothing => {}
-                    Received::Bytes(bytes) => reading.note(bytes),
-                    Received::Other => {
-                        reading.file = None;
-                        reading.unwritten.clear();
-                    }
-                }
+                let received = reading.transfer().receive(data, now);
+                reading.note(received);
             }
             _ => {}
         }
     }
 
+    /// Takes in what came of a task for the client for files.
+    pub fn hear_file(
+        &mut self,
+        ticket: FtpTicket,
+        event: FtpEvent,
+        ftp: &mut FtpClient,
+        now: Duration,
+    ) {
+        match self.job.as_mut().map(|job| &mut job.phase) {
+            Some(Phase::Searching(search)) if search.ticket() == ticket => {
+                search.receive(event, ftp);
+            }
+            Some(Phase::Reading(reading)) => reading.hear(ticket, event, ftp, now),
+            Some(Phase::Searching(_) | Phase::Listing(_)) | None => {}
+        }
+    }
+
     /// Lets time pass: requests, files, the end.
-    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+    pub fn poll(
+        &mut self,
+        vehicle: &Vehicle,
+        ftp: &mut FtpClient,
+        now: Duration,
+        output: &mut Output,
+    ) {
         if self.job.is_none() {
             self.job = self.waiting.pop_front().and_then(Job::new);
             if let Some(job) = &self.job {
@@ -163,7 +174,17 @@ impl LogReader {
         let Some(job) = &mut self.job else {
             return;
         };
-        match job.advance(self.keeper.as_deref(), vehicle, now, output) {
+        let advanced = match self.keeper.as_deref() {
+            None => job.list(vehicle, now, output),
+            Some(keeper) => job.advance(&mut Desk {
+                keeper,
+                vehicle,
+                ftp,
+                now,
+                output,
+            }),
+        };
+        match advanced {
             Ok(()) => job.tell_progress(vehicle, now, output),
             Err((state, text)) => {
                 job.report(state, Some(text), vehicle, now, output);
@@ -184,7 +205,7 @@ impl Job {
             command,
             phase: Phase::Listing(Listing::new()),
             percent: None,
-            files: Vec::new(),
+            whole: Vec::new(),
         })
     }
 
@@ -210,10 +231,7 @@ impl Job {
         let Phase::Reading(reading) = &self.phase else {
             return;
         };
-        let whole: u64 = self.files.iter().map(|(log, _)| u64::from(log.size)).sum();
-        let gaps = reading.transfer.gaps();
-        let there = whole + u64::from(gaps.size() - gaps.missing_bytes());
-        let percent = (there * 100 / reading.bytes.max(1)).min(99) as u8;
+        let percent = reading.percent(&self.whole);
         if self.percent.is_none_or(|before| before != percent) {
             self.percent = Some(percent);
             self.report(RowState::InProgress(percent), None, vehicle, now, output);
@@ -221,51 +239,72 @@ impl Job {
     }
 
     /// Does what is due; the end as an error.
-    fn advance(
-        &mut self,
-        keeper: Option<&dyn LogKeeper>,
-        vehicle: &Vehicle,
-        now: Duration,
-        output: &mut Output,
-    ) -> Result<(), Ending> {
+    fn advance(&mut self, desk: &mut Desk<'_>) -> Result<(), Ending> {
         match &mut self.phase {
-            Phase::Listing(listing) => {
-                if let Some(logs) = listing.complete() {
-                    return self.listed(logs, keeper, vehicle, now);
-                }
-                if vehicle.armed() {
+            Phase::Listing(listing) => match listing.complete() {
+                Some(logs) => self.listed(logs, desk),
+                None => self.list(desk.vehicle, desk.now, desk.output),
+            },
+            Phase::Searching(search) => {
+                if desk.vehicle.armed() {
+                    desk.ftp.cancel(search.ticket());
                     return Err((RowState::Refused, text!("refused-logs-armed")));
                 }
-                if listing.is_stalled() {
-                    return Err((RowState::TimedOut, text!("outcome-logs-silent")));
+                match search.finished() {
+                    Some((logs, files)) => self.choose(logs, files, desk),
+                    None => Ok(()),
                 }
-                let request = listing.poll(vehicle.address(), now);
-                output.messages.extend(request);
-                Ok(())
             }
             Phase::Reading(reading) => {
-                let Some(keeper) = keeper else {
-                    return Err((RowState::Refused, text!("refused-logs-nowhere")));
-                };
-                let Some(file) = reading.advance(keeper, vehicle, now, output)? else {
+                let Some(whole) = reading.advance(desk)? else {
                     return Ok(());
                 };
-                self.files.push((reading.log.log, file));
-                match reading.later.pop_front() {
-                    Some(next) => reading.turn_to(next, keeper, now).map_err(failed),
-                    None => Err((RowState::Done, kept(&self.files))),
+                self.whole.push(whole);
+                if reading.turn_to_next(desk).map_err(failed)? {
+                    return Ok(());
                 }
+                Err((RowState::Done, kept(&self.whole)))
             }
         }
     }
 
+    /// Asks for the list of logs, until it is there.
+    fn list(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Result<(), Ending> {
+        let Phase::Listing(listing) = &mut self.phase else {
+            return Ok(());
+        };
+        if let (Some(logs), LogCommand::List) = (listing.complete(), &self.command) {
+            return Err((RowState::Done, list(&logs)));
+        }
+        if vehicle.armed() {
+            return Err((RowState::Refused, text!("refused-logs-armed")));
+        }
+        if listing.is_stalled() {
+            return Err((RowState::TimedOut, text!("outcome-logs-silent")));
+        }
+        let request = listing.poll(vehicle.address(), now);
+        output.messages.extend(request);
+        Ok(())
+    }
+
     /// The list is there.
-    fn listed(
+    fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut Desk<'_>) -> Result<(), Ending> {
+        if self.command == LogCommand::List {
+            return Err((RowState::Done, list(&logs)));
+        }
+        if logs.is_empty() || !hands_out_files(desk.vehicle) {
+            return self.choose(logs, LogFiles::default(), desk);
+        }
+        self.phase = Phase::Searching(Box::new(FileSearch::new(logs, desk.ftp)));
+        Ok(())
+    }
+
+    /// Begins with the logs that are wanted.
+    fn choose(
         &mut self,
         logs: Vec<ListedLog>,
-        keeper: Option<&dyn LogKeeper>,
-        vehicle: &Vehicle,
-        now: Duration,
+        files: LogFiles,
+        desk: &mut Desk<'_>,
     ) -> Result<(), Ending> {
         let LogCommand::Download { which, folder } = &self.command else {
             return Err((RowState::Done, list(&logs)));
@@ -278,7 +317,6 @@ impl Job {
                 logs.into_iter().filter(|it| it.number == *number).collect()
             }
         };
-        let bytes = chosen.iter().map(|it| u64::from(it.size)).sum();
         let Some(log) = chosen.pop_front() else {
             let reason = match which {
                 LogChoice::Number(number) if count > 0 => {
@@ -290,108 +328,14 @@ impl Job {
             };
             return Err((RowState::Refused, reason));
         };
-        let Some(keeper) = keeper else {
-            return Err((RowState::Refused, text!("refused-logs-nowhere")));
-        };
-        let log = VehicleLog {
-            vehicle: vehicle.id,
+        let first = VehicleLog {
+            vehicle: desk.vehicle.id,
             log,
             folder: folder.clone(),
         };
-        let reading = Reading::begin(log, chosen, keeper, now).map_err(failed)?;
-        self.phase = Phase::Reading(Box::new(Reading { bytes, ..reading }));
+        let reading = Reading::begin(first, chosen, files, desk).map_err(failed)?;
+        self.phase = Phase::Reading(Box::new(reading));
         Ok(())
-    }
-}
-
-impl Reading {
-    fn begin(
-        log: VehicleLog,
-        later: VecDeque<ListedLog>,
-        keeper: &dyn LogKeeper,
-        now: Duration,
-    ) -> Result<Self, Text> {
-        let known = keeper.find(&log)?;
-        Ok(Self {
-            transfer: Transfer::new(log.log.number, known.gaps, known.sample, now),
-            file: known.file,
-            log,
-            later,
-            bytes: 0,
-            unwritten: Vec::new(),
-            written_at: now,
-        })
-    }
-
-    /// Goes on with the next log.
-    fn turn_to(
-        &mut self,
-        next: ListedLog,
-        keeper: &dyn LogKeeper,
-        now: Duration,
-    ) -> Result<(), Text> {
-        let log = VehicleLog {
-            log: next,
-            ..self.log.clone()
-        };
-        let begun = Self::begin(log, std::mem::take(&mut self.later), keeper, now)?;
-        *self = Self {
-            bytes: self.bytes,
-            ..begun
-        };
-        Ok(())
-    }
-
-    /// Collects bytes to be written.
-    fn note(&mut self, new: LogBytes) {
-        match self.unwritten.last_mut() {
-            Some(last) if last.range().end == new.at => last.bytes.extend(new.bytes),
-            Some(_) | None => self.unwritten.push(new),
-        }
-    }
-
-    /// Writes what was collected. A file that is whole already needs nothing.
-    fn write(&mut self, keeper: &dyn LogKeeper, now: Duration) -> Result<(), Text> {
-        self.written_at = now;
-        let bytes = std::mem::take(&mut self.unwritten);
-        if self.file.is_some() || bytes.is_empty() {
-            return Ok(());
-        }
-        keeper.keep(&self.log, &bytes, self.transfer.gaps())
-    }
-
-    /// Does what is due; returns the file once it is whole.
-    fn advance(
-        &mut self,
-        keeper: &dyn LogKeeper,
-        vehicle: &Vehicle,
-        now: Duration,
-        output: &mut Output,
-    ) -> Result<Option<String>, Ending> {
-        let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
-        let is_whole = self.transfer.gaps().is_complete();
-        let ends = vehicle.armed() || self.transfer.is_stalled(now);
-        if collected >= BLOCK || is_whole || ends || now >= self.written_at + WRITE_EVERY {
-            self.write(keeper, now).map_err(failed)?;
-        }
-        if is_whole {
-            let known = self.file.take();
-            let file = known.map_or_else(|| keeper.finish(&self.log), Ok);
-            return file.map(Some).map_err(failed);
-        }
-        let kept = self.transfer.gaps().percent();
-        if vehicle.armed() {
-            let text = text!("outcome-logs-armed", percent = kept);
-            return Err((RowState::Refused, text));
-        }
-        if self.transfer.is_stalled(now) {
-            let text = text!("outcome-log-stalled", percent = kept);
-            return Err((RowState::TimedOut, text));
-        }
-        let round_trip = vehicle.link.round_trip.unwrap_or_default();
-        let requests = self.transfer.poll(vehicle.address(), round_trip, now);
-        output.messages.extend(requests);
-        Ok(None)
     }
 }
 

@@ -10,12 +10,14 @@ use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::{StoreError, give_new_name, links, sharing, user_path};
-use crate::session::{GapMap, KeptLog, LogBytes, LogKeeper, VehicleLog};
+use crate::session::{FtpChecksum, GapMap, KeptLog, FileBytes, LogKeeper, VehicleLog};
 use crate::text;
 use crate::text::{Text, utc_of};
 
 /// Bytes of a file that are read again to see that it is of the same log.
 const SAMPLE: u32 = 720;
+/// Bytes that are read at one time for a check sum.
+const BLOCK: usize = 64 * 1024;
 /// As many logs of one name may lie beside each other.
 const MOST_ALIKE: usize = 100;
 /// No list of gaps is longer.
@@ -140,7 +142,7 @@ impl LogKeeper for LogFolder {
         })
     }
 
-    fn keep(&self, log: &VehicleLog, bytes: &[LogBytes], gaps: &GapMap) -> Result<(), Text> {
+    fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text> {
         let write = || {
             let paths = self.paths(log)?;
             let mut options = OpenOptions::new();
@@ -156,6 +158,23 @@ impl LogKeeper for LogFolder {
             write_gaps(&paths.gaps, gaps).map_err(|error| unwritable(&paths.gaps, error))
         };
         write().map_err(|error: StoreError| Text::from(&error))
+    }
+
+    fn checksum(&self, log: &VehicleLog) -> Result<u32, Text> {
+        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let mut sum = FtpChecksum::default();
+        let summed = File::open(&paths.part).and_then(|file| {
+            let mut file = file.take(u64::from(log.log.size));
+            let mut block = vec![0; BLOCK];
+            loop {
+                match file.read(&mut block)? {
+                    0 => return Ok(()),
+                    len => sum.add(&block[..len]),
+                }
+            }
+        });
+        summed.map_err(|error| Text::from(&unreadable(&paths.part, error)))?;
+        Ok(sum.value())
     }
 
     fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
@@ -196,13 +215,13 @@ impl LogKeeper for LogFolder {
 }
 
 /// The last bytes of a file before a place.
-fn sample(path: &Path, end: u32) -> Option<LogBytes> {
+fn sample(path: &Path, end: u32) -> Option<FileBytes> {
     let at = end.saturating_sub(SAMPLE);
     let mut bytes = vec![0; (end - at) as usize];
     let mut file = File::open(path).ok()?;
     file.seek(SeekFrom::Start(u64::from(at))).ok()?;
     file.read_exact(&mut bytes).ok()?;
-    (!bytes.is_empty()).then_some(LogBytes { at, bytes })
+    (!bytes.is_empty()).then_some(FileBytes { at, bytes })
 }
 
 fn write_gaps(path: &Path, gaps: &GapMap) -> io::Result<()> {
@@ -216,6 +235,11 @@ fn write_gaps(path: &Path, gaps: &GapMap) -> io::Result<()> {
     let options = options.create(true).truncate(true).write(true);
     links::open_own(options, &part)?.write_all(text.as_bytes())?;
     fs::rename(&part, path)
+}
+
+fn unreadable(path: &Path, error: io::Error) -> StoreError {
+    let path = path.to_owned();
+    StoreError::Unreadable { path, error }
 }
 
 fn unwritable(path: &Path, error: io::Error) -> StoreError {
@@ -241,9 +265,9 @@ mod tests {
         }
     }
 
-    fn bytes(at: u32, len: usize) -> LogBytes {
+    fn bytes(at: u32, len: usize) -> FileBytes {
         let bytes = (0..len).map(|it| (it + at as usize) as u8).collect();
-        LogBytes { at, bytes }
+        FileBytes { at, bytes }
     }
 
     #[test]
@@ -269,6 +293,9 @@ mod tests {
             gaps.fill(stretch.range());
         }
         folder.keep(&log, &rest, &gaps).expect("written");
+        let mut sum = FtpChecksum::default();
+        sum.add(&bytes(0, 2000).bytes);
+        assert_eq!(folder.checksum(&log), Ok(sum.value()));
         let path = folder.finish(&log).expect("it is whole");
         assert!(
             path.ends_with("logs/v3-log2-2026-01-01T00-00-45Z.bin"),

@@ -26,6 +26,7 @@ catalogue! {
     "doctor",
     "fleet",
     "fly",
+    "ftp",
     "hangar",
     "hazards",
     "logs",

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use super::GapMap;
+use crate::session::gaps::{FileBytes, GapMap};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -25,19 +25,12 @@ pub struct VehicleLog {
     pub folder: Option<String>,
 }
 
-/// Bytes in a row, and where they begin.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LogBytes {
-    pub at: u32,
-    pub bytes: Vec<u8>,
-}
-
 /// What is there of a log from an earlier download.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeptLog {
     pub gaps: GapMap,
     /// Some of what is there: the vehicle's bytes must be the same, else the file is of another log.
-    pub sample: Option<LogBytes>,
+    pub sample: Option<FileBytes>,
     /// The file, if it is whole.
     pub file: Option<String>,
 }
@@ -54,7 +47,13 @@ pub trait LogKeeper: Debug + Send + Sync {
     ///
     /// # Errors
     /// In plain words when they cannot be written.
-    fn keep(&self, log: &VehicleLog, bytes: &[LogBytes], gaps: &GapMap) -> Result<(), Text>;
+    fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text>;
+
+    /// The check sum of a log that has come whole ([`FtpChecksum`](crate::session::FtpChecksum)).
+    ///
+    /// # Errors
+    /// In plain words when what was kept cannot be read.
+    fn checksum(&self, log: &VehicleLog) -> Result<u32, Text>;
 
     /// Checks the length of a log that has come whole, and gives its file the final name, which is returned.
     ///

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{LOG_DATA_DATA, LOG_REQUEST_DATA_DATA, MavMessage};
 
-use super::{GapMap, LogBytes};
+use crate::session::gaps::{FileBytes, GapMap};
 use crate::wire::{MavAddress, Outgoing};
 
 /// Bytes in one `LOG_DATA`. `ArduPilot` answers a request for no more at once, also on slow links, and silently drops a
@@ -41,7 +41,7 @@ pub(super) struct Transfer {
     number: u16,
     gaps: GapMap,
     /// What has to be the same as before.
-    sample: Option<LogBytes>,
+    sample: Option<FileBytes>,
     stream: Option<Stream>,
     /// Pieces that were asked for, by their beginning: their end, and when.
     pieces: BTreeMap<u32, (u32, Duration)>,
@@ -59,14 +59,14 @@ pub(super) struct Transfer {
 pub(super) enum Received {
     Nothing,
     /// Bytes that were missing.
-    Bytes(LogBytes),
+    Bytes(FileBytes),
     /// What was there is of another log: all is missing.
     Other,
 }
 
 impl Transfer {
     /// Begins to read what is missing. If there is a `sample` of what was read before, that is read again first.
-    pub fn new(number: u16, mut gaps: GapMap, sample: Option<LogBytes>, now: Duration) -> Self {
+    pub fn new(number: u16, mut gaps: GapMap, sample: Option<FileBytes>, now: Duration) -> Self {
         if let Some(sample) = &sample {
             gaps.open(sample.range());
         }
@@ -104,10 +104,15 @@ impl Transfer {
         self.pieces.remove(&data.ofs);
         self.follow(data.ofs..end, count, now);
         self.heard_at = now;
-        let bytes = LogBytes {
+        let bytes = FileBytes {
             at: data.ofs,
             bytes: data.data[..(end - data.ofs) as usize].to_vec(),
         };
+        self.take(bytes, now)
+    }
+
+    /// Takes in bytes that lie within the log, from wherever they come.
+    pub fn take(&mut self, bytes: FileBytes, now: Duration) -> Received {
         if self.differs(&bytes) {
             *self = Self {
                 bytes_per_s: self.bytes_per_s,
@@ -123,6 +128,12 @@ impl Transfer {
         self.fruitless = 0;
         self.news_at = now;
         Received::Bytes(bytes)
+    }
+
+    /// Counts silence from now on: the bytes came otherwise until now.
+    pub fn resume(&mut self, now: Duration) {
+        self.heard_at = now;
+        self.news_at = now;
     }
 
     /// Measures the stream, and notices its end.
@@ -143,7 +154,7 @@ impl Transfer {
     }
 
     /// Whether bytes are not those that were read before.
-    fn differs(&self, bytes: &LogBytes) -> bool {
+    fn differs(&self, bytes: &FileBytes) -> bool {
         let Some(sample) = &self.sample else {
             return false;
         };
@@ -248,12 +259,5 @@ impl Transfer {
             target_component: vehicle.component,
         })
         .into()
-    }
-}
-
-impl LogBytes {
-    /// Where they are in the file.
-    pub fn range(&self) -> Range<u32> {
-        self.at..self.at + self.bytes.len() as u32
     }
 }

@@ -39,13 +39,59 @@ pub(super) fn list(logs: &[ListedLog]) -> Text {
     )
 }
 
-/// What was kept, in words.
-pub(super) fn kept(files: &[(ListedLog, String)]) -> Text {
-    let paths: Vec<&str> = files.iter().map(|(_, path)| path.as_str()).collect();
-    let bytes = files.iter().map(|(log, _)| u64::from(log.size)).sum();
+/// A log that is whole.
+#[derive(Debug, Clone)]
+pub(super) struct WholeLog {
+    pub log: ListedLog,
+    pub file: String,
+    /// How it came; `None` if it was there before.
+    pub way: Option<LogWay>,
+}
+
+/// How a log came.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum LogWay {
+    /// As a file whose check sum is that of the vehicle.
+    CheckedFile,
+    /// As a file; the vehicle gives no check sum.
+    File,
+    Messages,
+    /// By log messages, after files failed for a reason.
+    MessagesAfter(Text),
+}
+
+impl LogWay {
+    fn words(&self) -> Text {
+        match self {
+            Self::CheckedFile => text!("outcome-log-files-checked"),
+            Self::File => text!("outcome-log-files"),
+            Self::Messages => text!("outcome-log-messages"),
+            Self::MessagesAfter(reason) => {
+                text!("outcome-log-messages-after", reason = reason)
+            }
+        }
+    }
+}
+
+/// What was kept, in words, and how it came.
+pub(super) fn kept(logs: &[WholeLog]) -> Text {
+    let paths: Vec<&str> = logs.iter().map(|log| log.file.as_str()).collect();
+    let bytes = logs.iter().map(|it| u64::from(it.log.size)).sum();
+    let mut ways: Vec<&LogWay> = Vec::new();
+    for way in logs.iter().filter_map(|it| it.way.as_ref()) {
+        if !ways.contains(&way) {
+            ways.push(way);
+        }
+    }
+    let (size, files) = (kilobytes(bytes), paths.join(", "));
+    if ways.is_empty() {
+        return text!("outcome-logs-kept", size = size, files = files);
+    }
+    let ways = Text::joined("; ", ways.into_iter().map(LogWay::words).collect());
     text!(
-        "outcome-logs-kept",
-        size = kilobytes(bytes),
-        files = paths.join(", ")
+        "outcome-logs-kept-by",
+        size = size,
+        files = files,
+        ways = ways
     )
 }

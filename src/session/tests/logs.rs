@@ -3,13 +3,17 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use mavlink::dialects::ardupilotmega::{LOG_DATA_DATA, LOG_ENTRY_DATA};
+use mavlink::dialects::ardupilotmega::{
+    AUTOPILOT_VERSION_DATA, FILE_TRANSFER_PROTOCOL_DATA, LOG_DATA_DATA, LOG_ENTRY_DATA,
+    MavProtocolCapability,
+};
 use proptest::prelude::*;
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::commands::{LogChoice, LogCommand};
+use crate::session::ftp::server::{FileServer, Quirks};
 use crate::text::Text;
 
 /// Keeps logs in memory.
@@ -31,7 +35,7 @@ impl LogKeeper for Memory {
         };
         let known = gaps.missing().first().map_or(0, |gap| gap.start);
         let at = known.saturating_sub(720);
-        let sample = LogBytes {
+        let sample = FileBytes {
             at,
             bytes: bytes[at as usize..known as usize].to_vec(),
         };
@@ -42,7 +46,7 @@ impl LogKeeper for Memory {
         })
     }
 
-    fn keep(&self, log: &VehicleLog, bytes: &[LogBytes], gaps: &GapMap) -> Result<(), Text> {
+    fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text> {
         let mut parts = self.parts.lock().expect("no panic");
         let part = parts.entry(log.log.number);
         let (part, known) = part.or_insert_with(|| (vec![0; log.log.size as usize], gaps.clone()));
@@ -52,6 +56,13 @@ impl LogKeeper for Memory {
         }
         *known = gaps.clone();
         Ok(())
+    }
+
+    fn checksum(&self, log: &VehicleLog) -> Result<u32, Text> {
+        let parts = self.parts.lock().expect("no panic");
+        let mut sum = FtpChecksum::default();
+        sum.add(&parts[&log.log.number].0);
+        Ok(sum.value())
     }
 
     fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
@@ -80,6 +91,10 @@ struct Shelf {
     /// Messages of a stream in 10 ms.
     rate: usize,
     requests: usize,
+    /// Bytes that log messages have carried.
+    carried: usize,
+    /// The files, if the vehicle hands them out.
+    server: FileServer,
 }
 
 impl Shelf {
@@ -100,7 +115,33 @@ impl Shelf {
             sending: None,
             rate: 4,
             requests: 0,
+            carried: 0,
+            server: FileServer::default(),
         }
+    }
+
+    /// A vehicle that hands out the files of its logs.
+    fn with_files(logs: Vec<Vec<u8>>) -> Self {
+        let mut shelf = Self::new(logs);
+        for (number, log) in (1..).zip(&shelf.logs) {
+            let path = format!("logs/{number:08}.BIN");
+            shelf.server.files.insert(path, log.clone());
+        }
+        let version = AUTOPILOT_VERSION_DATA {
+            capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP,
+            ..AUTOPILOT_VERSION_DATA::DEFAULT
+        };
+        shelf.scene.hear(MavMessage::AUTOPILOT_VERSION(version));
+        shelf
+    }
+
+    fn explanation(&self) -> String {
+        let words = self.last_row().explanation.as_ref();
+        words.expect("words").to_string()
+    }
+
+    fn kept(&self, number: u16) -> Vec<u8> {
+        self.keeper.whole.lock().expect("kept")[&number].clone()
     }
 
     fn is_lost(&mut self) -> bool {
@@ -145,11 +186,13 @@ impl Shelf {
                     self.send();
                 }
                 MavMessage::LOG_REQUEST_END(_) => self.sending = None,
+                MavMessage::FILE_TRANSFER_PROTOCOL(asked) => self.server.hear(asked.payload),
                 _ => {}
             }
         }
         for _ in 0..self.rate {
             self.send();
+            self.send_file();
         }
     }
 
@@ -188,10 +231,24 @@ impl Shelf {
             ..LOG_DATA_DATA::DEFAULT
         };
         data.data[..bytes.len()].copy_from_slice(bytes);
+        self.carried += bytes.len();
         let is_over = bytes.len() < 90 || end == range.end;
         self.sending = (!is_over).then_some((id, end..range.end));
         if !self.is_lost() {
             self.scene.hear(MavMessage::LOG_DATA(data));
+        }
+    }
+
+    fn send_file(&mut self) {
+        if let Some(payload) = self.server.say()
+            && !self.is_lost()
+        {
+            let data = FILE_TRANSFER_PROTOCOL_DATA {
+                target_system: 255,
+                payload,
+                ..FILE_TRANSFER_PROTOCOL_DATA::DEFAULT
+            };
+            self.scene.hear(MavMessage::FILE_TRANSFER_PROTOCOL(data));
         }
     }
 
@@ -331,8 +388,149 @@ fn logs_are_refused_while_armed_and_where_they_cannot_be_kept() {
     assert_eq!(scene.rows.last().expect("a row").state, RowState::Refused);
 }
 
+#[test]
+fn a_log_comes_as_a_file_where_the_vehicle_hands_it_out() {
+    let mut shelf = Shelf::with_files(vec![log(700, 1), log(250_000, 2)]);
+    shelf.download(LogChoice::All);
+    shelf.until_over(ms(30_000));
+    assert_eq!(shelf.last_row().state, RowState::Done);
+    let text = "250.7 kB in log1.bin, log2.bin: by MAVFTP, check sum verified";
+    assert_eq!(shelf.explanation(), text);
+    assert_eq!(shelf.requests, 0);
+    assert!(shelf.kept(1) == log(700, 1) && shelf.kept(2) == log(250_000, 2));
+    shelf.step();
+    shelf.step();
+    assert!(!shelf.server.is_open());
+}
+
+#[test]
+fn log_messages_go_on_where_files_fail() {
+    let size = 100_000;
+    let by = |reason: &str| format!("by log messages after MAVFTP ({reason})");
+    let half = Quirks {
+        refuses_from: Some(50_000),
+        ..Quirks::default()
+    };
+    let silent = Quirks {
+        is_silent: true,
+        ..Quirks::default()
+    };
+    let wrong = Quirks {
+        wrong_checksum: true,
+        ..Quirks::default()
+    };
+    let without = Quirks {
+        has_no_checksum: true,
+        ..Quirks::default()
+    };
+    let grown = Quirks {
+        estimate: 1000,
+        ..Quirks::default()
+    };
+    let refused = "the vehicle refuses it without a reason";
+    for (quirks, most, way) in [
+        (half, size / 2 + 300, by(refused)),
+        (silent, size, by("no answer")),
+        (wrong, size, by("another check sum")),
+        (grown, size, by("the file has another size, 101000 bytes")),
+        (without, 0, "by MAVFTP, no check sum".to_owned()),
+    ] {
+        let mut shelf = Shelf::with_files(vec![log(size, 2)]);
+        shelf.server.quirks = quirks;
+        shelf.download(LogChoice::Last);
+        shelf.until_over(Duration::from_secs(60));
+        assert_eq!(shelf.explanation(), format!("100.0 kB in log1.bin: {way}"));
+        assert!(shelf.carried <= most, "{way}: {} bytes", shelf.carried);
+        assert!(shelf.kept(1) == log(size, 2), "{way}");
+        let rows = shelf.scene.rows.iter();
+        let percents = rows.filter_map(|row| match row.state {
+            RowState::InProgress(percent) => Some(percent),
+            _ => None,
+        });
+        assert!(percents.is_sorted() || way.contains("check sum"), "{way}");
+    }
+}
+
+#[test]
+fn files_that_are_not_those_of_the_list_are_left_alone() {
+    let mut shelf = Shelf::with_files(vec![log(9000, 1), log(5000, 2)]);
+    let path = "logs/00000002.BIN".to_owned();
+    shelf.server.files.insert(path.clone(), log(5100, 3));
+    shelf.download(LogChoice::Last);
+    shelf.until_over(ms(30_000));
+    let way = "by log messages after MAVFTP (no file of the listed size)";
+    assert_eq!(shelf.explanation(), format!("5.0 kB in log2.bin: {way}"));
+    assert!(shelf.kept(2) == log(5000, 2));
+    // A board has them elsewhere.
+    let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
+    let file = shelf.server.files.pop_first().expect("a log");
+    shelf.server.files.insert("/APM/LOGS/00000001.BIN".to_owned(), file.1);
+    shelf.download(LogChoice::Last);
+    shelf.until_over(ms(30_000));
+    assert!(shelf.explanation().ends_with("by MAVFTP, check sum verified"));
+    shelf.server.files.clear();
+    shelf.keeper.whole.lock().expect("kept").clear();
+    shelf.download(LogChoice::Last);
+    shelf.step();
+    shelf.until_over(ms(30_000));
+    assert!(shelf.explanation().ends_with("(file not found)"), "{}", shelf.explanation());
+}
+
+#[test]
+fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
+    for is_other in [false, true] {
+        let mut shelf = Shelf::with_files(vec![log(150_000, 2)]);
+        shelf.download(LogChoice::All);
+        while shelf.last_row().state != RowState::InProgress(60) {
+            shelf.step();
+        }
+        shelf.scene.heartbeat(STABILIZE, true);
+        shelf.step();
+        assert_eq!(shelf.last_row().state, RowState::Refused);
+        shelf.scene.heartbeat(STABILIZE, false);
+        if is_other {
+            shelf.logs[0] = log(150_000, 3);
+            let path = "logs/00000001.BIN".to_owned();
+            shelf.server.files.insert(path, log(150_000, 3));
+        }
+        // The server sends its burst to the end.
+        for _ in 0..100 {
+            shelf.step();
+        }
+        let before = shelf.passed;
+        shelf.download(LogChoice::Number(1));
+        shelf.step();
+        shelf.until_over(ms(30_000));
+        assert!(shelf.explanation().ends_with("by MAVFTP, check sum verified"));
+        assert!(shelf.kept(1) == shelf.logs[0], "other bytes");
+        let packets = shelf.passed - before;
+        assert!(is_other || packets < 400, "{packets} packets");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// By whichever way: the bytes are those of the vehicle.
+    #[test]
+    fn a_file_survives_losses(
+        seed in any::<u64>(),
+        loss in 0.0..0.4,
+        len in 1usize..100_000,
+        rate in 1usize..20,
+        refuses_from in prop_oneof![3 => Just(None), 1 => (0usize..100_000).prop_map(Some)],
+        forgets_after in prop_oneof![3 => Just(None), 1 => (0usize..400).prop_map(Some)],
+    ) {
+        let mut shelf = Shelf::with_files(vec![log(len, 7)]);
+        shelf.server.quirks = Quirks { refuses_from, forgets_after, ..Quirks::default() };
+        shelf.loss = loss;
+        shelf.random = ChaCha8Rng::seed_from_u64(seed);
+        shelf.rate = rate;
+        shelf.download(LogChoice::Last);
+        shelf.until_over(Duration::from_secs(600));
+        prop_assert_eq!(shelf.last_row().state, RowState::Done);
+        prop_assert!(shelf.kept(1) == log(len, 7));
+    }
 
     /// Whatever is lost, as long as something comes, the bytes are those of the vehicle.
     #[test]

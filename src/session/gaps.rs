@@ -2,6 +2,20 @@
 
 use std::ops::Range;
 
+/// Bytes of a file in a row, and where they begin.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FileBytes {
+    pub at: u32,
+    pub bytes: Vec<u8>,
+}
+
+impl FileBytes {
+    /// The stretch of the file that they are.
+    pub fn range(&self) -> Range<u32> {
+        self.at..self.at + self.bytes.len() as u32
+    }
+}
+
 /// The gaps of a file of known size: stretches of bytes that are missing, in order, none touching the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GapMap {
@@ -86,6 +100,16 @@ impl GapMap {
         touched - still
     }
 
+    /// Notes that the file ends earlier: what was missing behind its end is not.
+    pub fn truncate(&mut self, size: u32) {
+        self.size = self.size.min(size);
+        let behind = self.missing.partition_point(|gap| gap.start < self.size);
+        self.missing.truncate(behind);
+        if let Some(last) = self.missing.last_mut() {
+            last.end = last.end.min(self.size);
+        }
+    }
+
     /// Notes that a stretch is missing after all.
     pub fn open(&mut self, stretch: Range<u32>) {
         let stretch = stretch.start..stretch.end.min(self.size);
@@ -135,6 +159,20 @@ mod tests {
         for gaps in [[2..4, 6..12], [4..6, 2..3], [2..2, 4..6], [2..4, 4..6]] {
             assert_eq!(GapMap::of_gaps(10, gaps.to_vec()), None);
         }
+    }
+
+    #[test]
+    fn a_file_that_ends_earlier_lacks_nothing_behind_its_end() {
+        let mut map = GapMap::new(100);
+        map.fill(20..50);
+        map.truncate(200);
+        assert_eq!((map.size(), map.missing_bytes()), (100, 70));
+        map.truncate(60);
+        assert_eq!((map.size(), map.missing()), (60, &[0..20, 50..60][..]));
+        map.truncate(50);
+        assert_eq!((map.size(), map.missing()), (50, &[0..20][..]));
+        map.truncate(0);
+        assert!(map.is_complete());
     }
 
     #[derive(Debug, Clone)]

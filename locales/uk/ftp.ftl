@@ -1,0 +1,17 @@
+# Why something about a vehicle's files (MAVFTP) fails.
+ftp-fail = апарат відмовляє без причини
+ftp-system = помилка { $number } файлової системи апарата
+ftp-invalid-size = апарат вважає розмір запиту неправильним
+ftp-invalid-session = файл відкрила інша наземна станція
+ftp-no-session = апарат не має вільного сеансу
+ftp-end-of-file = файл закінчився раніше
+ftp-unknown-command = апарат не знає такого запиту
+ftp-exists = файл уже існує
+ftp-protected = файл захищено від запису
+ftp-not-found = файл не знайдено
+ftp-other = відмова з невідомим кодом { $code }
+ftp-silent = відповіді немає
+ftp-other-size = файл має інший розмір, { $bytes } байтів
+ftp-malformed = відповідь не має змісту
+ftp-too-many = у теці забагато записів
+ftp-bad-path = шлях порожній або задовгий

@@ -1,0 +1,356 @@
+//! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of its own.
+//!
+//! A user of it asks for an [`FtpTask`], keeps the [`FtpTicket`], and gets [`FtpEvent`]s with that ticket out of
+//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for everybody. Nothing is
+//! written; a task that writes would be another kind of [`Work`].
+//!
+//! Servers differ: `ArduPilot` takes the client's session number, PX4 gives its own; a burst ends after 500 packets, at
+//! the end of the file, or without a word. What is lost, comes twice or in another order is sorted out here.
+//! Source: <https://mavlink.io/en/services/ftp.html> and `GCS_FTP.cpp` of `ArduPilot`.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+mod checksum;
+mod exchange;
+mod fault;
+mod file;
+mod flow;
+mod listing;
+mod packet;
+#[cfg(test)]
+pub(super) mod server;
+#[cfg(test)]
+mod tests;
+
+pub use checksum::FtpChecksum;
+pub use fault::{FtpFault, FtpNak};
+pub use listing::FtpEntry;
+pub use packet::FtpPayload;
+
+use exchange::Exchange;
+use file::{FileNews, FileReading};
+use listing::{FolderListing, Listed};
+use packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
+
+use super::gaps::{FileBytes, GapMap};
+use crate::hash::fnv1a;
+
+/// A request is given up if it is not answered for this long.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// A session that cannot be closed is left to the server's own time limit.
+const CLOSING: Duration = Duration::from_secs(3);
+/// How fast a server reads its own file for the check sum, at least, in bytes per second.
+const SLOWEST_CHECKSUM: u32 = 200_000;
+/// Bytes of a path: `ArduPilot` needs the last one of a packet for itself.
+const LONGEST_PATH: usize = MOST_DATA - 1;
+/// Sessions are numbered from 1 to this.
+const MOST_SESSIONS: u64 = 250;
+
+/// What is wanted of a vehicle's files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FtpTask {
+    /// The entries of a folder.
+    List { folder: String },
+    /// A file, or what is missing of it. With gaps it must have their size; without, it ends where the vehicle says so.
+    Read { path: String, gaps: Option<GapMap> },
+    /// The check sum of a file of so many bytes ([`FtpChecksum`]).
+    Checksum { path: String, size: u32 },
+}
+
+/// What came of a task.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FtpEvent {
+    /// The folder: the task is done.
+    Listed(Vec<FtpEntry>),
+    /// Bytes of the file that were missing, in any order.
+    Bytes(FileBytes),
+    /// All bytes of a file of this size have come: the task is done.
+    Complete(u32),
+    /// The check sum: the task is done.
+    Checksum(u32),
+    /// The task is over.
+    Failed(FtpFault),
+}
+
+/// Which task an event is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FtpTicket(u32);
+
+/// What follows from a step.
+#[derive(Debug, Clone, Default)]
+pub struct FtpStep {
+    /// To be sent, in order.
+    pub requests: Vec<FtpPayload>,
+    pub events: Vec<(FtpTicket, FtpEvent)>,
+}
+
+/// The client for the files of one vehicle.
+#[derive(Debug, Clone)]
+pub struct FtpClient {
+    waiting: VecDeque<(FtpTicket, FtpTask)>,
+    job: Option<Job>,
+    tickets: u32,
+    sequence: FtpSequence,
+}
+
+/// The task that is carried out.
+#[derive(Debug, Clone)]
+struct Job {
+    ticket: FtpTicket,
+    work: Work,
+}
+
+#[derive(Debug, Clone)]
+enum Work {
+    Listing {
+        folder: String,
+        listing: FolderListing,
+        exchange: Exchange,
+    },
+    Checking(Exchange),
+    Reading(Box<FileReading>),
+    /// The task is over; its session is closed.
+    Closing(Exchange),
+}
+
+impl FtpClient {
+    pub fn new() -> Self {
+        Self {
+            waiting: VecDeque::new(),
+            job: None,
+            tickets: 0,
+            sequence: FtpSequence::new(),
+        }
+    }
+
+    /// Takes a task; it begins with the next step, after those before it.
+    pub fn ask(&mut self, task: FtpTask) -> FtpTicket {
+        self.tickets = self.tickets.wrapping_add(1);
+        let ticket = FtpTicket(self.tickets);
+        self.waiting.push_back((ticket, task));
+        ticket
+    }
+
+    /// Drops a task; a file that it has opened is closed. There are no more events of it.
+    pub fn cancel(&mut self, ticket: FtpTicket) {
+        self.waiting.retain(|(waiting, _)| *waiting != ticket);
+        if let Some(job) = self.job.take_if(|job| job.ticket == ticket) {
+            self.close(job);
+        }
+    }
+
+    /// Drops everything: the vehicle has rebooted, and its server knows nothing of us.
+    pub fn forget(&mut self) {
+        self.waiting.clear();
+        self.job = None;
+    }
+
+    /// Whether something is awaited.
+    pub fn is_busy(&self) -> bool {
+        self.job.is_some() || !self.waiting.is_empty()
+    }
+
+    /// Takes in what the vehicle's server has sent, if anything, and lets time pass; `round_trip` is how long the way
+    /// there and back takes.
+    pub fn step(
+        &mut self,
+        incoming: Option<&FtpPayload>,
+        round_trip: Duration,
+        now: Duration,
+    ) -> FtpStep {
+        let mut step = FtpStep::default();
+        if let Some(answer) = incoming.and_then(FtpAnswer::read) {
+            self.receive(&answer, now, &mut step);
+        }
+        // What ends makes room for the next one.
+        while self.begin(now, &mut step) {
+            if self.advance(round_trip, now, &mut step) {
+                break;
+            }
+        }
+        step
+    }
+
+    /// Begins the next task if there is none under way; whether there is one.
+    fn begin(&mut self, now: Duration, step: &mut FtpStep) -> bool {
+        while self.job.is_none() {
+            let Some((ticket, task)) = self.waiting.pop_front() else {
+                return false;
+            };
+            let path = task.path();
+            if path.is_empty() || path.len() > LONGEST_PATH || path.contains('\0') {
+                let fault = FtpEvent::Failed(FtpFault::BadPath);
+                step.events.push((ticket, fault));
+                continue;
+            }
+            let work = self.work(task, session_at(now));
+            self.job = Some(Job { ticket, work });
+        }
+        true
+    }
+
+    fn work(&mut self, task: FtpTask, session: u8) -> Work {
+        let sequence = &mut self.sequence;
+        match task {
+            FtpTask::List { folder } => Work::Listing {
+                exchange: Exchange::new(
+                    FtpRequest::about(&folder, FtpOpcode::List, session, sequence),
+                    PATIENCE,
+                ),
+                folder,
+                listing: FolderListing::default(),
+            },
+            FtpTask::Checksum { path, size } => {
+                let request = FtpRequest::about(&path, FtpOpcode::Checksum, session, sequence);
+                let reading = Duration::from_secs(u64::from(size / SLOWEST_CHECKSUM));
+                Work::Checking(Exchange::new(request, PATIENCE + reading))
+            }
+            FtpTask::Read { path, gaps } => {
+                let reading = FileReading::new(path, session, gaps, sequence);
+                Work::Reading(Box::new(reading))
+            }
+        }
+    }
+
+    fn receive(&mut self, answer: &FtpAnswer, now: Duration, step: &mut FtpStep) {
+        let Some(job) = &mut self.job else {
+            return;
+        };
+        let ticket = job.ticket;
+        let ending = match &mut job.work {
+            Work::Listing {
+                folder,
+                listing,
+                exchange,
+            } if exchange.is_answered_by(answer) => match listing.receive(answer) {
+                Listed::More(offset) => {
+                    let session = exchange.request().session;
+                    let request =
+                        FtpRequest::about(folder, FtpOpcode::List, session, &mut self.sequence);
+                    *exchange = Exchange::new(FtpRequest { offset, ..request }, PATIENCE);
+                    None
+                }
+                Listed::All(entries) => Some(FtpEvent::Listed(entries)),
+                Listed::Fault(fault) => Some(FtpEvent::Failed(fault)),
+            },
+            Work::Checking(exchange) if exchange.is_answered_by(answer) => {
+                Some(checksum_of(answer))
+            }
+            Work::Reading(reading) => match reading.receive(answer, &mut self.sequence, now) {
+                FileNews::Nothing => None,
+                FileNews::Bytes(bytes) => {
+                    step.events.push((ticket, FtpEvent::Bytes(bytes)));
+                    None
+                }
+                FileNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
+            },
+            Work::Closing(exchange) if exchange.is_answered_by(answer) => {
+                self.job = None;
+                return;
+            }
+            Work::Listing { .. } | Work::Checking(_) | Work::Closing(_) => None,
+        };
+        self.end_with(ending, step);
+    }
+
+    /// Sends what is due; `false` if the task has ended.
+    fn advance(&mut self, round_trip: Duration, now: Duration, step: &mut FtpStep) -> bool {
+        let Some(job) = &mut self.job else {
+            return false;
+        };
+        let due = match &mut job.work {
+            Work::Listing { exchange, .. } | Work::Checking(exchange) => {
+                let request = exchange.poll(round_trip, now);
+                request.map(|it| it.cloned().into_iter().collect())
+            }
+            Work::Closing(exchange) => match exchange.poll(round_trip, now) {
+                Ok(request) => Ok(request.cloned().into_iter().collect()),
+                Err(_) => {
+                    self.job = None;
+                    return false;
+                }
+            },
+            Work::Reading(reading) => {
+                if let Some(size) = reading.complete() {
+                    self.end_with(Some(FtpEvent::Complete(size)), step);
+                    return false;
+                }
+                reading.poll(&mut self.sequence, round_trip, now)
+            }
+        };
+        match due {
+            Ok(requests) => {
+                let requests: Vec<FtpRequest> = requests;
+                step.requests
+                    .extend(requests.iter().map(FtpRequest::payload));
+                true
+            }
+            Err(fault) => {
+                self.end_with(Some(FtpEvent::Failed(fault)), step);
+                false
+            }
+        }
+    }
+
+    fn end_with(&mut self, ending: Option<FtpEvent>, step: &mut FtpStep) {
+        if let Some(event) = ending
+            && let Some(job) = self.job.take()
+        {
+            step.events.push((job.ticket, event));
+            self.close(job);
+        }
+    }
+
+    /// Closes the file of a task that is over, if it may have opened one.
+    fn close(&mut self, job: Job) {
+        let session = match job.work {
+            Work::Listing { .. } | Work::Checking(_) => return,
+            Work::Reading(reading) => reading.session(),
+            Work::Closing(exchange) => {
+                self.job = Some(Job {
+                    work: Work::Closing(exchange),
+                    ..job
+                });
+                return;
+            }
+        };
+        let request = FtpRequest {
+            sequence: self.sequence.next(),
+            session,
+            opcode: FtpOpcode::Terminate,
+            offset: 0,
+            size: 0,
+            data: Vec::new(),
+        };
+        self.job = Some(Job {
+            ticket: job.ticket,
+            work: Work::Closing(Exchange::new(request, CLOSING)),
+        });
+    }
+}
+
+impl FtpTask {
+    fn path(&self) -> &str {
+        match self {
+            Self::List { folder } => folder,
+            Self::Read { path, .. } | Self::Checksum { path, .. } => path,
+        }
+    }
+}
+
+/// A session number that another console, or a file opened before, hardly has.
+fn session_at(now: Duration) -> u8 {
+    let hash = fnv1a(&now.as_nanos().to_le_bytes());
+    (hash % MOST_SESSIONS) as u8 + 1
+}
+
+fn checksum_of(answer: &FtpAnswer) -> FtpEvent {
+    match &answer.result {
+        Ok(data) => match data.first_chunk().copied() {
+            Some(sum) => FtpEvent::Checksum(u32::from_le_bytes(sum)),
+            None => FtpEvent::Failed(FtpFault::Malformed),
+        },
+        Err(nak) => FtpEvent::Failed(FtpFault::Refused(*nak)),
+    }
+}

@@ -1,0 +1,122 @@
+//! Why something about a vehicle's files fails.
+
+use crate::text;
+use crate::text::Text;
+
+/// Why a file server refuses a request. Source: <https://mavlink.io/en/services/ftp.html#error_codes>.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FtpNak {
+    /// Without a reason: also a second file while one is open, and a request that is not supported, in `ArduPilot`.
+    Fail,
+    /// An error number of the vehicle's operating system.
+    System(u8),
+    InvalidSize,
+    /// The session is not open, or is another client's.
+    InvalidSession,
+    /// All sessions are in use.
+    NoSession,
+    /// The offset is behind the end of the file or the list.
+    EndOfFile,
+    UnknownCommand,
+    Exists,
+    Protected,
+    NotFound,
+    /// A code that the protocol does not have.
+    Other(u8),
+}
+
+impl FtpNak {
+    /// Reads the data of a refusal.
+    pub(super) fn read(data: &[u8]) -> Self {
+        match data.first().copied().unwrap_or(0) {
+            1 => Self::Fail,
+            2 => Self::System(data.get(1).copied().unwrap_or(0)),
+            3 => Self::InvalidSize,
+            4 => Self::InvalidSession,
+            5 => Self::NoSession,
+            6 => Self::EndOfFile,
+            7 => Self::UnknownCommand,
+            8 => Self::Exists,
+            9 => Self::Protected,
+            10 => Self::NotFound,
+            code => Self::Other(code),
+        }
+    }
+
+    /// Whether the server may have forgotten the open file. `ArduPilot` then says that there is no file.
+    pub(super) fn is_of_lost_session(self) -> bool {
+        match self {
+            Self::InvalidSession | Self::NoSession | Self::NotFound => true,
+            Self::Fail
+            | Self::System(_)
+            | Self::InvalidSize
+            | Self::EndOfFile
+            | Self::UnknownCommand
+            | Self::Exists
+            | Self::Protected
+            | Self::Other(_) => false,
+        }
+    }
+
+    /// Whether another session may keep a file from being opened. `ArduPilot` gives no reason to a second one.
+    pub(super) fn is_of_busy_server(self) -> bool {
+        match self {
+            Self::Fail | Self::InvalidSession | Self::NoSession => true,
+            Self::System(_)
+            | Self::InvalidSize
+            | Self::EndOfFile
+            | Self::UnknownCommand
+            | Self::Exists
+            | Self::Protected
+            | Self::NotFound
+            | Self::Other(_) => false,
+        }
+    }
+}
+
+/// Why a task about a vehicle's files fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FtpFault {
+    Refused(FtpNak),
+    /// Nothing of use was heard for long.
+    Silent,
+    /// The file has so many bytes, not as many as expected.
+    OtherSize(u32),
+    /// An answer makes no sense.
+    Malformed,
+    /// A folder has more entries than are read.
+    TooMany,
+    /// A path is empty, or too long for a packet.
+    BadPath,
+}
+
+impl From<FtpNak> for Text {
+    fn from(nak: FtpNak) -> Self {
+        match nak {
+            FtpNak::Fail => text!("ftp-fail"),
+            FtpNak::System(number) => text!("ftp-system", number = number),
+            FtpNak::InvalidSize => text!("ftp-invalid-size"),
+            FtpNak::InvalidSession => text!("ftp-invalid-session"),
+            FtpNak::NoSession => text!("ftp-no-session"),
+            FtpNak::EndOfFile => text!("ftp-end-of-file"),
+            FtpNak::UnknownCommand => text!("ftp-unknown-command"),
+            FtpNak::Exists => text!("ftp-exists"),
+            FtpNak::Protected => text!("ftp-protected"),
+            FtpNak::NotFound => text!("ftp-not-found"),
+            FtpNak::Other(code) => text!("ftp-other", code = code),
+        }
+    }
+}
+
+impl From<FtpFault> for Text {
+    fn from(fault: FtpFault) -> Self {
+        match fault {
+            FtpFault::Refused(nak) => nak.into(),
+            FtpFault::Silent => text!("ftp-silent"),
+            FtpFault::OtherSize(bytes) => text!("ftp-other-size", bytes = bytes),
+            FtpFault::Malformed => text!("ftp-malformed"),
+            FtpFault::TooMany => text!("ftp-too-many"),
+            FtpFault::BadPath => text!("ftp-bad-path"),
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Opening a file and reading it.
+
+use std::time::Duration;
+
+use super::exchange::Exchange;
+use super::flow::{FileFlow, Heard};
+use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence};
+use super::{FtpFault, FtpNak, PATIENCE};
+use crate::session::gaps::{FileBytes, GapMap};
+
+/// `ArduPilot` takes a session that was idle for 3 s from its owner; each refusal counts as activity.
+const UNTIL_IDLE: Duration = Duration::from_millis(3500);
+/// After so many refusals the server counts as busy for long.
+const MOST_REFUSALS: u8 = 4;
+/// A server that loses the session so often in a row will lose it again.
+const MOST_LOSSES: u8 = 3;
+
+/// A file that is opened and read.
+#[derive(Debug, Clone)]
+pub(super) struct FileReading {
+    path: String,
+    session: u8,
+    /// What is missing of a file of known size; `None` before a file of any size is opened.
+    known: Option<GapMap>,
+    stage: Stage,
+    refusals: u8,
+    losses: u8,
+    is_estimate: bool,
+}
+
+#[derive(Debug, Clone)]
+enum Stage {
+    Opening(Exchange),
+    /// Ends sessions that were left open.
+    Resetting(Exchange),
+    /// Another session may end until then.
+    Resting(Duration),
+    Flowing(FileFlow),
+}
+
+/// What an answer means for a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum FileNews {
+    Nothing,
+    Bytes(FileBytes),
+    Fault(FtpFault),
+}
+
+impl FileReading {
+    pub fn new(
+        path: String,
+        session: u8,
+        known: Option<GapMap>,
+        sequence: &mut FtpSequence,
+    ) -> Self {
+        Self {
+            stage: opening(&path, session, sequence),
+            is_estimate: known.is_none(),
+            path,
+            session,
+            known,
+            refusals: 0,
+            losses: 0,
+        }
+    }
+
+    /// The session that may be open at the server.
+    pub fn session(&self) -> u8 {
+        self.session
+    }
+
+    /// The size of the file, once all of it is there.
+    pub fn complete(&self) -> Option<u32> {
+        match &self.stage {
+            Stage::Flowing(flow) => flow.gaps().is_complete().then(|| flow.gaps().size()),
+            Stage::Opening(_) | Stage::Resetting(_) | Stage::Resting(_) => None,
+        }
+    }
+
+    pub fn receive(
+        &mut self,
+        answer: &FtpAnswer,
+        sequence: &mut FtpSequence,
+        now: Duration,
+    ) -> FileNews {
+        match &mut self.stage {
+            Stage::Opening(exchange) if exchange.is_answered_by(answer) => {
+                let request = exchange.request().clone();
+                self.opened(&request, answer, sequence, now)
+            }
+            Stage::Resetting(exchange) if exchange.is_answered_by(answer) => {
+                self.stage = opening(&self.path, self.session, sequence);
+                FileNews::Nothing
+            }
+            Stage::Flowing(flow) => match flow.receive(answer, sequence, now) {
+                Heard::Nothing => FileNews::Nothing,
+                Heard::Bytes(bytes) => {
+                    self.losses = 0;
+                    FileNews::Bytes(bytes)
+                }
+                Heard::Lost(nak) => self.lost(nak, sequence),
+                Heard::Fault(fault) => FileNews::Fault(fault),
+            },
+            Stage::Opening(_) | Stage::Resetting(_) | Stage::Resting(_) => FileNews::Nothing,
+        }
+    }
+
+    fn opened(
+        &mut self,
+        request: &FtpRequest,
+        answer: &FtpAnswer,
+        sequence: &mut FtpSequence,
+        now: Duration,
+    ) -> FileNews {
+        let data = match &answer.result {
+            Ok(data) => data,
+            Err(nak) => return self.refused(*nak, sequence, now),
+        };
+        let Some(size) = data.first_chunk().copied().map(u32::from_le_bytes) else {
+            return FileNews::Fault(FtpFault::Malformed);
+        };
+        // PX4 numbers sessions itself.
+        self.session = answer.session;
+        let gaps = self.known.take().unwrap_or_else(|| GapMap::new(size));
+        if gaps.size() != size {
+            return FileNews::Fault(FtpFault::OtherSize(size));
+        }
+        let flow = FileFlow::new(request, self.session, gaps, now);
+        self.stage = Stage::Flowing(if self.is_estimate {
+            flow.estimated()
+        } else {
+            flow
+        });
+        FileNews::Nothing
+    }
+
+    /// The file is not opened: the server may be busy with another session, or with one that was never closed.
+    fn refused(&mut self, nak: FtpNak, sequence: &mut FtpSequence, now: Duration) -> FileNews {
+        self.refusals += 1;
+        if !nak.is_of_busy_server() || self.refusals >= MOST_REFUSALS {
+            return FileNews::Fault(FtpFault::Refused(nak));
+        }
+        self.stage = if self.refusals == 1 {
+            let request = FtpRequest {
+                sequence: sequence.next(),
+                session: self.session,
+                opcode: FtpOpcode::Reset,
+                offset: 0,
+                size: 0,
+                data: Vec::new(),
+            };
+            Stage::Resetting(Exchange::new(request, PATIENCE))
+        } else {
+            Stage::Resting(now + UNTIL_IDLE)
+        };
+        FileNews::Nothing
+    }
+
+    /// Opens the file again for what is missing.
+    fn lost(&mut self, nak: FtpNak, sequence: &mut FtpSequence) -> FileNews {
+        self.losses += 1;
+        if self.losses > MOST_LOSSES {
+            return FileNews::Fault(FtpFault::Refused(nak));
+        }
+        if let Stage::Flowing(flow) = &self.stage {
+            // The size of an estimate may have shrunk meanwhile; then all is read again.
+            self.known = (!self.is_estimate).then(|| flow.gaps().clone());
+        }
+        self.stage = opening(&self.path, self.session, sequence);
+        FileNews::Nothing
+    }
+
+    /// The requests that are due.
+    ///
+    /// # Errors
+    /// [`FtpFault::Silent`] if nothing of use was heard for long.
+    pub fn poll(
+        &mut self,
+        sequence: &mut FtpSequence,
+        round_trip: Duration,
+        now: Duration,
+    ) -> Result<Vec<FtpRequest>, FtpFault> {
+        if let Stage::Resting(until) = self.stage
+            && now >= until
+        {
+            self.stage = opening(&self.path, self.session, sequence);
+        }
+        match &mut self.stage {
+            Stage::Opening(exchange) | Stage::Resetting(exchange) => {
+                let request = exchange.poll(round_trip, now)?;
+                Ok(request.cloned().into_iter().collect())
+            }
+            Stage::Resting(_) => Ok(Vec::new()),
+            Stage::Flowing(flow) => flow.poll(sequence, round_trip, now),
+        }
+    }
+}
+
+fn opening(path: &str, session: u8, sequence: &mut FtpSequence) -> Stage {
+    let request = FtpRequest::about(path, FtpOpcode::OpenToRead, session, sequence);
+    Stage::Opening(Exchange::new(request, PATIENCE))
+}

@@ -1,0 +1,341 @@
+//! The bytes of an open file: in bursts where much is missing, piece by piece where little was lost.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::time::Duration;
+
+use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
+use super::{FtpFault, FtpNak};
+use crate::session::gaps::{FileBytes, GapMap};
+
+/// Bytes in one packet.
+const PIECE: u32 = MOST_DATA as u32;
+/// Bytes of one burst: `ArduPilot` sends 500 packets.
+const BURST: u32 = 500 * PIECE;
+/// Pieces that are asked for at one time: `ArduPilot` keeps five requests and drops the rest.
+const AT_ONCE: usize = 4;
+/// What one piece costs where packets are lost. Where a burst of all that is missing would take less, it is asked for.
+const PIECE_COST: Duration = Duration::from_millis(60);
+/// Bytes per second of a burst that has not been measured: a radio of 57600 baud.
+const SLOW: f64 = 4000.0;
+/// A request was lost, or a burst has ended, if nothing comes for this long.
+const SILENCE: Duration = Duration::from_millis(600);
+/// Nothing more will come if there was nothing new for this long.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// So many bursts without anything, and none with, mean that the server has no bursts.
+const MOST_DRY_BURSTS: u8 = 4;
+/// Answers that were sent before the newest request, or count on from it, have numbers that are no farther away.
+const WINDOW: u32 = 4096;
+
+/// A burst that is awaited.
+#[derive(Debug, Clone)]
+struct Burst {
+    sequence: u32,
+    at: u32,
+    begun: Duration,
+    /// How far it has come.
+    reached: u32,
+}
+
+/// Whether a server sends bursts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Bursts {
+    /// So many brought nothing.
+    Untried(u8),
+    Known,
+    None,
+}
+
+/// An open file that is read.
+#[derive(Debug, Clone)]
+pub(super) struct FileFlow {
+    session: u8,
+    /// The number of the request that opened it.
+    opened: u32,
+    /// The number of the last request.
+    newest: u32,
+    gaps: GapMap,
+    /// Whether the file has to have the size that it was opened with.
+    is_exact: bool,
+    burst: Option<Burst>,
+    bursts: Bursts,
+    /// Pieces that were asked for, by the number of the request: which, and when.
+    pieces: BTreeMap<u32, (Range<u32>, Duration)>,
+    heard_at: Duration,
+    /// When anything new came last.
+    news_at: Duration,
+    bytes_per_s: f64,
+}
+
+/// What an answer means for a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Heard {
+    Nothing,
+    /// Bytes that were missing, at least some of them.
+    Bytes(FileBytes),
+    /// The server does not know the session any more.
+    Lost(FtpNak),
+    Fault(FtpFault),
+}
+
+impl FileFlow {
+    /// Begins with a file that a request has opened, of which something is missing.
+    pub fn new(opened: &FtpRequest, session: u8, gaps: GapMap, now: Duration) -> Self {
+        Self {
+            session,
+            opened: opened.sequence,
+            newest: opened.sequence,
+            gaps,
+            is_exact: true,
+            burst: None,
+            bursts: Bursts::Untried(0),
+            pieces: BTreeMap::new(),
+            heard_at: now,
+            news_at: now,
+            bytes_per_s: SLOW,
+        }
+    }
+
+    /// Takes the size that the file was opened with for an estimate, as files have it that are made when they are read.
+    pub fn estimated(mut self) -> Self {
+        self.is_exact = false;
+        self
+    }
+
+    pub fn gaps(&self) -> &GapMap {
+        &self.gaps
+    }
+
+    pub fn receive(&mut self, answer: &FtpAnswer, sequence: &FtpSequence, now: Duration) -> Heard {
+        let request = sequence.request_of(answer.sequence);
+        // What comes late is welcome too.
+        let is_recent = request > self.opened && request.abs_diff(self.newest) < WINDOW;
+        if answer.session != self.session || !is_recent {
+            return Heard::Nothing;
+        }
+        if answer.is_of(FtpOpcode::Burst) {
+            self.hear_burst(answer, request, now)
+        } else if answer.is_of(FtpOpcode::Read) {
+            self.hear_piece(answer, request, now)
+        } else {
+            Heard::Nothing
+        }
+    }
+
+    fn hear_burst(&mut self, answer: &FtpAnswer, request: u32, now: Duration) -> Heard {
+        let burst = self.burst.as_ref().filter(|it| request >= it.sequence);
+        let of_this = burst.map(|burst| (burst.at, request == burst.sequence));
+        match (&answer.result, of_this) {
+            (Ok(data), _) => {
+                let heard = self.take(answer.offset, data, now);
+                if of_this.is_some() {
+                    self.follow_burst(answer, data.len() as u32, now);
+                }
+                heard
+            }
+            (Err(_), None) => Heard::Nothing,
+            (Err(FtpNak::EndOfFile), Some((at, is_first))) => {
+                self.end_burst(now);
+                if is_first {
+                    return self.end_at(at);
+                }
+                Heard::Nothing
+            }
+            (Err(FtpNak::UnknownCommand | FtpNak::Fail | FtpNak::InvalidSize), Some(_)) => {
+                self.end_burst(now);
+                self.bursts = Bursts::None;
+                Heard::Nothing
+            }
+            (Err(nak), Some(_)) => refused(*nak),
+        }
+    }
+
+    fn hear_piece(&mut self, answer: &FtpAnswer, request: u32, now: Duration) -> Heard {
+        let Some((piece, _)) = self.pieces.remove(&request) else {
+            return Heard::Nothing;
+        };
+        match &answer.result {
+            Ok(data) if answer.offset == piece.start && data.len() <= piece.len() => {
+                self.take(answer.offset, data, now)
+            }
+            Ok(_) => Heard::Nothing,
+            Err(FtpNak::EndOfFile) => self.end_at(piece.start),
+            Err(nak) => refused(*nak),
+        }
+    }
+
+    /// Takes bytes; what does not lie in the file is none of its.
+    fn take(&mut self, at: u32, data: &[u8], now: Duration) -> Heard {
+        let end = at.checked_add(data.len() as u32);
+        if end.is_none_or(|end| end > self.gaps.size()) {
+            return Heard::Nothing;
+        }
+        let bytes = FileBytes {
+            at,
+            bytes: data.to_vec(),
+        };
+        self.heard_at = now;
+        if self.gaps.fill(bytes.range()) == 0 {
+            return Heard::Nothing;
+        }
+        self.news_at = now;
+        Heard::Bytes(bytes)
+    }
+
+    /// The file has no byte at a place: it ends there, or before.
+    fn end_at(&mut self, size: u32) -> Heard {
+        if self.is_exact && size < self.gaps.size() {
+            return Heard::Fault(FtpFault::OtherSize(size));
+        }
+        self.gaps.truncate(size);
+        Heard::Nothing
+    }
+
+    /// Measures the burst, and notices its end.
+    fn follow_burst(&mut self, answer: &FtpAnswer, len: u32, now: Duration) {
+        let size = self.gaps.size();
+        let Some(burst) = &mut self.burst else {
+            return;
+        };
+        let end = answer.offset.saturating_add(len).min(size);
+        burst.reached = burst.reached.max(end);
+        if answer.is_burst_complete || end == size {
+            self.end_burst(now);
+        }
+    }
+
+    fn end_burst(&mut self, now: Duration) {
+        let Some(burst) = self.burst.take() else {
+            return;
+        };
+        let took = now.saturating_sub(burst.begun).as_secs_f64();
+        let bytes = burst.reached - burst.at;
+        if bytes > 0 {
+            self.bursts = Bursts::Known;
+            if took > 0.0 {
+                self.bytes_per_s = (f64::from(bytes) / took).max(1.0);
+            }
+        } else if let Bursts::Untried(dry) = self.bursts {
+            self.bursts = if dry + 1 < MOST_DRY_BURSTS {
+                Bursts::Untried(dry + 1)
+            } else {
+                Bursts::None
+            };
+        }
+    }
+
+    /// The requests that are due.
+    ///
+    /// # Errors
+    /// [`FtpFault::Silent`] if nothing new came for long.
+    pub fn poll(
+        &mut self,
+        sequence: &mut FtpSequence,
+        round_trip: Duration,
+        now: Duration,
+    ) -> Result<Vec<FtpRequest>, FtpFault> {
+        if now >= self.news_at + PATIENCE.max(round_trip * 10) {
+            return Err(FtpFault::Silent);
+        }
+        let wait = SILENCE.max(round_trip * 3 / 2);
+        if now >= self.heard_at + wait && self.burst.is_some() {
+            self.end_burst(now);
+        }
+        let gaps = &self.gaps;
+        self.pieces
+            .retain(|_, (piece, at)| now < *at + wait && gaps.lacks(piece));
+        if self.burst.is_some() {
+            return Ok(Vec::new());
+        }
+        let burst = self.worth_a_burst();
+        Ok(match burst {
+            Some(at) if self.pieces.is_empty() => vec![self.begin_burst(at, sequence, now)],
+            Some(_) => Vec::new(),
+            None => self.next_pieces(sequence, now),
+        })
+    }
+
+    /// Where to begin a burst: at the first gap where much of what follows is missing, else at a long gap.
+    fn worth_a_burst(&self) -> Option<u32> {
+        if self.bursts == Bursts::None {
+            return None;
+        }
+        let gaps = self.gaps.missing();
+        let longest = gaps.iter().max_by_key(|gap| gap.end - gap.start)?;
+        let is_better = |start: u32| {
+            let end = start.saturating_add(BURST).min(self.gaps.size());
+            let within = gaps.iter().map(|gap| gap.start.max(start)..gap.end.min(end));
+            let pieces: u32 = within
+                .filter(|gap| gap.start < gap.end)
+                .map(|gap| (gap.end - gap.start).div_ceil(PIECE))
+                .sum();
+            let bytes = f64::from(end - start);
+            let burst = Duration::from_secs_f64(bytes / self.bytes_per_s) + SILENCE / 2;
+            let is_most = pieces * 2 > (end - start).div_ceil(PIECE);
+            pieces as usize > AT_ONCE && (is_most || burst < PIECE_COST * pieces)
+        };
+        let starts = [gaps.first()?.start, longest.start];
+        starts.into_iter().find(|start| is_better(*start))
+    }
+
+    fn begin_burst(&mut self, at: u32, sequence: &mut FtpSequence, now: Duration) -> FtpRequest {
+        let request = self.request(FtpOpcode::Burst, sequence.next(), at, PIECE as u8);
+        sequence.pass_over_burst();
+        self.newest = request.sequence;
+        self.burst = Some(Burst {
+            sequence: request.sequence,
+            at,
+            begun: now,
+            reached: at,
+        });
+        self.heard_at = now;
+        request
+    }
+
+    /// Pieces of the gaps that were not asked for yet. One that is asked for again is a request of its own.
+    fn next_pieces(&mut self, sequence: &mut FtpSequence, now: Duration) -> Vec<FtpRequest> {
+        let free = AT_ONCE.saturating_sub(self.pieces.len());
+        let is_asked = |piece: &Range<u32>| {
+            let mut asked = self.pieces.values();
+            asked.any(|(it, _)| it.start < piece.end && piece.start < it.end)
+        };
+        let pieces = self.gaps.missing().iter().flat_map(|gap| {
+            let end = gap.end;
+            let starts = gap.clone().step_by(PIECE as usize);
+            starts.map(move |start| start..end.min(start.saturating_add(PIECE)))
+        });
+        let due: Vec<_> = pieces.filter(|it| !is_asked(it)).take(free).collect();
+        let ask = |piece: Range<u32>| {
+            let size = (piece.end - piece.start) as u8;
+            let request = self.request(FtpOpcode::Read, sequence.next(), piece.start, size);
+            (request, piece)
+        };
+        let asked: Vec<_> = due.into_iter().map(ask).collect();
+        let mut requests = Vec::new();
+        for (request, piece) in asked {
+            self.newest = request.sequence;
+            self.pieces.insert(request.sequence, (piece, now));
+            requests.push(request);
+        }
+        requests
+    }
+
+    fn request(&self, opcode: FtpOpcode, sequence: u32, offset: u32, size: u8) -> FtpRequest {
+        FtpRequest {
+            sequence,
+            session: self.session,
+            opcode,
+            offset,
+            size,
+            data: Vec::new(),
+        }
+    }
+}
+
+fn refused(nak: FtpNak) -> Heard {
+    if nak.is_of_lost_session() {
+        Heard::Lost(nak)
+    } else {
+        Heard::Fault(FtpFault::Refused(nak))
+    }
+}

@@ -1,0 +1,277 @@
+//! Reading the bytes of one log after the other, and keeping them.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use super::files::LogFiles;
+use super::transfer::{Received, Transfer};
+use super::words::{LogWay, WholeLog};
+use super::{Desk, Ending, ListedLog, LogKeeper, VehicleLog, failed};
+use crate::ledger::RowState;
+use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
+use crate::session::gaps::{FileBytes, GapMap};
+use crate::text;
+use crate::text::Text;
+
+/// Bytes that are collected before they are written.
+const BLOCK: usize = 64 * 1024;
+/// What has come is written at the latest after so long.
+const WRITE_EVERY: Duration = Duration::from_secs(1);
+
+/// A log that is read, and those after it.
+#[derive(Debug, Clone)]
+pub(super) struct Reading {
+    log: VehicleLog,
+    later: VecDeque<ListedLog>,
+    /// Bytes of all logs that are to be read.
+    bytes: u64,
+    files: LogFiles,
+    transfer: Transfer,
+    route: Route,
+    /// The file, if it was whole before.
+    file: Option<String>,
+    /// What has not been written yet.
+    unwritten: Vec<FileBytes>,
+    written_at: Duration,
+}
+
+/// How the bytes come.
+#[derive(Debug, Clone)]
+enum Route {
+    /// As a file, with the task that is under way.
+    File(String, FtpTicket),
+    /// All bytes are there, and the vehicle is asked for the check sum of its file.
+    Checking(FtpTicket),
+    /// The vehicle has said the check sum, or why it does not.
+    Checked(Result<u32, FtpFault>),
+    /// By log messages, also where a file was not to be had.
+    Messages(Option<Text>),
+}
+
+impl Reading {
+    /// Begins with the first of some logs; `None` if there are none.
+    ///
+    /// # Errors
+    /// In plain words when nothing can be kept there.
+    pub fn begin(
+        first: VehicleLog,
+        later: VecDeque<ListedLog>,
+        files: LogFiles,
+        desk: &mut Desk<'_>,
+    ) -> Result<Self, Text> {
+        let known = desk.keeper.find(&first)?;
+        let log = &first.log;
+        let transfer = Transfer::new(log.number, known.gaps, known.sample, desk.now);
+        let bytes = later.iter().map(|it| u64::from(it.size)).sum::<u64>() + u64::from(log.size);
+        Ok(Self {
+            route: Route::first(&first.log, &files, transfer.gaps(), desk.ftp),
+            transfer,
+            file: known.file,
+            log: first,
+            later,
+            bytes,
+            files,
+            unwritten: Vec::new(),
+            written_at: desk.now,
+        })
+    }
+
+    /// Goes on with the next log, if there is one.
+    pub fn turn_to_next(&mut self, desk: &mut Desk<'_>) -> Result<bool, Text> {
+        let Some(next) = self.later.pop_front() else {
+            return Ok(false);
+        };
+        let log = VehicleLog {
+            log: next,
+            ..self.log.clone()
+        };
+        let files = std::mem::take(&mut self.files);
+        let begun = Self::begin(log, std::mem::take(&mut self.later), files, desk)?;
+        *self = Self {
+            bytes: self.bytes,
+            ..begun
+        };
+        Ok(true)
+    }
+
+    /// How much of all logs is there, 0 to 99, with those that were finished before.
+    pub fn percent(&self, finished: &[WholeLog]) -> u8 {
+        let whole: u64 = finished.iter().map(|it| u64::from(it.log.size)).sum();
+        let gaps = self.transfer.gaps();
+        let there = whole + u64::from(gaps.size() - gaps.missing_bytes());
+        (there * 100 / self.bytes.max(1)).min(99) as u8
+    }
+
+    pub fn transfer(&mut self) -> &mut Transfer {
+        &mut self.transfer
+    }
+
+    /// Takes in what became of bytes.
+    pub fn note(&mut self, received: Received) {
+        match received {
+            Received::Nothing => {}
+            Received::Bytes(new) => match self.unwritten.last_mut() {
+                Some(last) if last.range().end == new.at => last.bytes.extend(new.bytes),
+                Some(_) | None => self.unwritten.push(new),
+            },
+            Received::Other => {
+                self.file = None;
+                self.unwritten.clear();
+            }
+        }
+    }
+
+    /// Takes in an event of the client for files.
+    pub fn hear(
+        &mut self,
+        ticket: FtpTicket,
+        event: FtpEvent,
+        ftp: &mut FtpClient,
+        now: Duration,
+    ) {
+        match &self.route {
+            Route::File(path, asked) if *asked == ticket => {
+                let path = path.clone();
+                self.hear_file(path, event, ftp, now);
+            }
+            Route::Checking(asked) if *asked == ticket => {
+                self.route = Route::Checked(match event {
+                    FtpEvent::Checksum(sum) => Ok(sum),
+                    FtpEvent::Failed(fault) => Err(fault),
+                    FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Complete(_) => return,
+                });
+            }
+            Route::File(..) | Route::Checking(_) | Route::Checked(_) | Route::Messages(_) => {}
+        }
+    }
+
+    fn hear_file(&mut self, path: String, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
+        match event {
+            FtpEvent::Bytes(bytes) => {
+                let received = self.transfer.take(bytes, now);
+                let is_other = received == Received::Other;
+                self.note(received);
+                if is_other {
+                    self.leave(ftp);
+                    self.route = Route::file(path, self.transfer.gaps(), ftp);
+                }
+            }
+            FtpEvent::Complete(size) => {
+                let task = FtpTask::Checksum { path, size };
+                self.route = Route::Checking(ftp.ask(task));
+            }
+            FtpEvent::Failed(fault) => {
+                if fault == FtpFault::Silent {
+                    // Later logs need not wait for it again.
+                    self.files = LogFiles::none(fault.into());
+                }
+                self.route = Route::Messages(Some(fault.into()));
+                self.transfer.resume(now);
+            }
+            FtpEvent::Listed(_) | FtpEvent::Checksum(_) => {}
+        }
+    }
+
+    /// Drops what was asked of the client for files.
+    pub fn leave(&self, ftp: &mut FtpClient) {
+        match &self.route {
+            Route::File(_, ticket) | Route::Checking(ticket) => ftp.cancel(*ticket),
+            Route::Checked(_) | Route::Messages(_) => {}
+        }
+    }
+
+    /// Writes what was collected. A file that is whole already needs nothing.
+    pub fn write(&mut self, keeper: &dyn LogKeeper, now: Duration) -> Result<(), Text> {
+        self.written_at = now;
+        let bytes = std::mem::take(&mut self.unwritten);
+        if self.file.is_some() || bytes.is_empty() {
+            return Ok(());
+        }
+        keeper.keep(&self.log, &bytes, self.transfer.gaps())
+    }
+
+    /// Does what is due; returns the log once it is whole.
+    pub fn advance(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Ending> {
+        let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
+        let is_whole = self.transfer.gaps().is_complete();
+        let by_messages = matches!(self.route, Route::Messages(_));
+        let is_stalled = by_messages && self.transfer.is_stalled(desk.now);
+        let ends = is_whole || desk.vehicle.armed() || is_stalled;
+        if ends || collected >= BLOCK || desk.now >= self.written_at + WRITE_EVERY {
+            self.write(desk.keeper, desk.now).map_err(failed)?;
+        }
+        if is_whole {
+            return self.finish(desk).map_err(failed);
+        }
+        let kept = self.transfer.gaps().percent();
+        if desk.vehicle.armed() {
+            self.leave(desk.ftp);
+            let text = text!("outcome-logs-armed", percent = kept);
+            return Err((RowState::Refused, text));
+        }
+        if is_stalled {
+            let text = text!("outcome-log-stalled", percent = kept);
+            return Err((RowState::TimedOut, text));
+        }
+        if by_messages {
+            let round_trip = desk.vehicle.link.round_trip.unwrap_or_default();
+            let address = desk.vehicle.address();
+            let requests = self.transfer.poll(address, round_trip, desk.now);
+            desk.output.messages.extend(requests);
+        }
+        Ok(None)
+    }
+
+    /// All bytes are there: compares check sums, and gives the file its name.
+    fn finish(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Text> {
+        if let Some(file) = self.file.take() {
+            self.leave(desk.ftp);
+            return Ok(Some(self.whole(file, None)));
+        }
+        let way = match &self.route {
+            Route::File(..) | Route::Checking(_) => return Ok(None),
+            Route::Checked(Ok(sum)) if desk.keeper.checksum(&self.log)? != *sum => {
+                let reason = text!("outcome-log-other-sum");
+                self.begin_anew(reason, desk)?;
+                return Ok(None);
+            }
+            Route::Checked(Ok(_)) => LogWay::CheckedFile,
+            Route::Checked(Err(_)) => LogWay::File,
+            Route::Messages(None) => LogWay::Messages,
+            Route::Messages(Some(reason)) => LogWay::MessagesAfter(reason.clone()),
+        };
+        let file = desk.keeper.finish(&self.log)?;
+        Ok(Some(self.whole(file, Some(way))))
+    }
+
+    fn whole(&self, file: String, way: Option<LogWay>) -> WholeLog {
+        let log = self.log.log;
+        WholeLog { log, file, way }
+    }
+
+    /// Reads all of it again, by log messages.
+    fn begin_anew(&mut self, reason: Text, desk: &Desk<'_>) -> Result<(), Text> {
+        let gaps = GapMap::new(self.log.log.size);
+        desk.keeper.keep(&self.log, &[], &gaps)?;
+        self.transfer = Transfer::new(self.log.log.number, gaps, None, desk.now);
+        self.route = Route::Messages(Some(reason));
+        Ok(())
+    }
+}
+
+impl Route {
+    fn first(log: &ListedLog, files: &LogFiles, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
+        match files.path(log.number) {
+            Ok(path) => Self::file(path.to_owned(), gaps, ftp),
+            Err(reason) => Self::Messages(reason),
+        }
+    }
+
+    fn file(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
+        let task = FtpTask::Read {
+            path: path.clone(),
+            gaps: Some(gaps.clone()),
+        };
+        Self::File(path, ftp.ask(task))
+    }
+}
