@@ -47,9 +47,12 @@ use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
 
-pub use hearing::{LOST_AFTER, autopilot_of};
-pub use ftp::{FtpChecksum, FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask, FtpTicket};
+pub use ftp::{
+    FtpChecksum, FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask,
+    FtpTicket,
+};
 pub use gaps::{FileBytes, GapMap};
+pub use hearing::{LOST_AFTER, autopilot_of};
 pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 pub use order::{Report, Steering, VehicleCommand};
@@ -121,7 +124,7 @@ impl Session {
             line: Line::default(),
             download: Download::new(),
             logs: LogReader::default(),
-            ftp: FtpClient::new(),
+            ftp: FtpClient::default(),
             output: Output::default(),
             channel: radio::Channel::new(),
             settings: settings::Settings::default(),
@@ -318,7 +321,12 @@ impl Session {
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
-        if is_late || self.line.is_busy() || self.logs.is_busy() || is_fetching || self.ftp.is_busy() {
+        if is_late
+            || self.line.is_busy()
+            || self.logs.is_busy()
+            || is_fetching
+            || self.ftp.is_busy()
+        {
             BUSY_POLL
         } else {
             IDLE_POLL

@@ -86,7 +86,7 @@ pub struct FtpStep {
 }
 
 /// The client for the files of one vehicle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct FtpClient {
     waiting: VecDeque<(FtpTicket, FtpTask)>,
     job: Option<Job>,
@@ -115,15 +115,6 @@ enum Work {
 }
 
 impl FtpClient {
-    pub fn new() -> Self {
-        Self {
-            waiting: VecDeque::new(),
-            job: None,
-            tickets: 0,
-            sequence: FtpSequence::new(),
-        }
-    }
-
     /// Takes a task; it begins with the next step, after those before it.
     pub fn ask(&mut self, task: FtpTask) -> FtpTicket {
         self.tickets = self.tickets.wrapping_add(1);
@@ -264,13 +255,13 @@ impl FtpClient {
                 let request = exchange.poll(round_trip, now);
                 request.map(|it| it.cloned().into_iter().collect())
             }
-            Work::Closing(exchange) => match exchange.poll(round_trip, now) {
-                Ok(request) => Ok(request.cloned().into_iter().collect()),
-                Err(_) => {
+            Work::Closing(exchange) => {
+                let Ok(request) = exchange.poll(round_trip, now) else {
                     self.job = None;
                     return false;
-                }
-            },
+                };
+                Ok(request.cloned().into_iter().collect())
+            }
             Work::Reading(reading) => {
                 if let Some(size) = reading.complete() {
                     self.end_with(Some(FtpEvent::Complete(size)), step);

@@ -269,7 +269,12 @@ impl Job {
     }
 
     /// Asks for the list of logs, until it is there.
-    fn list(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Result<(), Ending> {
+    fn list(
+        &mut self,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) -> Result<(), Ending> {
         let Phase::Listing(listing) = &mut self.phase else {
             return Ok(());
         };

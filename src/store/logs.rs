@@ -10,7 +10,7 @@ use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::{StoreError, give_new_name, links, sharing, user_path};
-use crate::session::{FtpChecksum, GapMap, KeptLog, FileBytes, LogKeeper, VehicleLog};
+use crate::session::{FileBytes, FtpChecksum, GapMap, KeptLog, LogKeeper, VehicleLog};
 use crate::text;
 use crate::text::{Text, utc_of};
 

@@ -164,6 +164,11 @@ impl Parameters {
         debug_assert!(found.is_some(), "no parameter {name}");
         found.map_or(0.0, |parameter| f64::from(parameter.value))
     }
+
+    /// Whether files are handed out by `MAVLink` FTP: a bit of the board's options turns it off.
+    pub(super) fn hands_out_files(&self) -> bool {
+        self.value("BRD_OPTIONS") as i64 & 0x2 == 0
+    }
 }
 
 #[cfg(test)]

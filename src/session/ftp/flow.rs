@@ -264,7 +264,9 @@ impl FileFlow {
         let longest = gaps.iter().max_by_key(|gap| gap.end - gap.start)?;
         let is_better = |start: u32| {
             let end = start.saturating_add(BURST).min(self.gaps.size());
-            let within = gaps.iter().map(|gap| gap.start.max(start)..gap.end.min(end));
+            let within = gaps
+                .iter()
+                .map(|gap| gap.start.max(start)..gap.end.min(end));
             let pieces: u32 = within
                 .filter(|gap| gap.start < gap.end)
                 .map(|gap| (gap.end - gap.start).div_ceil(PIECE))

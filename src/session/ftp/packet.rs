@@ -102,7 +102,7 @@ impl FtpAnswer {
 ///
 /// An answer has the number after that of its request; those of a burst count on from there. `ArduPilot` repeats its
 /// last answer when a request has the number before that one, so numbers that a burst may have used are passed over.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct FtpSequence {
     last: u32,
 }
@@ -111,10 +111,6 @@ pub(super) struct FtpSequence {
 const BURST_ROOM: u32 = 1024;
 
 impl FtpSequence {
-    pub fn new() -> Self {
-        Self { last: 0 }
-    }
-
     pub fn next(&mut self) -> u32 {
         self.last = self.last.wrapping_add(1);
         self.last
@@ -169,7 +165,7 @@ mod tests {
 
     #[test]
     fn numbers_are_found_again_after_16_bits() {
-        let mut sequence = FtpSequence::new();
+        let mut sequence = FtpSequence::default();
         for _ in 0..100 {
             sequence.pass_over_burst();
         }

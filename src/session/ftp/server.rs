@@ -9,6 +9,17 @@ const MOST_WAITING: usize = 5;
 const BURST: usize = 500;
 const PIECE: usize = 239;
 
+/// The check sums of a server.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sums {
+    #[default]
+    Right,
+    /// They are of something else.
+    Wrong,
+    /// It does not know the request.
+    None,
+}
+
 /// How a server differs from `ArduPilot`'s.
 #[derive(Debug, Clone, Default)]
 pub struct Quirks {
@@ -26,10 +37,7 @@ pub struct Quirks {
     pub estimate: usize,
     /// It closes the file after so many packets of data.
     pub forgets_after: Option<usize>,
-    /// It has no check sums.
-    pub has_no_checksum: bool,
-    /// Its check sums are of something else.
-    pub wrong_checksum: bool,
+    pub sums: Sums,
     /// Another client has a file open, until so many requests were refused.
     pub busy_for: usize,
 }
@@ -82,7 +90,7 @@ impl FileServer {
         }
         if self.quirks.busy_for > 0 {
             self.quirks.busy_for -= 1;
-            return self.answer(&request, 129, &[4]);
+            return Some(self.answer(&request, 129, &[4]));
         }
         self.carried_out.push(request[3]);
         self.serve(&request)
@@ -91,7 +99,7 @@ impl FileServer {
     fn serve(&mut self, request: &FtpPayload) -> Option<FtpPayload> {
         let offset = u32::from_le_bytes([request[8], request[9], request[10], request[11]]);
         let path = String::from_utf8_lossy(&request[12..12 + usize::from(request[4])]).into_owned();
-        match request[3] {
+        Some(match request[3] {
             1 | 2 => {
                 self.open = None;
                 self.answer(request, 128, &[])
@@ -102,13 +110,13 @@ impl FileServer {
             14 => self.checksum(request, &path),
             15 => match self.quirks.refuses_bursts {
                 Some(code) => self.answer(request, 129, &[code]),
-                None => self.go_on(*request, 0),
+                None => return self.go_on(*request, 0),
             },
             _ => self.answer(request, 129, &[1]),
-        }
+        })
     }
 
-    fn list(&mut self, request: &FtpPayload, folder: &str, first: usize) -> Option<FtpPayload> {
+    fn list(&mut self, request: &FtpPayload, folder: &str, first: usize) -> FtpPayload {
         let within = format!("{folder}/");
         let mut data = Vec::new();
         let names = self.files.iter().filter_map(|(path, content)| {
@@ -131,7 +139,7 @@ impl FileServer {
         self.answer(request, 128, &data)
     }
 
-    fn open(&mut self, request: &FtpPayload, path: String) -> Option<FtpPayload> {
+    fn open(&mut self, request: &FtpPayload, path: String) -> FtpPayload {
         if self.open.is_some() {
             return self.answer(request, 129, &[1]);
         }
@@ -163,7 +171,7 @@ impl FileServer {
         if bytes.is_empty() { Err(6) } else { Ok(bytes) }
     }
 
-    fn read(&mut self, request: &FtpPayload, offset: usize) -> Option<FtpPayload> {
+    fn read(&mut self, request: &FtpPayload, offset: usize) -> FtpPayload {
         match self.bytes(request[2], offset, usize::from(request[4])) {
             Ok(bytes) => self.answer(request, 128, &bytes),
             Err(code) => self.answer(request, 129, &[code]),
@@ -183,24 +191,28 @@ impl FileServer {
                 let is_last = index + 1 == BURST;
                 numbered[6] = u8::from(is_last && !self.quirks.ends_without_word);
                 self.burst = (!is_last).then_some((request, index + 1));
-                self.answer(&numbered, 128, &bytes)
+                Some(self.answer(&numbered, 128, &bytes))
             }
             Err(_) if self.quirks.ends_without_word && index > 0 => None,
-            Err(code) => self.answer(&numbered, 129, &[code]),
+            Err(code) => Some(self.answer(&numbered, 129, &[code])),
         }
     }
 
-    fn checksum(&mut self, request: &FtpPayload, path: &str) -> Option<FtpPayload> {
-        let Some(content) = self.files.get(path).filter(|_| !self.quirks.has_no_checksum) else {
+    fn checksum(&mut self, request: &FtpPayload, path: &str) -> FtpPayload {
+        let Some(content) = self
+            .files
+            .get(path)
+            .filter(|_| self.quirks.sums != Sums::None)
+        else {
             return self.answer(request, 129, &[7]);
         };
         let mut sum = super::FtpChecksum::default();
         sum.add(content);
-        let sum = sum.value() ^ u32::from(self.quirks.wrong_checksum);
+        let sum = sum.value() ^ u32::from(self.quirks.sums == Sums::Wrong);
         self.answer(request, 128, &sum.to_le_bytes())
     }
 
-    fn answer(&mut self, request: &FtpPayload, opcode: u8, data: &[u8]) -> Option<FtpPayload> {
+    fn answer(&mut self, request: &FtpPayload, opcode: u8, data: &[u8]) -> FtpPayload {
         let mut payload = [0; 251];
         let number = u16::from_le_bytes([request[0], request[1]]).wrapping_add(1);
         payload[..2].copy_from_slice(&number.to_le_bytes());
@@ -209,6 +221,6 @@ impl FileServer {
         payload[8..12].copy_from_slice(&request[8..12]);
         payload[12..12 + data.len()].copy_from_slice(data);
         self.last = Some(payload);
-        Some(payload)
+        payload
     }
 }

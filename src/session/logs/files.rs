@@ -137,7 +137,10 @@ fn files_of(
         return None;
     }
     let fits = |files: &[(u32, &FtpEntry, u32)]| {
-        let same = older.iter().zip(files).all(|(log, file)| log.size == file.2);
+        let same = older
+            .iter()
+            .zip(files)
+            .all(|(log, file)| log.size == file.2);
         same && files.last().is_some_and(|file| file.2 >= newest.size)
     };
     let is_found = (0..files.len()).any(|_| {
@@ -196,7 +199,11 @@ mod tests {
         let first = vec![log(1, "00000007.bin")];
         assert_eq!(paths(&[500, 600], &files), Some(first));
         // Numbers have begun anew: the lowest is the newest.
-        let files = [("00000001.BIN", 30), ("00000499.BIN", 10), ("00000500.BIN", 20)];
+        let files = [
+            ("00000001.BIN", 30),
+            ("00000499.BIN", 10),
+            ("00000500.BIN", 20),
+        ];
         let all = vec![
             log(1, "00000499.BIN"),
             log(2, "00000500.BIN"),

@@ -122,13 +122,7 @@ impl Reading {
     }
 
     /// Takes in an event of the client for files.
-    pub fn hear(
-        &mut self,
-        ticket: FtpTicket,
-        event: FtpEvent,
-        ftp: &mut FtpClient,
-        now: Duration,
-    ) {
+    pub fn hear(&mut self, ticket: FtpTicket, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
         match &self.route {
             Route::File(path, asked) if *asked == ticket => {
                 let path = path.clone();

@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::commands::{LogChoice, LogCommand};
-use crate::session::ftp::server::{FileServer, Quirks};
+use crate::session::ftp::server::{FileServer, Quirks, Sums};
 use crate::text::Text;
 
 /// Keeps logs in memory.
@@ -416,11 +416,11 @@ fn log_messages_go_on_where_files_fail() {
         ..Quirks::default()
     };
     let wrong = Quirks {
-        wrong_checksum: true,
+        sums: Sums::Wrong,
         ..Quirks::default()
     };
     let without = Quirks {
-        has_no_checksum: true,
+        sums: Sums::None,
         ..Quirks::default()
     };
     let grown = Quirks {
@@ -464,16 +464,27 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     // A board has them elsewhere.
     let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
     let file = shelf.server.files.pop_first().expect("a log");
-    shelf.server.files.insert("/APM/LOGS/00000001.BIN".to_owned(), file.1);
+    shelf
+        .server
+        .files
+        .insert("/APM/LOGS/00000001.BIN".to_owned(), file.1);
     shelf.download(LogChoice::Last);
     shelf.until_over(ms(30_000));
-    assert!(shelf.explanation().ends_with("by MAVFTP, check sum verified"));
+    assert!(
+        shelf
+            .explanation()
+            .ends_with("by MAVFTP, check sum verified")
+    );
     shelf.server.files.clear();
     shelf.keeper.whole.lock().expect("kept").clear();
     shelf.download(LogChoice::Last);
     shelf.step();
     shelf.until_over(ms(30_000));
-    assert!(shelf.explanation().ends_with("(file not found)"), "{}", shelf.explanation());
+    assert!(
+        shelf.explanation().ends_with("(file not found)"),
+        "{}",
+        shelf.explanation()
+    );
 }
 
 #[test]
@@ -501,7 +512,11 @@ fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
         shelf.download(LogChoice::Number(1));
         shelf.step();
         shelf.until_over(ms(30_000));
-        assert!(shelf.explanation().ends_with("by MAVFTP, check sum verified"));
+        assert!(
+            shelf
+                .explanation()
+                .ends_with("by MAVFTP, check sum verified")
+        );
         assert!(shelf.kept(1) == shelf.logs[0], "other bytes");
         let packets = shelf.passed - before;
         assert!(is_other || packets < 400, "{packets} packets");

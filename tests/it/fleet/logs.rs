@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::fleet::{Fleet, FleetClock, Keeping};
-use sortie::ledger::RowState;
+use sortie::ledger::{EntryId, RowState};
 use sortie::session::{LogKeeper, RadioFault, Want};
 use sortie::store::LogFolder;
 use tokio_util::sync::CancellationToken;
@@ -35,14 +35,22 @@ impl Console {
         }
     }
 
-    async fn until_heard(&mut self, ids: &[u16]) {
-        self.until("all are heard", |console| {
+    async fn until_known(&mut self, ids: &[u16]) {
+        self.until("all have said what they can", |console| {
             ids.iter().all(|&id| {
                 let vehicle = console.vehicle(id);
-                vehicle.is_some_and(|vehicle| vehicle.heartbeat.is_some())
+                vehicle.is_some_and(|vehicle| vehicle.version.is_some())
             })
         })
         .await;
+    }
+
+    /// What the row of a vehicle says last.
+    fn explanation(&self, entry: EntryId, vehicle: u16) -> String {
+        let mut rows = self.rows.iter().rev();
+        let row = rows.find(|row| row.entry == entry && row.vehicle == vehicle);
+        let words = row.and_then(|row| row.explanation.as_ref());
+        words.map(ToString::to_string).unwrap_or_default()
     }
 
     /// Has vehicles fly for a moment, so that they have a log.
@@ -90,10 +98,16 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
     for id in all {
         console.until_done(off, id).await;
     }
+    console.until_known(&all).await;
     let clean = data.path().join("clean");
     let order = console.give(&format!("logs download to {}", clean.display()), &all);
     for id in all {
         console.until_done(order, id).await;
+    }
+    let by_files = "by MAVFTP, check sum verified";
+    for id in all {
+        let words = console.explanation(order, id);
+        assert!(words.ends_with(by_files), "{words}");
     }
     let truth = files(&clean);
     assert_eq!(truth.len(), 3, "{:?}", truth.keys());
@@ -120,10 +134,14 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
     for address in &addresses {
         console.connect(address);
     }
-    console.until_heard(&all).await;
+    console.until_known(&all).await;
     let order = console.give("logs download all", &all);
     for id in all {
         console.until_done(order, id).await;
+    }
+    for id in all {
+        let words = console.explanation(order, id);
+        assert!(words.ends_with(by_files), "{words}");
     }
     let kept = files(&data.path().join("logs"));
     assert_eq!(
@@ -137,5 +155,41 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
         assert!(at.is_none(), "{name} differs at {at:?} of {lengths:?}");
         assert_eq!(lengths[0], lengths[1], "{name}");
     }
+    cancel.cancel();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_vehicle_that_hands_out_no_files_sends_its_log_in_messages() {
+    let (addresses, cancel) = serve(world(1), 20.0).await;
+    let data = tempfile::tempdir().expect("a folder");
+    let mut console = Console::keeping_logs(data.path());
+    console.connect(&addresses[0]);
+    console.hop(&[1]).await;
+    console.until_known(&[1]).await;
+    let off = console.give("param set LOG_BACKEND_TYPE 0", &[1]);
+    console.until_done(off, 1).await;
+    let mut all = Vec::new();
+    // The option is heard of after the next connection; until then nothing answers.
+    for (way, parameter) in [
+        ("by MAVFTP, check sum verified", "param set BRD_OPTIONS 2"),
+        ("by log messages after MAVFTP (no answer)", ""),
+        ("by log messages", ""),
+    ] {
+        let folder = data.path().join(all.len().to_string());
+        let order = console.give(&format!("logs download to {}", folder.display()), &[1]);
+        console.until_done(order, 1).await;
+        let words = console.explanation(order, 1);
+        assert!(words.ends_with(&format!(": {way}")), "{words}");
+        all.push(files(&folder));
+        if parameter.is_empty() {
+            console = Console::keeping_logs(data.path());
+            console.connect(&addresses[0]);
+            console.until_known(&[1]).await;
+        } else {
+            let set = console.give(parameter, &[1]);
+            console.until_done(set, 1).await;
+        }
+    }
+    assert!(all[0].len() == 1 && all[0] == all[1] && all[1] == all[2]);
     cancel.cancel();
 }

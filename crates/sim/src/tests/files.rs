@@ -146,3 +146,21 @@ fn a_flight_leaves_a_log_that_can_be_downloaded_and_survives_a_reboot() {
     let listed = String::from_utf8_lossy(&listed[0].2).into_owned();
     assert!(listed.contains("F00000001.BIN\t"), "{listed:?}");
 }
+
+#[test]
+fn a_board_that_hands_out_no_files_neither_says_so_nor_answers() {
+    let mut ground = Ground::new();
+    ground.heartbeat();
+    let name = b"@SYS";
+    assert_eq!(ftp(&mut ground, [1, 0, 3, 4], 0, name)[0].0, 128);
+    ground.set("BRD_OPTIONS", 2.0);
+    assert_eq!(ftp(&mut ground, [2, 0, 3, 4], 0, name), []);
+    let first = ground.heard.len();
+    ground.long(MavCmd::MAV_CMD_REQUEST_MESSAGE, [148.0]);
+    let said = ground.messages_since(first);
+    let bits = said.iter().find_map(|message| match message {
+        MavMessage::AUTOPILOT_VERSION(version) => Some(version.capabilities.bits()),
+        _ => None,
+    });
+    assert_eq!(bits, Some(0xFBCF));
+}

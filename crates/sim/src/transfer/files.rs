@@ -79,7 +79,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     if id != MESSAGE {
         return false;
     }
-    if talk.is_for_us(payload.byte(1)) {
+    if talk.is_for_us(payload.byte(1)) && talk.autopilot.vehicle.parameters.hands_out_files() {
         let request = FtpRequest::read(payload, talk.peer);
         let files = &mut talk.transfers.files;
         if files.burst.is_none() {

@@ -252,8 +252,14 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     let mut uid2 = [0; 18];
     uid2[..8].copy_from_slice(&autopilot.vehicle.board_id.to_le_bytes());
     uid2[8] = autopilot.vehicle.system;
+    let mut capabilities = CAPABILITIES;
+    let hands_out_files = autopilot.vehicle.parameters.hands_out_files();
+    capabilities.set(
+        MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP,
+        hands_out_files,
+    );
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
-        capabilities: CAPABILITIES,
+        capabilities,
         uid: autopilot.vehicle.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",
