@@ -74,6 +74,7 @@ outcome-logs-kept = { $size } kB saved in { $files }
 outcome-logs-kept-by = { $size } kB saved in { $files }: { $ways }
 outcome-log-files-checked = by MAVFTP, check sum verified
 outcome-log-files = by MAVFTP, no check sum
+outcome-log-files-grown = by MAVFTP, no check sum: the log has grown since
 outcome-log-messages = by log messages
 outcome-log-messages-after = by log messages after MAVFTP ({ $reason })
 outcome-log-no-file = no file of the listed size

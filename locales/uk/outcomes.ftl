@@ -80,6 +80,7 @@ outcome-logs-kept = { $size } kB у { $files }
 outcome-logs-kept-by = { $size } kB у { $files }: { $ways }
 outcome-log-files-checked = через MAVFTP, контрольну суму перевірено
 outcome-log-files = через MAVFTP, без контрольної суми
+outcome-log-files-grown = через MAVFTP, без контрольної суми: журнал відтоді виріс
 outcome-log-messages = повідомленнями журналу
 outcome-log-messages-after = повідомленнями журналу після MAVFTP ({ $reason })
 outcome-log-no-file = немає файла вказаного розміру

@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::PathBuf;
+use std::net::UdpSocket;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 use crate::fleet::Console;
 
@@ -103,4 +105,90 @@ async fn a_real_arducopter_flies_the_classic_flow() {
         .await;
     let vehicle = console.vehicle(7).expect("it appeared");
     assert!(vehicle.distance_home_m().is_some_and(|metres| metres < 1.5));
+}
+
+/// Starts a SITL that logs from the start.
+fn logging(folder: &Path, serial: &str) -> Sitl {
+    let parameters = format!("{}LOG_DISARMED 1\n", parameters());
+    fs::write(folder.join("copter.parm"), parameters).expect("written");
+    let instance = (INSTANCE + 1).to_string();
+    let sitl = Command::new(program())
+        .args(["--model", "+", "--speedup", "1", "--slave", "0"])
+        .args(["--sysid", "7", "--home", "50.45,30.52,120,0"])
+        .args(["--serial0", serial, "--serial1", "none"])
+        .args(["--serial2", "none", "--defaults", "copter.parm"])
+        .args(["-I", &instance])
+        .current_dir(folder)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
+}
+
+/// Downloads the log of the vehicle; the bytes and what the row says.
+async fn download(console: &mut Console, folder: &Path) -> (Vec<u8>, String) {
+    let begun = Instant::now();
+    let order = console.give(&format!("logs download to {}", folder.display()), &[7]);
+    console.until_done(order, 7).await;
+    let took = begun.elapsed();
+    let files = fs::read_dir(folder).expect("a folder").flatten();
+    let paths: Vec<PathBuf> = files.map(|file| file.path()).collect();
+    let [path] = &paths[..] else {
+        panic!("{paths:?}");
+    };
+    let bytes = fs::read(path).expect("readable");
+    let words = console.explanation(order, 7);
+    eprintln!("{} bytes in {took:.2?}: {words}", bytes.len());
+    (bytes, words)
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
+async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
+    let socket = UdpSocket::bind("127.0.0.1:0").expect("a free port");
+    let port = socket.local_addr().expect("bound").port();
+    drop(socket);
+    let tcp = format!("tcp:127.0.0.1:{}", 5760 + 10 * (INSTANCE + 1));
+    let udp = format!("udpclient:127.0.0.1:{port}");
+    for (serial, address) in [
+        ("tcp:0", tcp),
+        (udp.as_str(), format!("udpin:127.0.0.1:{port}")),
+    ] {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let _sitl = logging(folder.path(), serial);
+        let mut console = Console::keeping_logs(folder.path());
+        console.connect(&address);
+        console.until_known(&[7]).await;
+        let log = folder.path().join("logs/00000001.BIN");
+        console
+            .until("the log has more than a megabyte", |_| {
+                fs::metadata(&log).is_ok_and(|file| file.len() > 1_200_000)
+            })
+            .await;
+        let off = console.give("param set LOG_DISARMED 0", &[7]);
+        console.until_done(off, 7).await;
+        // It goes on for a while after it was turned off.
+        let (mut len, mut since) = (0, Instant::now());
+        console
+            .until("the log grows no more", |_| {
+                let now = fs::metadata(&log).map_or(0, |file| file.len());
+                if now != len {
+                    (len, since) = (now, Instant::now());
+                }
+                since.elapsed() > Duration::from_secs(4)
+            })
+            .await;
+        let (bytes, words) = download(&mut console, &folder.path().join("files")).await;
+        assert!(words.ends_with("by MAVFTP, check sum verified"), "{words}");
+        assert!(bytes == fs::read(&log).expect("SITL's own"));
+        let off = console.give("param set BRD_OPTIONS 2", &[7]);
+        console.until_done(off, 7).await;
+        drop(console);
+        let mut console = Console::keeping_logs(folder.path());
+        console.connect(&address);
+        console.until_known(&[7]).await;
+        let (again, words) = download(&mut console, &folder.path().join("messages")).await;
+        assert!(words.ends_with(": by log messages"), "{words}");
+        assert!(again == bytes);
+    }
 }

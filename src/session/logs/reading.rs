@@ -41,11 +41,25 @@ enum Route {
     /// As a file, with the task that is under way.
     File(String, FtpTicket),
     /// All bytes are there, and the vehicle is asked for the check sum of its file.
-    Checking(FtpTicket),
-    /// The vehicle has said the check sum, or why it does not.
-    Checked(Result<u32, FtpFault>),
+    Checking(String, FtpTicket),
+    /// The vehicle has said the check sum.
+    Summed(String, u32),
+    /// It is another one: the file is opened once more to see whether it has grown.
+    Measuring(FtpTicket),
+    /// Nothing is left to be asked; what came of the check sum.
+    Checked(FileCheck),
     /// By log messages, also where a file was not to be had.
     Messages(Option<Text>),
+}
+
+/// What came of comparing check sums.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FileCheck {
+    Same,
+    Other,
+    Grown,
+    /// The vehicle does not say.
+    Unknown,
 }
 
 impl Reading {
@@ -128,14 +142,27 @@ impl Reading {
                 let path = path.clone();
                 self.hear_file(path, event, ftp, now);
             }
-            Route::Checking(asked) if *asked == ticket => {
-                self.route = Route::Checked(match event {
-                    FtpEvent::Checksum(sum) => Ok(sum),
-                    FtpEvent::Failed(fault) => Err(fault),
+            Route::Checking(path, asked) if *asked == ticket => {
+                self.route = match event {
+                    FtpEvent::Checksum(sum) => Route::Summed(path.clone(), sum),
+                    FtpEvent::Failed(_) => Route::Checked(FileCheck::Unknown),
                     FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Complete(_) => return,
+                };
+            }
+            Route::Measuring(asked) if *asked == ticket => {
+                self.route = Route::Checked(match event {
+                    FtpEvent::Complete(_) => FileCheck::Other,
+                    FtpEvent::Failed(FtpFault::OtherSize(_)) => FileCheck::Grown,
+                    FtpEvent::Failed(_) => FileCheck::Unknown,
+                    FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Checksum(_) => return,
                 });
             }
-            Route::File(..) | Route::Checking(_) | Route::Checked(_) | Route::Messages(_) => {}
+            Route::File(..)
+            | Route::Checking(..)
+            | Route::Summed(..)
+            | Route::Measuring(_)
+            | Route::Checked(_)
+            | Route::Messages(_) => {}
         }
     }
 
@@ -151,8 +178,11 @@ impl Reading {
                 }
             }
             FtpEvent::Complete(size) => {
-                let task = FtpTask::Checksum { path, size };
-                self.route = Route::Checking(ftp.ask(task));
+                let task = FtpTask::Checksum {
+                    path: path.clone(),
+                    size,
+                };
+                self.route = Route::Checking(path, ftp.ask(task));
             }
             FtpEvent::Failed(fault) => {
                 if fault == FtpFault::Silent {
@@ -169,8 +199,10 @@ impl Reading {
     /// Drops what was asked of the client for files.
     pub fn leave(&self, ftp: &mut FtpClient) {
         match &self.route {
-            Route::File(_, ticket) | Route::Checking(ticket) => ftp.cancel(*ticket),
-            Route::Checked(_) | Route::Messages(_) => {}
+            Route::File(_, ticket) | Route::Checking(_, ticket) | Route::Measuring(ticket) => {
+                ftp.cancel(*ticket);
+            }
+            Route::Summed(..) | Route::Checked(_) | Route::Messages(_) => {}
         }
     }
 
@@ -223,14 +255,24 @@ impl Reading {
             return Ok(Some(self.whole(file, None)));
         }
         let way = match &self.route {
-            Route::File(..) | Route::Checking(_) => return Ok(None),
-            Route::Checked(Ok(sum)) if desk.keeper.checksum(&self.log)? != *sum => {
+            Route::File(..) | Route::Checking(..) | Route::Measuring(_) => return Ok(None),
+            Route::Summed(path, sum) => {
+                let is_same = desk.keeper.checksum(&self.log)? == *sum;
+                self.route = if is_same {
+                    Route::Checked(FileCheck::Same)
+                } else {
+                    Route::measuring(path.clone(), self.transfer.gaps(), desk.ftp)
+                };
+                return Ok(None);
+            }
+            Route::Checked(FileCheck::Other) => {
                 let reason = text!("outcome-log-other-sum");
                 self.begin_anew(reason, desk)?;
                 return Ok(None);
             }
-            Route::Checked(Ok(_)) => LogWay::CheckedFile,
-            Route::Checked(Err(_)) => LogWay::File,
+            Route::Checked(FileCheck::Same) => LogWay::CheckedFile,
+            Route::Checked(FileCheck::Grown) => LogWay::GrownFile,
+            Route::Checked(FileCheck::Unknown) => LogWay::File,
             Route::Messages(None) => LogWay::Messages,
             Route::Messages(Some(reason)) => LogWay::MessagesAfter(reason.clone()),
         };
@@ -262,10 +304,17 @@ impl Route {
     }
 
     fn file(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
-        let task = FtpTask::Read {
-            path: path.clone(),
-            gaps: Some(gaps.clone()),
-        };
-        Self::File(path, ftp.ask(task))
+        let ticket = ask_for(path.clone(), gaps, ftp);
+        Self::File(path, ticket)
     }
+
+    /// With all bytes there, reading the file only compares its size.
+    fn measuring(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
+        Self::Measuring(ask_for(path, gaps, ftp))
+    }
+}
+
+fn ask_for(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> FtpTicket {
+    let gaps = Some(gaps.clone());
+    ftp.ask(FtpTask::Read { path, gaps })
 }

@@ -55,6 +55,8 @@ pub(super) enum LogWay {
     CheckedFile,
     /// As a file; the vehicle gives no check sum.
     File,
+    /// As a file that the vehicle has added to since: its check sum says nothing of what was listed.
+    GrownFile,
     Messages,
     /// By log messages, after files failed for a reason.
     MessagesAfter(Text),
@@ -65,6 +67,7 @@ impl LogWay {
         match self {
             Self::CheckedFile => text!("outcome-log-files-checked"),
             Self::File => text!("outcome-log-files"),
+            Self::GrownFile => text!("outcome-log-files-grown"),
             Self::Messages => text!("outcome-log-messages"),
             Self::MessagesAfter(reason) => {
                 text!("outcome-log-messages-after", reason = reason)

@@ -16,6 +16,8 @@ use crate::commands::{LogChoice, LogCommand};
 use crate::session::ftp::server::{FileServer, Quirks, Sums};
 use crate::text::Text;
 
+const LOG: &str = "logs/00000001.BIN";
+
 /// Keeps logs in memory.
 #[derive(Debug, Default)]
 struct Memory {
@@ -452,6 +454,24 @@ fn log_messages_go_on_where_files_fail() {
 }
 
 #[test]
+fn a_log_that_grows_while_it_is_read_ends_where_it_was_listed() {
+    let mut shelf = Shelf::with_files(vec![log(100_000, 2)]);
+    shelf.download(LogChoice::Last);
+    while shelf.last_row().state != RowState::InProgress(50) {
+        shelf.step();
+    }
+    shelf.server.files.insert(LOG.to_owned(), log(120_000, 2));
+    shelf.until_over(ms(30_000));
+    let words = shelf.explanation();
+    assert!(
+        words.ends_with("by MAVFTP, no check sum: the log has grown since"),
+        "{words}"
+    );
+    assert!(shelf.kept(1) == log(100_000, 2));
+    assert_eq!(shelf.carried, 0);
+}
+
+#[test]
 fn files_that_are_not_those_of_the_list_are_left_alone() {
     let mut shelf = Shelf::with_files(vec![log(9000, 1), log(5000, 2)]);
     let path = "logs/00000002.BIN".to_owned();
@@ -501,8 +521,7 @@ fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
         shelf.scene.heartbeat(STABILIZE, false);
         if is_other {
             shelf.logs[0] = log(150_000, 3);
-            let path = "logs/00000001.BIN".to_owned();
-            shelf.server.files.insert(path, log(150_000, 3));
+            shelf.server.files.insert(LOG.to_owned(), log(150_000, 3));
         }
         // The server sends its burst to the end.
         for _ in 0..100 {

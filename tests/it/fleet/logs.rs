@@ -15,7 +15,7 @@ use super::{Console, serve, world};
 
 impl Console {
     /// A console that keeps the logs of vehicles in a folder of data.
-    fn keeping_logs(data: &Path) -> Self {
+    pub(crate) fn keeping_logs(data: &Path) -> Self {
         let folder: Arc<dyn LogKeeper> = Arc::new(LogFolder::within(data));
         let keeping = Keeping {
             sink: None,
@@ -35,7 +35,7 @@ impl Console {
         }
     }
 
-    async fn until_known(&mut self, ids: &[u16]) {
+    pub(crate) async fn until_known(&mut self, ids: &[u16]) {
         self.until("all have said what they can", |console| {
             ids.iter().all(|&id| {
                 let vehicle = console.vehicle(id);
@@ -46,7 +46,7 @@ impl Console {
     }
 
     /// What the row of a vehicle says last.
-    fn explanation(&self, entry: EntryId, vehicle: u16) -> String {
+    pub(crate) fn explanation(&self, entry: EntryId, vehicle: u16) -> String {
         let mut rows = self.rows.iter().rev();
         let row = rows.find(|row| row.entry == entry && row.vehicle == vehicle);
         let words = row.and_then(|row| row.explanation.as_ref());
