@@ -29,7 +29,7 @@
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`record`] | what a session leaves beside the frames of its links: the journal (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
-//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end or are overtaken; plans, parameters; when it counts as lost |
+//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end or are overtaken; plans, parameters, logs, files; when it counts as lost |
 //! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |

@@ -1,0 +1,183 @@
+//! Logs that come as files, and what happens where that fails.
+
+use super::*;
+use crate::session::ftp::server::{Quirks, Sums};
+
+const LOG: &str = "logs/00000001.BIN";
+
+#[test]
+fn a_log_comes_as_a_file_where_the_vehicle_hands_it_out() {
+    let mut shelf = Shelf::with_files(vec![log(700, 1), log(250_000, 2)]);
+    shelf.download(LogChoice::All);
+    shelf.until_over(ms(30_000));
+    assert_eq!(shelf.last_row().state, RowState::Done);
+    let text = "250.7 kB in log1.bin, log2.bin: by MAVFTP, check sum verified";
+    assert_eq!(shelf.explanation(), text);
+    assert_eq!(shelf.requests, 0);
+    assert!(shelf.kept(1) == log(700, 1) && shelf.kept(2) == log(250_000, 2));
+    shelf.step();
+    shelf.step();
+    assert!(!shelf.server.is_open());
+}
+
+#[test]
+fn log_messages_go_on_where_files_fail() {
+    let size = 100_000;
+    let by = |reason: &str| format!("by log messages after MAVFTP ({reason})");
+    let half = Quirks {
+        refuses_from: Some(50_000),
+        ..Quirks::default()
+    };
+    let silent = Quirks {
+        is_silent: true,
+        ..Quirks::default()
+    };
+    let wrong = Quirks {
+        sums: Sums::Wrong,
+        ..Quirks::default()
+    };
+    let without = Quirks {
+        sums: Sums::None,
+        ..Quirks::default()
+    };
+    let grown = Quirks {
+        estimate: 1000,
+        ..Quirks::default()
+    };
+    let refused = "the vehicle refuses it without a reason";
+    for (quirks, most, way) in [
+        (half, size / 2 + 300, by(refused)),
+        (silent, size, by("no answer")),
+        (wrong, size, by("another check sum")),
+        (grown, size, by("the file has another size, 101000 bytes")),
+        (without, 0, "by MAVFTP, no check sum".to_owned()),
+    ] {
+        let mut shelf = Shelf::with_files(vec![log(size, 2)]);
+        shelf.server.quirks = quirks;
+        shelf.download(LogChoice::Last);
+        shelf.until_over(Duration::from_secs(60));
+        assert_eq!(shelf.explanation(), format!("100.0 kB in log1.bin: {way}"));
+        assert!(shelf.carried <= most, "{way}: {} bytes", shelf.carried);
+        assert!(shelf.kept(1) == log(size, 2), "{way}");
+        let rows = shelf.scene.rows.iter();
+        let percents = rows.filter_map(|row| match row.state {
+            RowState::InProgress(percent) => Some(percent),
+            _ => None,
+        });
+        assert!(percents.is_sorted() || way.contains("check sum"), "{way}");
+    }
+}
+
+#[test]
+fn a_log_that_grows_while_it_is_read_ends_where_it_was_listed() {
+    let mut shelf = Shelf::with_files(vec![log(100_000, 2)]);
+    shelf.download(LogChoice::Last);
+    while shelf.last_row().state != RowState::InProgress(50) {
+        shelf.step();
+    }
+    shelf.server.files.insert(LOG.to_owned(), log(120_000, 2));
+    shelf.until_over(ms(30_000));
+    let words = shelf.explanation();
+    assert!(
+        words.ends_with("by MAVFTP, no check sum: the log has grown since"),
+        "{words}"
+    );
+    assert!(shelf.kept(1) == log(100_000, 2));
+    assert_eq!(shelf.carried, 0);
+}
+
+#[test]
+fn files_that_are_not_those_of_the_list_are_left_alone() {
+    let mut shelf = Shelf::with_files(vec![log(9000, 1), log(5000, 2)]);
+    let path = "logs/00000002.BIN".to_owned();
+    shelf.server.files.insert(path.clone(), log(5100, 3));
+    shelf.download(LogChoice::Last);
+    shelf.until_over(ms(30_000));
+    let way = "by log messages after MAVFTP (no file of the listed size)";
+    assert_eq!(shelf.explanation(), format!("5.0 kB in log2.bin: {way}"));
+    assert!(shelf.kept(2) == log(5000, 2));
+    // A board has them elsewhere.
+    let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
+    let file = shelf.server.files.pop_first().expect("a log");
+    shelf
+        .server
+        .files
+        .insert("/APM/LOGS/00000001.BIN".to_owned(), file.1);
+    shelf.download(LogChoice::Last);
+    shelf.until_over(ms(30_000));
+    assert!(
+        shelf
+            .explanation()
+            .ends_with("by MAVFTP, check sum verified")
+    );
+    shelf.server.files.clear();
+    shelf.keeper.whole.lock().expect("kept").clear();
+    shelf.download(LogChoice::Last);
+    shelf.step();
+    shelf.until_over(ms(30_000));
+    assert!(
+        shelf.explanation().ends_with("(file not found)"),
+        "{}",
+        shelf.explanation()
+    );
+}
+
+#[test]
+fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
+    for is_other in [false, true] {
+        let mut shelf = Shelf::with_files(vec![log(150_000, 2)]);
+        shelf.download(LogChoice::All);
+        while shelf.last_row().state != RowState::InProgress(60) {
+            shelf.step();
+        }
+        shelf.scene.heartbeat(STABILIZE, true);
+        shelf.step();
+        assert_eq!(shelf.last_row().state, RowState::Refused);
+        shelf.scene.heartbeat(STABILIZE, false);
+        if is_other {
+            shelf.logs[0] = log(150_000, 3);
+            shelf.server.files.insert(LOG.to_owned(), log(150_000, 3));
+        }
+        // The server sends its burst to the end.
+        for _ in 0..100 {
+            shelf.step();
+        }
+        let before = shelf.passed;
+        shelf.download(LogChoice::Number(1));
+        shelf.step();
+        shelf.until_over(ms(30_000));
+        assert!(
+            shelf
+                .explanation()
+                .ends_with("by MAVFTP, check sum verified")
+        );
+        assert!(shelf.kept(1) == shelf.logs[0], "other bytes");
+        let packets = shelf.passed - before;
+        assert!(is_other || packets < 400, "{packets} packets");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// By whichever way: the bytes are those of the vehicle.
+    #[test]
+    fn a_file_survives_losses(
+        seed in any::<u64>(),
+        loss in 0.0..0.4,
+        len in 1usize..100_000,
+        rate in 1usize..20,
+        refuses_from in prop_oneof![3 => Just(None), 1 => (0usize..100_000).prop_map(Some)],
+        forgets_after in prop_oneof![3 => Just(None), 1 => (0usize..400).prop_map(Some)],
+    ) {
+        let mut shelf = Shelf::with_files(vec![log(len, 7)]);
+        shelf.server.quirks = Quirks { refuses_from, forgets_after, ..Quirks::default() };
+        shelf.loss = loss;
+        shelf.random = ChaCha8Rng::seed_from_u64(seed);
+        shelf.rate = rate;
+        shelf.download(LogChoice::Last);
+        shelf.until_over(Duration::from_secs(600));
+        prop_assert_eq!(shelf.last_row().state, RowState::Done);
+        prop_assert!(shelf.kept(1) == log(len, 7));
+    }
+}
