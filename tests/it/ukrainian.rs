@@ -22,7 +22,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// Names that no table has: of things, of keys, of figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
+    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3 p3",
