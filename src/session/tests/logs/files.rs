@@ -11,7 +11,7 @@ fn a_log_comes_as_a_file_where_the_vehicle_hands_it_out() {
     shelf.download(LogChoice::All);
     shelf.until_over(ms(30_000));
     assert_eq!(shelf.last_row().state, RowState::Done);
-    let text = "250.7 kB in log1.bin, log2.bin: by MAVFTP, check sum verified";
+    let text = "250.7 kB saved in log1.bin, log2.bin: by MAVFTP, check sum verified";
     assert_eq!(shelf.explanation(), text);
     assert_eq!(shelf.requests, 0);
     assert!(shelf.kept(1) == log(700, 1) && shelf.kept(2) == log(250_000, 2));
@@ -56,7 +56,7 @@ fn log_messages_go_on_where_files_fail() {
         shelf.server.quirks = quirks;
         shelf.download(LogChoice::Last);
         shelf.until_over(Duration::from_secs(60));
-        assert_eq!(shelf.explanation(), format!("100.0 kB in log1.bin: {way}"));
+        assert_eq!(shelf.explanation(), format!("100.0 kB saved in log1.bin: {way}"));
         assert!(shelf.carried <= most, "{way}: {} bytes", shelf.carried);
         assert!(shelf.kept(1) == log(size, 2), "{way}");
         let rows = shelf.scene.rows.iter();
@@ -94,7 +94,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     shelf.download(LogChoice::Last);
     shelf.until_over(ms(30_000));
     let way = "by log messages after MAVFTP (no file of the listed size)";
-    assert_eq!(shelf.explanation(), format!("5.0 kB in log2.bin: {way}"));
+    assert_eq!(shelf.explanation(), format!("5.0 kB saved in log2.bin: {way}"));
     assert!(shelf.kept(2) == log(5000, 2));
     // A board has them elsewhere.
     let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
