@@ -1,7 +1,7 @@
 //! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of its own.
 //!
 //! A user of it asks for an [`FtpTask`], keeps the [`FtpTicket`], and gets [`FtpEvent`]s with that ticket out of
-//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for everybody. Nothing is
+//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients. Nothing is
 //! written; a task that writes would be another kind of [`Work`].
 //!
 //! Servers differ: `ArduPilot` takes the client's session number, PX4 gives its own; a burst ends after 500 packets, at
