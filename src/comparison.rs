@@ -1,8 +1,8 @@
-//! Two flights of a mission beside each other: where the vehicles of the other one were at each time, what differed
-//! first, and what it cost.
+//! Two flights of a mission side by side: the positions of the other flight's vehicles, the first difference, and its
+//! cost.
 //!
-//! Times are those of the mission's own clock, so that flights compare whatever the pace they were flown at. A flight is
-//! known from its record, or from a pilot script that has just flown it; both know the same.
+//! Times are those of the mission's own clock, so that flights compare at any speed-up. The data of a flight come from
+//! its record, or from a pilot script that has just flown it; both give the same.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -23,21 +23,21 @@ pub use difference::{Difference, differences};
 /// The distance between the points of a track.
 pub const SAMPLE_EVERY: Duration = Duration::from_secs(1);
 
-/// A flight as far as it is compared.
+/// The data of a flight that are compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFlight {
-    /// Whose flight it was: a profile, a pilot, or the name of a record.
+    /// The name of the flight: a profile, a pilot, or a record.
     pub name: Text,
     pub report: Report,
-    /// Where each vehicle was, a point per second from the start on.
+    /// The positions of each vehicle, one per second from the start.
     tracks: BTreeMap<VehicleId, Vec<Option<TrackPoint>>>,
-    /// When each objective was reached first, in the mission's order.
+    /// When each objective was first reached, in the mission's order.
     reached: Vec<Option<Duration>>,
     /// When the first vehicle was in the air.
     takeoff: Option<Duration>,
-    /// How long it lasted.
+    /// The duration of the flight.
     pub length: Duration,
-    /// The bookmarks by the mission's clock, earliest first; none where they are not known.
+    /// The bookmarks by the mission's clock, earliest first; empty if unknown.
     pub bookmarks: Vec<FlightBookmark>,
 }
 
@@ -49,7 +49,7 @@ pub struct FlightBookmark {
 }
 
 impl FlightBookmark {
-    /// Bookmarks of a record, by the mission's clock as its journal has it.
+    /// The bookmarks of a record, converted to the mission's clock by its journal.
     pub fn of_moments(moments: &[Moment], journal: &Journal) -> Vec<Self> {
         let bookmark = |moment: &Moment| Self {
             at: journal.mission_time(moment.at),
@@ -59,29 +59,29 @@ impl FlightBookmark {
     }
 }
 
-/// Times at which two flights are laid upon each other.
+/// The times at which two flights are aligned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Anchors {
     pub own: Duration,
     pub other: Duration,
 }
 
-/// Where a vehicle was at one time.
+/// The state of a vehicle at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrackPoint {
     pub place: LatLon,
     /// Height above home in metres.
     pub height_m: f64,
-    /// What the battery had left, in percent, where that was known.
+    /// The remaining charge of the battery in percent, if known.
     pub battery_percent: Option<f64>,
     pub is_airborne: bool,
 }
 
 impl ComparedFlight {
-    /// The flight of a record, as far as it goes.
+    /// The flight of a record, as far as it was recorded.
     ///
     /// # Errors
-    /// This program cannot read the mission in it; in words.
+    /// The record's mission cannot be read.
     pub fn of_record(stored: &Stored, name: Text) -> Result<Self, Text> {
         let mut flight = stored.reenact()?;
         let mut course = FlightCourse::default();
@@ -101,7 +101,7 @@ impl ComparedFlight {
         self
     }
 
-    /// Where its vehicles were at a time of the mission; nothing before its start and after its end.
+    /// The positions of its vehicles at a mission time; empty before its start and after its end.
     pub fn at(&self, time: Duration) -> impl Iterator<Item = (VehicleId, TrackPoint)> {
         let second = sample_of(time);
         self.tracks.iter().filter_map(move |(&vehicle, track)| {
@@ -110,7 +110,7 @@ impl ComparedFlight {
         })
     }
 
-    /// The ways of its vehicles in the air up to a time of the mission.
+    /// The paths of its vehicles in the air up to a mission time.
     pub fn ways(&self, until: Duration) -> impl Iterator<Item = Vec<LatLon>> {
         let count = sample_of(until).saturating_add(1);
         self.tracks.values().map(move |track| {
@@ -120,19 +120,19 @@ impl ComparedFlight {
         })
     }
 
-    /// How high the highest vehicle was at a time of the mission, in metres above home.
+    /// The height of the highest vehicle at a mission time, in metres above home.
     pub fn height_m(&self, time: Duration) -> Option<f64> {
         let heights = self.at(time).map(|(_, point)| point.height_m);
         heights.max_by(f64::total_cmp)
     }
 
-    /// What the emptiest battery had left at a time of the mission, in percent.
+    /// The lowest charge of its batteries at a mission time, in percent.
     pub fn battery_percent(&self, time: Duration) -> Option<f64> {
         let left = self.at(time).filter_map(|(_, it)| it.battery_percent);
         left.min_by(f64::total_cmp)
     }
 
-    /// When both flights were where they are laid upon each other; `None` where that never happened in one of them.
+    /// The times at which both flights are aligned; `None` if one of them lacks the event.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {
             own.bookmarks.iter().find_map(|mine| {
@@ -159,7 +159,7 @@ impl ComparedFlight {
         }
     }
 
-    /// When it was where another flight is laid upon it; `None` where that never happened.
+    /// The time at which it is aligned with another flight; `None` if it lacks the event.
     pub fn anchor(&self, alignment: Alignment) -> Option<Duration> {
         match alignment {
             Alignment::Start => Some(Duration::ZERO),
@@ -178,13 +178,13 @@ impl ComparedFlight {
     }
 }
 
-/// Which point of a track shows a time.
+/// The index of the track point for a time.
 fn sample_of(time: Duration) -> usize {
     let sample = time.as_millis() / SAMPLE_EVERY.as_millis();
     usize::try_from(sample).unwrap_or(usize::MAX)
 }
 
-/// The course of a flight, noted while it is flown.
+/// The course of a flight, noted during the flight.
 #[derive(Debug, Default)]
 pub struct FlightCourse {
     samples: u32,
@@ -194,12 +194,12 @@ pub struct FlightCourse {
 }
 
 impl FlightCourse {
-    /// The mission time at which it is to be noted next.
+    /// The mission time of the next note.
     pub fn next(&self) -> Duration {
         SAMPLE_EVERY * self.samples
     }
 
-    /// Notes how the flight stands at the time that [`next`](Self::next) has named.
+    /// Notes the state of the flight at the time that [`next`](Self::next) returned.
     pub fn note(&mut self, vehicles: &Vehicles, flight: &Flight) {
         let now = self.next();
         for (&id, vehicle) in vehicles {

@@ -1,7 +1,7 @@
 //! The console's configuration, from files, variables and flags.
 //!
-//! [`SETTINGS`] declares every setting once; [`Layers`] lays defaults, file, environment and flags over each other and
-//! remembers where each value came from.
+//! [`SETTINGS`] declares every setting once; [`Layers`] combines defaults, file, environment and flags and keeps the
+//! source of each value.
 
 use std::collections::BTreeMap;
 
@@ -32,14 +32,14 @@ pub use table::{Column, TableConfig, TableSort};
 pub struct Config {
     /// The language of the screens; `None` follows the shell's locale.
     pub lang: Option<Language>,
-    /// Whose career it is, by the name of a profile.
+    /// The name of the profile in use.
     pub profile: Option<String>,
     pub theme: String,
-    /// Frames per second at most.
+    /// The most frames per second.
     pub fps: u8,
     /// The symbols for curves and maps; `None` follows the terminal.
     pub symbols: Option<Symbols>,
-    /// Whether the mouse is listened to.
+    /// Whether the mouse is used.
     pub mouse: bool,
     pub table: TableConfig,
     /// The signals of alerts.
@@ -48,9 +48,9 @@ pub struct Config {
     pub macros: BTreeMap<String, Vec<String>>,
     /// The keymap file, if not the one in the folder of the configuration.
     pub keymap: Option<String>,
-    /// What trainees are asked about their workload.
+    /// The question to trainees about their workload.
     pub workload: WorkloadConfig,
-    /// What is recorded of flights.
+    /// The recording of flights.
     pub records: RecordsConfig,
     /// The program's own log.
     pub log: LogConfig,
@@ -71,18 +71,18 @@ pub struct ResultsConfig {
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Readers {
-    /// The trainee alone may read them.
+    /// Only the trainee may read them.
     #[default]
     Owner,
-    /// The group of their folder, too.
+    /// The group of their folder may read them, too.
     Group,
 }
 
-/// Sessions with vehicles that are already there.
+/// Sessions with running vehicles.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ConnectConfig {
-    /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all that are heard.
+    /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all vehicles that are heard.
     pub expect: Option<String>,
 }
 
@@ -99,7 +99,7 @@ pub enum Symbols {
 }
 
 impl Symbols {
-    /// The names of all.
+    /// The names of all symbol sets.
     pub const NAMES: &'static [&'static str] = &["braille", "block", "ascii"];
 
     /// The symbols with a name.
@@ -117,19 +117,19 @@ impl Symbols {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AlertsConfig {
-    /// Whether serious ones ring the bell.
+    /// Whether serious alerts ring the bell.
     pub bell: bool,
-    /// Whether serious ones ask the terminal for a desktop notification (OSC 9).
+    /// Whether serious alerts request a desktop notification from the terminal (OSC 9).
     pub notify: bool,
-    /// The kinds that stay silent.
+    /// The kinds of alerts without a signal.
     pub mute: Vec<AlertKind>,
 }
 
-/// What trainees are asked about their workload.
+/// The question to trainees about their workload.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct WorkloadConfig {
-    /// Whether missions ask every two minutes how much there is to do.
+    /// Whether missions ask for the workload every two minutes.
     pub ask: bool,
 }
 
@@ -139,7 +139,7 @@ impl Default for WorkloadConfig {
     }
 }
 
-/// What is recorded of flights, and how much of it is kept.
+/// The recording of flights, and the limits of their storage.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct RecordsConfig {
@@ -152,7 +152,7 @@ pub struct RecordsConfig {
 }
 
 impl Default for RecordsConfig {
-    /// Seven hours with 32 vehicles.
+    /// Room for seven hours with 32 vehicles.
     fn default() -> Self {
         Self {
             enabled: true,
@@ -178,17 +178,17 @@ pub struct HangarConfig {
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory: u64,
-    /// What happens to instances that end without a request.
+    /// Restart policy for instances that end without a request.
     pub restart: Restart,
-    /// Where the instances' folders are made; by default in the folder of the state.
+    /// The folder for the instances' files; by default in the folder of the state.
     pub folder: Option<String>,
-    /// The services that vehicles are started by; by default this program starts them itself.
+    /// The services that start the vehicles; by default this program starts them itself.
     pub urls: Vec<String>,
     /// The file with the token of the services; by default the one in the folder of the state.
     pub token_file: Option<String>,
 }
 
-/// What happens to an instance that has ended without a request.
+/// Restart policy for an instance that has ended without a request.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, VariantNames)]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
@@ -196,7 +196,7 @@ pub enum Restart {
     /// It stays down until a restart is requested.
     #[default]
     Never,
-    /// It is started again, later and later, until it has failed five times in a row.
+    /// It is started again after growing delays, until it has failed five times in a row.
     Always,
 }
 
@@ -221,7 +221,7 @@ impl Default for HangarConfig {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct LogConfig {
-    /// The file; without one nothing is written.
+    /// The path of the log file; without it, no log is written.
     pub file: Option<String>,
     /// Its content, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
     pub level: String,

@@ -1,6 +1,7 @@
-//! The debrief: a report as plain text for people, 80 columns wide at most.
+//! The debrief: a report as plain text, at most 80 columns wide.
 //!
-//! Every loss of points names what moved it; improvements stand by the size of their gain, as `scoring` orders them (`scoring::advice`).
+//! Every loss of points names its causes; improvements are ordered by the size of their gain, as `scoring` orders them
+//! (`scoring::advice`).
 
 use std::fmt::Write as _;
 
@@ -30,19 +31,19 @@ use layout::{clock, pieces, right};
 
 /// Columns of the page.
 const WIDTH: usize = 80;
-/// The debrief of a report, in the words of a language.
+/// The debrief of a report, in a language.
 pub fn text(report: &Report, locale: &Locale) -> String {
     text_with(report, &[], locale)
 }
 
-/// The same with what the flight brought to a career, if anything, before what moved the score.
+/// The debrief, with the reward for a career (if any) before the explanation of the score.
 pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     let page = lines_with(report, career, locale).into_iter();
     let lines: Vec<String> = page.map(|line| line.text).collect();
     lines.join("\n") + "\n"
 }
 
-/// What moved the score and what would raise it: the part of the page that explains the result.
+/// The causes of the score and the improvements: the part of the page that explains the result.
 pub fn explanation(report: &Report, locale: &Locale) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.components(report);
@@ -50,7 +51,7 @@ pub fn explanation(report: &Report, locale: &Locale) -> Vec<DebriefLine> {
     page.finished()
 }
 
-/// The page line by line, for screens that show what each tells.
+/// The page line by line, for screens that show the tone of each line.
 pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.head(report);
@@ -67,10 +68,10 @@ pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<Debr
     page.finished()
 }
 
-/// A page while it is written.
+/// A page that is being written.
 struct DebriefPage<'a> {
     words: String,
-    /// What the lines tell, as far as it has been said.
+    /// The tones of the lines written so far.
     tones: Vec<DebriefTone>,
     locale: &'a Locale,
 }
@@ -86,7 +87,7 @@ impl<'a> DebriefPage<'a> {
 
     /// The lines written so far.
     fn finished(self) -> Vec<DebriefLine> {
-        // A stored report may hold anything; the page stays as wide as it is.
+        // A stored report may contain any text; the page keeps its width.
         let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
         let given = self.tones.iter().copied();
         let tones = given.chain(std::iter::repeat(DebriefTone::Plain));
@@ -132,7 +133,7 @@ impl DebriefPage<'_> {
         );
         self.line(&rule);
         for line in [first, second] {
-            // A long title takes a line more rather than the outcome.
+            // A long title takes a line of its own, so that the outcome stays visible.
             let words = sanitised(&self.locale.text(&line));
             let lines = if words.width() > WIDTH - 4 {
                 wrap(&words, WIDTH - 4)
@@ -172,7 +173,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// What gave the commands, and a mission that is not the one of the course.
+    /// Who gave the commands (a person or a script), and whether the mission differs from the one of the course.
     fn origin(&mut self, report: &Report) {
         let flown_by = report.flown_by.map(|flown_by| match flown_by {
             FlownBy::Hand => text!("debrief-by-hand"),
@@ -197,7 +198,7 @@ impl DebriefPage<'_> {
         }
     }
 
-    /// The try, what hints took, and what the trainee had said before launch.
+    /// The attempt, the cost of hints, and the trainee's prediction and goal from before the launch.
     fn said_before(&mut self, report: &Report) {
         let count = report.hints.len();
         if report.attempt > 1 || count > 0 {
@@ -255,7 +256,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// One row, or more where the words would not fit between the columns.
+    /// One row, or more if the words would not fit between the columns.
     fn objective(&mut self, objective: &ObjectiveReport) {
         let locale = self.locale;
         let met = if objective.met { 'x' } else { ' ' };
@@ -360,14 +361,14 @@ impl DebriefPage<'_> {
     fn next(&mut self, report: &Report) {
         self.heading("debrief-next");
         let improvement = report.improvements.first().map(|first| &first.text);
-        // After gold there is nothing left to win here.
+        // After gold, no improvement is left in this mission.
         let first = improvement.filter(|_| report.medal != Some(Medal::Gold));
         let text = match (&report.drill, first) {
             (Some(drill), Some(what)) if !report.passed => {
                 text!("debrief-next-drill", drill = drill, what = what)
             }
             (_, Some(what)) => text!("debrief-next-again", what = what),
-            // Of a flight that never took off nothing could be improved.
+            // A flight that never took off has no improvements.
             (_, None) if !report.passed => text!("debrief-next-same"),
             (_, None) => text!("debrief-next-on"),
         };
@@ -400,12 +401,12 @@ impl DebriefPage<'_> {
     }
 }
 
-/// Whether what moved a component is good to hear: the objectives may be worth a lot with one of them missed.
+/// Whether a component is a success: the objectives are not if one is missed, even if they earned many points.
 fn is_praise(component: &ComponentReport, report: &Report) -> bool {
     component.name != Component::Objective.title() || report.objectives.iter().all(|it| it.met)
 }
 
-/// What stands beside the sum: why the score is not the sum of the components, and what gold still needs.
+/// The remarks beside the sum: why the score is not the sum of the components, and what gold still requires.
 fn beside_sum(report: &Report) -> Text {
     let mut remarks = Vec::new();
     if report.given_up {

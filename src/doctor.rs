@@ -1,8 +1,8 @@
 //! The link doctor: from a link's traffic to the causes of faults, and advice.
 //!
-//! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts together,
-//! because one system id on two links is a fault of neither. It names causes, worst first; what a person reads of them
-//! is made from [`LinkFinding`] by the modules that show it.
+//! A [`Chart`] per link keeps the last seconds of its [`observe`]d traffic. [`diagnose`] examines all charts together,
+//! because one system id on two links is a fault of neither. It returns causes, worst first; the caller turns each
+//! [`LinkFinding`] into text.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
@@ -18,24 +18,24 @@ mod words;
 
 pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
 
-/// The time span of a chart.
+/// The time span of a chart: the last seconds of a link.
 pub const WINDOW: Duration = Duration::from_secs(10);
-/// A sender that has been silent for so long is gone.
+/// A sender that has been silent for this long is dropped.
 const GONE_AFTER: Duration = Duration::from_secs(5);
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 
 /// The kind of connection, on which the advice depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
-    /// Connects to a TCP server.
+    /// A connection to a TCP server.
     Tcp,
-    /// Waits for TCP clients.
+    /// A TCP server that waits for clients.
     TcpIn,
-    /// Sends UDP to one address.
+    /// UDP to one address.
     Udp,
     UdpIn,
     Serial,
-    /// A recording: there can be no answers.
+    /// A recording: no answers are possible.
     File,
     Pipe,
 }
@@ -62,7 +62,7 @@ pub enum HeartbeatRole {
     GroundStation,
     /// A camera, a gimbal, a companion computer.
     Other,
-    /// No heartbeat has come from it.
+    /// It has sent no heartbeat.
     Silent,
 }
 
@@ -72,7 +72,7 @@ pub struct Sender {
     /// The sender, and its peer.
     pub source: FrameSource,
     pub role: HeartbeatRole,
-    /// How long it has been heard without a pause: before that it may have been paused, and could not answer.
+    /// How long it has been heard without a pause: before that it may have been stopped, and could not answer.
     pub known_for: Duration,
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.
@@ -81,19 +81,19 @@ pub struct Sender {
     pub version1: bool,
     /// How long ago it last answered us; `None` if it never did.
     pub answered_ago: Option<Duration>,
-    /// Messages that went to its peer, heartbeats not counted.
+    /// Messages sent to its peer, without heartbeats.
     pub asked: u64,
 }
 
 /// The sequence counts of a link's senders, by their ids.
 pub type NumberedSenders = BTreeMap<(SystemId, ComponentId), NumberedFrames>;
 
-/// Frames of one sender, by their numbers.
+/// Sequence counts of one sender's frames.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct NumberedFrames {
     pub came: u64,
     pub lost: u64,
-    /// Frames with a number before one already received.
+    /// Frames with a lower number than one already received.
     pub late: u64,
 }
 
@@ -117,7 +117,7 @@ impl NumberedFrames {
 /// The state of a link at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
-    /// Whether it carries data.
+    /// Whether the link carries data.
     pub up: bool,
     /// The counters of its decoders.
     pub counters: Counters,
@@ -218,7 +218,7 @@ impl Chart {
         self.way
     }
 
-    /// Takes an observation in; about one a second is enough.
+    /// Adds an observation; about one a second is enough.
     pub fn note(&mut self, observation: Observation, now: Duration) {
         if !observation.up {
             self.up_since = None;
@@ -227,7 +227,7 @@ impl Chart {
             self.up_since = Some(now);
         }
         self.seen.push_back((now, observation));
-        // One that is older than the window stays, so that a whole window is looked at.
+        // One observation older than the window is kept, so that the window is complete.
         while self.seen.get(1).is_some_and(|(at, _)| *at + WINDOW <= now) {
             self.seen.pop_front();
         }
@@ -237,7 +237,7 @@ impl Chart {
         self.seen.back().map(|(_, observation)| observation)
     }
 
-    /// How long it has been up at the last observation.
+    /// How long the link had been up at the last observation.
     fn up_for(&self) -> Duration {
         let last_at = self.seen.back().map_or(Duration::ZERO, |(at, _)| *at);
         self.up_since

@@ -1,9 +1,9 @@
 //! A mission flown by a pilot script.
 //!
-//! Sessions, pilot, mission and scoring are the same whatever flies: the embedded simulator in lock step and without
-//! a clock ([`LockStep`], whose outcome depends on the mission, the seed and the script alone), or vehicles that keep
-//! time themselves, behind byte streams ([`LiveStreams`]). When a mission begins and how its time passes is decided by the
-//! [`FlightDriver`], which the console uses as well.
+//! Sessions, pilot, mission and scoring are the same for both kinds of vehicles: the embedded simulator in lock step
+//! without a clock ([`LockStep`], whose outcome depends only on the mission, the seed and the script), and vehicles
+//! with their own clocks behind byte streams ([`LiveStreams`]). The [`FlightDriver`], which the console uses as well,
+//! decides when a mission begins and how its time passes.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -42,13 +42,13 @@ pub use playthrough::{Playthrough, PlaythroughFlight};
 pub use scripted::{fly_compared, read_script};
 pub use streams::LiveStreams;
 
-/// How often sessions look at their deadlines.
+/// The interval at which sessions check their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
-/// How often a ground station says that it is there.
+/// The interval of the ground station's heartbeats.
 const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
 
-/// A session per vehicle, the pilot, and the mission that watches them; `L` is how the vehicles are reached, which also
-/// decides what time it is.
+/// A session per vehicle, the pilot, and the mission that watches them; `L` is the connection to the vehicles, which
+/// also gives the time.
 #[derive(Debug)]
 pub struct Exercise<L = LockStep> {
     link: L,
@@ -61,11 +61,11 @@ pub struct Exercise<L = LockStep> {
     places: BTreeMap<String, LatLon>,
     areas: BTreeMap<String, Outline>,
     notices: Vec<Notice>,
-    /// The paths of joint manoeuvres that were recorded last.
+    /// The last recorded paths of joint manoeuvres.
     paths: Vec<Path>,
-    /// For how long the sessions had talked when the mission began.
+    /// How long the sessions had run when the mission began.
     prelude: Duration,
-    /// What is recorded of it, if anything is.
+    /// The record of the flight, if it is recorded.
     log: Option<FlightLog>,
 }
 
@@ -75,7 +75,7 @@ struct ExerciseSeat {
     decoder: Decoder,
     encoder: Encoder,
     session: Session,
-    /// What is to be sent.
+    /// Bytes that have not been sent yet.
     outgoing: Vec<u8>,
 }
 
@@ -89,7 +89,7 @@ impl ExerciseSeat {
         }
     }
 
-    /// Takes in the next message of the bytes that have come, if one is complete.
+    /// Handles the next message of the received bytes, if one is complete.
     fn hear(&mut self, now: Duration, log: Option<&mut FlightLog>) -> bool {
         let Some(frame) = self.decoder.next_frame() else {
             return false;
@@ -101,7 +101,7 @@ impl ExerciseSeat {
         true
     }
 
-    /// Does what is due in a step of session time.
+    /// Handles what is due in the session at its time.
     fn poll(&mut self, now: Duration, log: Option<&mut FlightLog>) {
         if is_due(now, SESSION_POLL) {
             self.session.poll(now);
@@ -117,7 +117,7 @@ impl ExerciseSeat {
         }
     }
 
-    /// Encodes what the session has to send.
+    /// Encodes the session's messages.
     fn send(&mut self, now: Duration, mut log: Option<&mut FlightLog>) {
         for message in self.session.take_outgoing() {
             self.push(&message, now, log.as_deref_mut());
@@ -134,7 +134,7 @@ impl ExerciseSeat {
 }
 
 impl<L> Exercise<L> {
-    /// So many vehicles, with system ids from 1, at time 0.
+    /// An exercise with `vehicles` vehicles, with system ids from 1, at time 0.
     fn on(link: L, driver: FlightDriver, script: Script, vehicles: usize) -> Self {
         let mission = driver.flight().mission();
         Self {
@@ -172,27 +172,27 @@ impl<L> Exercise<L> {
         &self.vehicles
     }
 
-    /// What became of the commands so far.
+    /// The commands so far, with their outcomes.
     pub fn ledger(&self) -> &Ledger {
         &self.ledger
     }
 
-    /// The flight, for reading.
+    /// The flight, read only.
     pub fn flight(&self) -> &Flight {
         self.driver.flight()
     }
 
-    /// The flight, for what concerns its try and its record.
+    /// The flight, for its attempt and its record.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
     }
 
-    /// The result, everything explained, and the end of the record.
+    /// The final result with all explanations; ends the record.
     pub fn close(&mut self) -> MissionReport {
         self.driver.flight_mut().close(&self.ledger)
     }
 
-    /// The result so far, everything explained.
+    /// The result so far with all explanations.
     pub fn report(&self) -> MissionReport {
         self.driver.flight().report(&self.ledger)
     }
@@ -202,12 +202,12 @@ impl<L> Exercise<L> {
         self.log = Some(FlightLog::new(began_unix_us));
     }
 
-    /// Records the flight no more.
+    /// Stops recording the flight.
     pub fn stop_recording(&mut self) {
         self.log = None;
     }
 
-    /// What waits to be written, while the flight is recorded.
+    /// Recorded data that are not written yet, while the flight is recorded.
     pub fn log_mut(&mut self) -> Option<&mut FlightLog> {
         self.log.as_mut()
     }
@@ -222,7 +222,7 @@ impl<L> Exercise<L> {
         std::mem::take(&mut self.notices)
     }
 
-    /// Takes down what became of a vehicle's commands, and what is to be heard of it.
+    /// Handles the changes of a vehicle's commands and its notices.
     fn take_reports(&mut self, index: usize, now: Duration) {
         for report in self.seats[index].session.take_reports() {
             match report {
@@ -237,7 +237,7 @@ impl<L> Exercise<L> {
         self.note_down(now, || Happening::Row(RowLine::of(update)));
     }
 
-    /// Tells of something that no vehicle says, at a session time.
+    /// Adds a notice that does not come from a vehicle, at a session time.
     fn tell(&mut self, notice: Notice, now: Duration) {
         self.note_down(now, || Happening::Notice(NoticeLine::of(&notice)));
         self.notices.push(notice);
@@ -307,7 +307,7 @@ fn session(seats: &mut [ExerciseSeat], vehicle: VehicleId) -> Option<&mut Sessio
     sessions.find(|session| session.vehicle().id == vehicle)
 }
 
-/// A notice of the sessions on mission time.
+/// Converts a notice of the sessions to mission time.
 fn since(begun: Duration, notice: Notice) -> Notice {
     Notice {
         at: notice.at.saturating_sub(begun),

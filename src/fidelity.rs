@@ -1,10 +1,9 @@
 //! The embedded simulator beside a recording of the real `ArduCopter`: the same commands at the same times.
 //!
-//! A recording is what a vehicle said and what a ground station sent, both with times. [`replay`] sends the same
-//! bytes to a vehicle of the embedded simulator. One [`Observed`] reads what either of the two vehicles said, so
-//! that nothing is known of the one that is not known of the other in the same way. [`compare`] cuts the flight
-//! into manoeuvres by what was sent, and measures each of them from a common start: the place at the time of the
-//! command is subtracted, so that a difference is counted in the manoeuvre that makes it.
+//! A recording holds the messages of a vehicle and of a ground station, both with times. [`replay`] sends the ground
+//! station's messages to a vehicle of the embedded simulator. [`Observed`] reads the messages of both vehicles in the
+//! same way. [`compare`] divides the flight into manoeuvres by the commands, and measures each from a common start: it
+//! subtracts the position at the time of the command, so that a difference counts in the manoeuvre that causes it.
 
 mod answers;
 mod compare;
@@ -27,7 +26,7 @@ pub use series::Series;
 
 use crate::wire::{Decoder, Frame, frame_len};
 
-/// A frame and when it passed, since the beginning of its recording.
+/// A frame and its time, since the beginning of its recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timed {
     /// Since the beginning of the recording.
@@ -38,9 +37,9 @@ pub struct Timed {
 /// A flight of a real vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// What the vehicle said, in order.
+    /// The frames of the vehicle, in order.
     pub heard: Vec<Timed>,
-    /// What the ground station sent, in order.
+    /// The frames of the ground station, in order.
     pub sent: Vec<Timed>,
 }
 
@@ -64,7 +63,7 @@ impl Recording {
     }
 }
 
-/// The frames of a tlog; what follows a broken record is left out.
+/// The frames of a tlog, up to the first damaged record.
 fn records(mut tlog: &[u8]) -> Vec<Timed> {
     let mut decoder = Decoder::new();
     let mut found = Vec::new();
@@ -83,7 +82,7 @@ fn records(mut tlog: &[u8]) -> Vec<Timed> {
     found
 }
 
-/// Flies what a recording holds with the embedded simulator and compares.
+/// Flies a recording again in the embedded simulator, and compares the two flights.
 pub fn fly(recording: &Recording) -> Comparison {
     let real = Observed::new(&recording.heard);
     let simulated = Observed::new(&replay(recording, &real));

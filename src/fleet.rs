@@ -1,9 +1,9 @@
 //! All vehicles and links of a running console.
 //!
-//! One hub task owns the links and knows by which link each system id is heard; one task per vehicle owns
-//! its [`Session`](crate::session::Session). Frames go from a link through the hub to the vehicle's task,
-//! state comes back through a `watch` per vehicle, and occurrences through one bounded channel. No vehicle
-//! waits for another: a full queue drops telemetry, which comes again, and is counted.
+//! One hub task owns the links and the route of each system id; one task per vehicle owns its
+//! [`Session`](crate::session::Session). Frames go from a link through the hub to the vehicle's task, state comes back
+//! through a `watch` per vehicle, and events through one bounded channel. No vehicle waits for another: a full queue
+//! drops telemetry, which comes again, and is counted.
 
 use std::sync::Arc;
 
@@ -25,12 +25,12 @@ mod vehicle_task;
 
 pub use clock::FleetClock;
 
-/// Reports that may wait for the console before notices are dropped.
+/// The most reports in the queue to the console; further notices are dropped.
 const EVENTS_KEPT: usize = 4096;
-/// Requests that may wait for the hub.
+/// The most requests in the queue to the hub.
 const REQUESTS_KEPT: usize = 1024;
 
-/// Something that happened in the fleet.
+/// An event of the fleet.
 #[derive(Debug)]
 pub enum FleetEvent {
     /// A vehicle was heard for the first time; its state can be watched from now on.
@@ -43,7 +43,7 @@ pub enum FleetEvent {
     Report(Report),
     /// A fault in the connections to vehicles.
     Warning(Notice),
-    /// So many reports more were dropped because the console did not listen.
+    /// This many further reports were dropped because the console did not read them.
     Dropped(u64),
 }
 
@@ -58,12 +58,12 @@ enum FleetRequest {
     Forget(VehicleId),
 }
 
-/// What is kept of a fleet.
+/// What the fleet stores: frames and logs.
 #[derive(Debug, Clone, Default)]
 pub struct Keeping {
-    /// Where the frames of all links are taken down.
+    /// The recorder of the frames of all links.
     pub sink: Option<FrameSink>,
-    /// Where downloaded logs go.
+    /// The storage for downloaded logs.
     pub logs: Option<Arc<dyn LogKeeper>>,
 }
 
@@ -83,7 +83,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, Keeping::default(), clock, cancel)
     }
 
-    /// Starts an empty fleet of which something is kept.
+    /// Starts an empty fleet that stores frames or logs.
     pub fn start_kept(
         keeping: Keeping,
         clock: FleetClock,
@@ -92,7 +92,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, keeping, clock, cancel)
     }
 
-    /// Starts an empty fleet that requests other telemetry than the console's.
+    /// Starts an empty fleet that requests other telemetry than the console does.
     pub fn start_wanting(
         streams: &'static [Stream],
         clock: FleetClock,
@@ -123,7 +123,7 @@ impl Fleet {
     /// Opens a link. Its state arrives as [`FleetEvent::Linked`].
     ///
     /// # Errors
-    /// The transport comes back when the hub has ended or cannot keep up.
+    /// The hub has ended or cannot keep up.
     pub fn connect(&self, transport: Transport) -> Result<(), Unreachable> {
         self.ask(FleetRequest::Connect(transport))
     }
@@ -136,7 +136,7 @@ impl Fleet {
         self.ask(FleetRequest::Order(vehicle, order))
     }
 
-    /// Says where a vehicle of a manoeuvre is to be now.
+    /// Sends a setpoint to a vehicle in a manoeuvre.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
@@ -147,7 +147,7 @@ impl Fleet {
     /// Downloads all parameters of a vehicle. They arrive at the receiver of [`FleetEvent::Parameters`].
     ///
     /// # Errors
-    /// The hub has ended or cannot keep up; nothing was asked.
+    /// The hub has ended or cannot keep up; nothing was requested.
     pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(FleetRequest::FetchParameters(vehicle))
     }
@@ -160,7 +160,7 @@ impl Fleet {
         self.ask(FleetRequest::Restarted(vehicle))
     }
 
-    /// Has something done to a vehicle's simulator or to the radio between it and us.
+    /// Changes a vehicle's simulator, or the simulated radio between it and the console.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was done.
@@ -168,7 +168,7 @@ impl Fleet {
         self.ask(FleetRequest::Want(vehicle, want))
     }
 
-    /// Ends a vehicle's task. When it is heard again it appears as a new one.
+    /// Ends a vehicle's task. If it is heard again, it appears as a new vehicle.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.

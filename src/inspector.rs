@@ -1,10 +1,10 @@
 //! The inspector: the content and the rate of every message on the links.
 //!
 //! A [`Census`] counts the frames of one link, received and sent, and keeps the last of each kind. Its frames are
-//! taken apart by the [`Definitions`] rather than by the dialect crate, which keeps neither names nor units:
-//! [`reading::read`] gives every field with name, value, unit and the names of enum values and bits, also of messages
-//! that the dialect cannot decode. Sources are never merged: the same system id from two peers, or in two directions,
-//! is two sources.
+//! decoded by the [`Definitions`] instead of the dialect crate, which keeps neither names nor units: [`reading::read`]
+//! returns every field with name, value, unit and the names of enum values and bits, even for messages that the
+//! dialect cannot decode. Sources are never merged: the same system id from two peers, or in two directions, is two
+//! sources.
 
 mod census;
 mod definitions;

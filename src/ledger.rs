@@ -11,10 +11,10 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::verb::Verb;
 
-/// Entries kept; older ones fall out so that a console left open for days stays small.
+/// The most entries; the oldest are dropped, so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
 
-/// Names one entry of the ledger.
+/// The number of an entry of the ledger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct EntryId(pub u32);
 
@@ -30,23 +30,23 @@ pub enum RowState {
     InProgress(u8),
     /// Accepted (or sent, where no acknowledgement exists); its effect has not shown yet.
     Accepted,
-    /// Telemetry shows the effect; or the command has none that could be seen and was accepted.
+    /// Telemetry shows the effect; or the command has no visible effect and was accepted.
     Done,
     /// Accepted, but the effect did not show in time.
     NoEffect,
-    /// The vehicle refused it, or it made no sense for this vehicle and was not sent.
+    /// The vehicle refused it, or it was not sent because it did not suit this vehicle.
     Refused,
     /// No answer before the deadline.
     TimedOut,
     /// A later command took its place.
     Superseded,
     /// Another source took control: another ground station, a failsafe, a pilot's stick. The vehicle's mode and arming
-    /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither goes unnoticed.
+    /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither is not detected.
     Overtaken,
 }
 
 impl RowState {
-    /// Whether nothing more will happen to the row.
+    /// Whether the row will not change any more.
     pub fn is_final(self) -> bool {
         !matches!(
             self,
@@ -54,7 +54,7 @@ impl RowState {
         )
     }
 
-    /// Whether it ended otherwise than the operator wanted.
+    /// Whether it ended otherwise than intended.
     pub fn is_failure(self) -> bool {
         matches!(
             self,
@@ -64,7 +64,7 @@ impl RowState {
 }
 
 impl RowState {
-    /// In a few words.
+    /// The state in a few words.
     pub fn text(self) -> Text {
         match self {
             Self::InProgress(percent) => text!("state-percent", percent = percent),
@@ -72,7 +72,7 @@ impl RowState {
         }
     }
 
-    /// The same without figures.
+    /// The name of the state, without figures.
     pub fn name(self) -> Text {
         match self {
             Self::Queued => text!("state-queued"),
@@ -101,7 +101,7 @@ pub struct RowUpdate {
     pub entry: EntryId,
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often it has been sent by now.
+    /// How often the command has been sent.
     pub tries: u8,
     pub at: Duration,
     /// A text, if there is something to explain.
@@ -113,7 +113,7 @@ pub struct RowUpdate {
 pub struct LedgerRow {
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often it has been sent.
+    /// How often the command has been sent.
     pub tries: u8,
     /// The time from the command to the vehicle's first answer.
     pub answered_after: Option<Duration>,
@@ -129,12 +129,12 @@ pub struct LedgerRow {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Risk {
-    /// Nothing out of the ordinary.
+    /// No special risk.
     #[default]
     None,
-    /// It stops motors that may hold a vehicle in the air.
+    /// It stops motors of a vehicle that may be in the air.
     Unsafe,
-    /// It arms by force, or switches the checks before arming off.
+    /// It arms by force, or switches the pre-arm checks off.
     SkipsChecks,
 }
 
@@ -151,7 +151,7 @@ pub struct Given<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerEntry {
     pub id: EntryId,
-    /// When it was given.
+    /// The time of the command.
     pub at: Duration,
     /// The whole line in the console's grammar, with its targets.
     pub line: String,
@@ -212,8 +212,8 @@ impl Ledger {
         id
     }
 
-    /// Applies an update; one for a dropped entry or an ended row is ignored. A completed row stays so, and notes what
-    /// has overtaken it.
+    /// Applies an update; one for a dropped entry or an ended row is ignored. A completed row keeps its state, and
+    /// notes the reason of a takeover.
     pub fn apply(&mut self, update: &RowUpdate) {
         let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
             return;

@@ -1,5 +1,5 @@
-//! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and its notices. One match chooses the
-//! handler; the handlers are in one file per subject.
+//! Telemetry: the changes that each `MAVLink` message makes in the model of its vehicle, and its notices. One match
+//! chooses the handler; the handlers are in one file per subject.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -39,22 +39,22 @@ mod vibration;
 
 const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 
-/// The state of one vehicle's handlers beside the model: incomplete texts, parameters, and the trust in its clock.
+/// The state of one vehicle's handlers beside the model: incomplete texts, parameters, and the state of its clock.
 #[derive(Debug, Clone, Default)]
 pub struct Inbox {
     texts: status_text::Assembly,
-    // Shared with readers; copied when it changes while one holds it.
+    // Shared with readers; copied on a change while a reader holds it.
     parameters: Arc<ParameterList>,
     clock: clock::BootClock,
     /// The time of the last reason against arming: reasons that come together replace earlier ones.
     reasons_at: Option<Duration>,
-    /// When `BATTERY_STATUS` last spoke of pack 0, which then outranks `SYS_STATUS`.
+    /// When `BATTERY_STATUS` last reported pack 0, which then overrides `SYS_STATUS`.
     pack_heard_at: Option<Duration>,
-    /// `GPS_GLOBAL_ORIGIN`: where local coordinates begin.
+    /// `GPS_GLOBAL_ORIGIN`: the origin of local coordinates.
     origin: Option<Place>,
 }
 
-/// Where a handler puts its notices.
+/// The notices of a handler, with their time.
 struct Report<'a> {
     vehicle: VehicleId,
     now: Duration,
@@ -82,7 +82,7 @@ impl Report<'_> {
 }
 
 impl Inbox {
-    /// An inbox for a vehicle of which nothing was heard yet.
+    /// An inbox for a vehicle that has not been heard yet.
     pub fn new() -> Self {
         Self::default()
     }
@@ -131,18 +131,18 @@ impl Inbox {
         &self.parameters
     }
 
-    /// Forgets which places of the list have passed: it is about to come again.
+    /// Forgets which parameters of the list have been heard: the list is about to be sent again.
     pub fn expect_parameters_again(&mut self) {
         Arc::make_mut(&mut self.parameters).expect_again();
     }
 
-    /// Forgets all parameters that have passed.
+    /// Forgets all parameters that have been heard.
     pub fn forget_parameters(&mut self) {
         Arc::make_mut(&mut self.parameters).forget();
     }
 
     /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in their place, and drops
-    /// a target that is not sent any more. Call it a few times a second.
+    /// a target that is no longer sent. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
@@ -167,7 +167,7 @@ impl Inbox {
         vehicle.heartbeat = None;
     }
 
-    /// One handler per kind of message.
+    /// Calls the handler for the kind of message.
     fn dispatch(&mut self, vehicle: &mut Vehicle, message: &MavMessage, report: &mut Report<'_>) {
         use MavMessage as M;
         let now = report.now;
@@ -248,7 +248,7 @@ impl Inbox {
         for text in self.texts.drain() {
             self.take_text(vehicle, &text, report);
         }
-        // The reasons of half-received texts were the old run's as well.
+        // Reasons in half-received texts were of the old run as well.
         vehicle.prearm.clear();
         self.reasons_at = None;
         self.pack_heard_at = None;

@@ -1,8 +1,8 @@
 //! From a line to the vehicles: the part that the console and pilot scripts share.
 //!
-//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] decides what follows from an order: which vehicles
-//! get a command, what the mission does, and which rows of the ledger change. It is pure: its owner opens the entry in
-//! the ledger, carries out each [`Dispatch`], and calls [`Operator::conduct`] about ten times a second.
+//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] carries an order out: it decides which vehicles
+//! get a command, which part the mission has in it, and which rows of the ledger change. It is pure: its owner opens
+//! the entry in the ledger, carries out each [`Dispatch`], and calls [`Operator::conduct`] about ten times a second.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -26,22 +26,22 @@ mod tests;
 /// Work for the owner of an operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Dispatch {
-    /// Take a change of a row into the ledger.
+    /// Apply a change of a row to the ledger.
     Row(RowUpdate),
     /// Give a vehicle a command.
     Command(VehicleId, VehicleCommand),
     /// Send a vehicle its setpoint.
     Steer(VehicleId, Steering),
-    /// Show a human something.
+    /// Show the user a notice.
     Notice(Notice),
     /// Show the mission's reason for refusing an order. The rows have it too, but no vehicle sends it.
     Refused(Text),
 }
 
-/// The state on which orders are carried out, at one moment.
+/// The state in which orders are carried out, at one moment.
 #[derive(Debug)]
 pub struct OperatorScene<'a> {
-    /// The time by which the vehicles move.
+    /// The time on the vehicles' clock.
     pub now: Duration,
     /// The vehicles, as last heard.
     pub vehicles: &'a Vehicles,
@@ -57,7 +57,7 @@ pub struct Operator {
     undelivered: BTreeMap<VehicleId, Steering>,
 }
 
-/// Reads a line and finds its vehicles; without targets, `selection` is meant.
+/// Reads a line and finds its vehicles; without targets, `selection` applies.
 ///
 /// # Errors
 /// The fault and its place in the line.
@@ -69,10 +69,10 @@ pub fn read_order(
     order_of(language::parse(line, context)?, line, context, selection)
 }
 
-/// The order of a line that has been read; without targets, `selection` is meant.
+/// The order of a line that has been read; without targets, `selection` applies.
 ///
 /// # Errors
-/// Its vehicles are not there, at the first word of the line.
+/// Its vehicles do not exist; the fault is at the first word of the line.
 pub fn order_of(
     statement: Statement,
     line: &str,
@@ -88,7 +88,7 @@ pub fn order_of(
     }
 }
 
-/// The first word of a line, which a fault of the whole line is shown at.
+/// The first word of a line, at which a fault of the whole line is shown.
 pub fn first_word(line: &str) -> Range<usize> {
     let start = line.len() - line.trim_start().len();
     let length = line[start..].find(char::is_whitespace);
@@ -96,7 +96,7 @@ pub fn first_word(line: &str) -> Range<usize> {
 }
 
 impl Dispatch {
-    /// The same with its times on another clock.
+    /// The same work with its times on another clock.
     #[must_use]
     pub fn at(self, now: Duration) -> Self {
         match self {
@@ -141,7 +141,7 @@ impl Operator {
         }
     }
 
-    /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose autopilots
+    /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose own autopilots
     /// carry the order out.
     fn assign(
         &mut self,
@@ -149,7 +149,7 @@ impl Operator {
         order: &Order,
         scene: &OperatorScene<'_>,
     ) -> (Vec<Dispatch>, Vec<VehicleId>) {
-        // Where they were to be before does not matter any more.
+        // Earlier setpoints no longer matter.
         self.undelivered.retain(|id, _| !order.targets.contains(id));
         let assignment = self.conductor.take(entry, order, scene.vehicles, scene.now);
         let rows = assignment.rows.into_iter().map(Dispatch::Row);
@@ -168,7 +168,7 @@ impl Operator {
             .collect()
     }
 
-    /// Notes whether steering has been delivered. If not, it comes with the next [`Self::conduct`] again, unless the
+    /// Notes whether steering has been delivered. If not, the next [`Self::conduct`] returns it again, unless the
     /// vehicle gets an order or newer steering before.
     pub fn note_delivery(&mut self, vehicle: VehicleId, steering: Steering, is_delivered: bool) {
         if is_delivered {
@@ -183,7 +183,7 @@ impl Operator {
     }
 }
 
-/// Has the mission do something; without a mission it is refused.
+/// Passes an order to the mission; without a mission it is refused.
 fn done_by_mission(
     entry: EntryId,
     order: &Order,

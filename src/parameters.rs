@@ -1,4 +1,4 @@
-//! Parameters: the list of a vehicle's, files of them, and what differs between two.
+//! Parameters: the list of a vehicle, parameter files, and differences between two lists.
 
 use std::sync::Arc;
 
@@ -15,40 +15,40 @@ pub use kind::{ParameterType, ParameterUnfit};
 pub use list::{HeardParameter, ListedParameter, ParameterList};
 pub use sortie_sim::{AliasSense, other_name};
 
-/// How far the download of a vehicle's list has come.
+/// The state of the download of a vehicle's list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fetching {
-    /// The list was not requested yet.
+    /// The list has not been requested yet.
     #[default]
     NotAsked,
-    /// It is coming; what is missing is asked for again.
+    /// The list is arriving; missing values are requested again.
     UnderWay {
-        /// Requests in a row that nothing new came of.
+        /// The number of requests in a row that brought nothing new.
         fruitless: u16,
     },
     Complete,
-    /// The vehicle has stopped answering although it is heard. A new request or a link that comes back goes on.
+    /// The vehicle is heard but no longer answers. A new request or a reconnected link continues the download.
     Stalled,
 }
 
 impl Fetching {
-    /// Whether more is still expected.
+    /// Whether further values are expected.
     pub fn is_under_way(self) -> bool {
         matches!(self, Self::UnderWay { .. })
     }
 }
 
-/// What is known of a vehicle's parameters at some moment. Cloning it copies no value.
+/// The known parameters of a vehicle at one moment. Cloning it copies no value.
 #[derive(Debug, Clone, Default)]
 pub struct ParameterSnapshot {
     pub list: Arc<ParameterList>,
-    /// How far its download is.
+    /// The state of the download.
     pub fetching: Fetching,
-    /// How often the vehicle has rebooted by now. A list begins anew with each time: settings may have been lost.
+    /// How often the vehicle has rebooted. After each reboot the list starts again, since settings may have been lost.
     pub reboots: u32,
 }
 
-/// A value as it is read and written: the shortest decimal number that means the same `f32`.
+/// A value as text: the shortest decimal number that reads as the same `f32`.
 pub fn shown(value: f32) -> String {
     let plain = value.to_string();
     if plain.len() <= LONGEST_PLAIN {
@@ -58,5 +58,5 @@ pub fn shown(value: f32) -> String {
     }
 }
 
-/// Longer numbers are shown with an exponent: columns have their width.
+/// Longer numbers are shown with an exponent, to fit their column.
 const LONGEST_PLAIN: usize = 12;

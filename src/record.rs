@@ -2,9 +2,9 @@
 //!
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
-//! command and what became of it, each bookmark, and whatever else happened beside the links. A mission's own record,
-//! from which it is scored again, is `STEM.run.jsonl` ([`mission::record`](crate::mission::record)). What entered
-//! simulated vehicles, with which the flight can be flown again, is `STEM.inputs.jsonl` ([`InputsHead`],
+//! command, each change of its rows, each bookmark, and each other event beside the links. `STEM.run.jsonl` is the
+//! mission's own record, from which it is scored again ([`mission::record`](crate::mission::record)).
+//! `STEM.inputs.jsonl` holds the inputs of simulated vehicles, with which the flight can be repeated ([`InputsHead`],
 //! [`InputLine`]). The console writes the journal through `shell::session::recorder`, and the run record through its
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
 //!
@@ -44,10 +44,10 @@ pub struct Head {
     /// The name of the pilot's profile, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
-    /// The places that commands could name.
+    /// The named places of the mission, for commands.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub places: BTreeMap<String, LatLon>,
-    /// How many times as fast as the clock on the wall simulated time passed at the start.
+    /// The speed-up over the wall clock at the start.
     #[serde(default = "real_time", skip_serializing_if = "is_real_time")]
     pub speedup: f64,
 }
@@ -68,16 +68,16 @@ fn is_real_time(speedup: &f64) -> bool {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
-    /// The mission of this id; its own record has the rest.
+    /// A mission by its id; the mission's own record has the rest.
     Mission(String),
     /// Simulated vehicles without a task.
     Free,
-    /// Vehicles that were there already, at these addresses.
+    /// Running vehicles at these addresses.
     Connected(Vec<String>),
 }
 
 impl Subject {
-    /// A word for it in the names of files: the id of the mission, `free` or `connect`.
+    /// A word for file names: the id of the mission, `free` or `connect`.
     pub fn slug(&self) -> &str {
         match self {
             Self::Mission(id) => id,
@@ -86,7 +86,7 @@ impl Subject {
         }
     }
 
-    /// The mission that was flown, by id, if one was.
+    /// The id of the mission, if one was flown.
     pub fn mission(&self) -> Option<&str> {
         match self {
             Self::Mission(id) => Some(id),
@@ -117,17 +117,17 @@ impl Head {
         }
     }
 
-    /// The head in a line, with its end.
+    /// The head as a line, with its line end.
     pub fn to_line(&self) -> String {
         line::written(self)
     }
 }
 
-/// A journal as it was read.
+/// A journal, as read from its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Journal {
     pub head: Head,
-    /// The occurrences, oldest first.
+    /// The events, oldest first.
     pub lines: Vec<JournalLine>,
     /// The damage of the rest of the file, after the readable part.
     pub damage: Option<Text>,
@@ -136,10 +136,10 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Reads a journal. What is damaged or goes back in time ends it.
+    /// Reads a journal. A damaged line, or one that goes back in time, ends it.
     ///
     /// # Errors
-    /// It is no journal, or one of another version; in words.
+    /// The text is not a journal, or one of another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let first = all.next().unwrap_or_default();
@@ -161,7 +161,7 @@ impl Journal {
         let mut since = Duration::ZERO;
         for (index, line) in all.enumerate() {
             let Ok(line) = serde_json::from_str::<JournalLine>(line) else {
-                // What a later program has added is passed over.
+                // Lines of a later program are skipped.
                 if line.ends_with("}\n") && serde_json::from_str::<serde_json::Value>(line).is_ok()
                 {
                     journal.unknown += 1;

@@ -1,12 +1,11 @@
-//! Recorded flights, played again: as the events that the console saw then, from any moment on.
+//! Replays recorded flights as the events that the console received in the flight, from any moment on.
 //!
-//! A stage has the vehicles' sessions hear the recorded frames again, and yields what they and the
-//! journal say as events, a tenth of a second at a time. An index goes through the whole recording
-//! once, in a thread of its own, and keeps what was known every few seconds: to go to a moment, the console takes the
-//! last of these key frames before it, and lets the stage go on from there. So the same moment is the same screen, by
-//! whatever way one has come to it.
+//! A stage lets the vehicles' sessions receive the recorded frames again and returns their events and those of the
+//! journal, a tenth of a second at a time. An index reads the whole recording once, in its own thread, and keeps a key
+//! frame of the state every few seconds. To go to a moment, the console restores the last key frame before it and
+//! plays on from there. A moment therefore looks the same, however the user has reached it.
 //!
-//! Nothing is ever sent: what the sessions would say to their vehicles is dropped.
+//! Nothing is ever sent: the sessions' messages to their vehicles are dropped.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -47,9 +46,9 @@ use stage::Stage;
 pub const FRAME: Duration = Duration::from_millis(100);
 /// The interval of key frames taken while playing forward.
 const KEY_AHEAD: Duration = Duration::from_secs(3);
-/// Frames of the replay that are gone through between two looks at the keys.
+/// The most frames of the replay that are played between two checks for keys.
 const STEPS_AT_ONCE: usize = 1000;
-/// Frames of MAVLink that are heard between two looks at the keys. At half a microsecond each it is a tenth of a second.
+/// The most MAVLink frames that are read between two checks for keys: at half a microsecond each, a tenth of a second.
 const HEARD_AT_ONCE: u64 = 200_000;
 
 /// A recording that is replayed.
@@ -59,14 +58,14 @@ pub struct Replay {
     stage: Stage,
     index: Index,
     position: ReplayPosition,
-    /// Where it is to be, from the beginning of the recording; it may not be there yet.
+    /// The time to go to, from the beginning of the recording; the stage may not have reached it yet.
     goal: Duration,
-    /// When time was looked at last, on the program's clock.
+    /// The program's clock at the last tick.
     looked: Option<Duration>,
     review: Review,
     /// All moments: those indexed so far, and the bookmarks.
     moments: Arc<Vec<Moment>>,
-    /// The moments of the index that are among them.
+    /// The index's moments that are part of them.
     merged: Option<Arc<Vec<Moment>>>,
     /// The length last reported to the console.
     known_length: Duration,
@@ -77,7 +76,7 @@ impl Replay {
     /// initial events.
     ///
     /// # Errors
-    /// It cannot be read, or there is nothing in it; in words.
+    /// The recording cannot be read, or is empty.
     pub fn open(path: &Path, config: &Config) -> Result<(Self, Vec<Event>), Text> {
         Self::begin(path, config, false)
     }
@@ -193,7 +192,7 @@ impl Replay {
         self.approach()
     }
 
-    /// The time of a target; `None` where there is no such moment.
+    /// The time of a target; `None` if no moment matches.
     fn target(&self, target: SeekTarget) -> Option<Duration> {
         let now = self.stage.now();
         match target {
@@ -206,7 +205,7 @@ impl Replay {
         }
     }
 
-    /// A look at the messages, if one is wanted.
+    /// The present traffic for the room of messages.
     pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
         self.stage.inspect(wanted)
     }
@@ -215,22 +214,22 @@ impl Replay {
         &self.film
     }
 
-    /// How far it is now.
+    /// The present time in the recording.
     pub fn now(&self) -> Duration {
         self.stage.now()
     }
 
-    /// Whether it is where it is to be.
+    /// Whether it has reached the time to go to.
     pub fn is_there(&self) -> bool {
         self.goal < self.stage.now() + FRAME
     }
 
-    /// How long it is, as far as that is known.
+    /// The length of the recording, as far as known.
     pub fn length(&self) -> Duration {
         self.index.length().unwrap_or_else(|| self.film.length())
     }
 
-    /// Waits until the whole recording has been gone through.
+    /// Waits until the whole recording has been indexed.
     pub fn wait_for_index(&mut self) {
         self.index.finish();
         self.merge();
@@ -254,7 +253,7 @@ impl Replay {
     fn keep(&mut self, review: Review) -> Result<(), Text> {
         self.review = review;
         self.merged = None;
-        // What could not be read is not replaced: it may be of a later version.
+        // An unreadable review is not replaced: it may be of a later version.
         if let Some(fault) = self.film.review_fault() {
             return Err(text!("review-not-kept", fault = fault.clone()));
         }
@@ -262,7 +261,7 @@ impl Replay {
         written.map_err(|error| Text::from(&error))
     }
 
-    /// Brings moments and bookmarks together where either have changed; returns whether they had.
+    /// Merges moments and bookmarks if either has changed; returns whether anything has changed.
     fn merge(&mut self) -> bool {
         let found = self.index.moments();
         if self
@@ -330,7 +329,7 @@ impl Replay {
         if from <= to {
             times.filter(|&at| at > from && at <= to).min()
         } else {
-            // What is shown at the start was stopped at before.
+            // A moment shown at the start has been stopped at before.
             times
                 .filter(|&at| showing(at) < from && showing(at) >= to)
                 .max()
@@ -342,7 +341,7 @@ impl Replay {
         let now = self.stage.now();
         let is_meant = |it: &&Moment| kind.is_none_or(|kind| it.kind == kind);
         let mut moments = self.moments.iter().filter(is_meant);
-        // What has just been reached is not the one before: pressing the key again goes further back.
+        // A moment that was just reached is skipped: pressing the key again goes further back.
         let found = if forward {
             moments.find(|it| it.at >= now + FRAME)
         } else {
@@ -351,7 +350,7 @@ impl Replay {
         found.map(|it| showing(it.at).min(self.length()))
     }
 
-    /// Goes to where it is to be, as far as there is time for it now.
+    /// Plays towards the time to go to, as far as one tick allows.
     fn approach(&mut self) -> Vec<Event> {
         let mut events = Vec::new();
         let now = self.stage.now();
@@ -404,13 +403,13 @@ fn warning(text: Text) -> Event {
     Event::Notice(Notice::general(Duration::ZERO, Severity::Warning, text))
 }
 
-/// The frame that shows a time: a frame contains what came before its end.
+/// The frame that shows a time: a frame contains the events before its end.
 fn showing(at: Duration) -> Duration {
     let frames = at.as_millis() / FRAME.as_millis() + 1;
     FRAME * u32::try_from(frames).unwrap_or(u32::MAX)
 }
 
-/// The events that a console begins a replay with.
+/// The events at the start of a replay.
 fn begin(view: ReplayView, started: Started) -> Vec<Event> {
     vec![
         ReplayEvent::Opened(Box::new(view)).into(),

@@ -1,9 +1,10 @@
-//! The after-action review of a flight: what its pilot makes of it, kept beside the record, which it never changes.
+//! The after-action review of a flight: the pilot's own conclusions. It is stored beside the record, which it never
+//! changes.
 //!
 //! A review has four questions: what was planned, what happened, why, and what next. The record answers the first two.
-//! The pilot answers the others before the program's own explanation of the score is shown: people learn from what
-//! they have found out themselves. What is worth keeping and what is to be done otherwise are at most three points
-//! each, tied to a moment of the flight; the next brief of the mission repeats them.
+//! The pilot answers the other two before the program explains the score: people learn from what they find out
+//! themselves. The pilot can note up to three points to keep and three to improve, each tied to a moment of the
+//! flight; the next brief of the mission repeats them.
 
 use std::time::Duration;
 
@@ -20,9 +21,9 @@ pub use markdown::{ReviewedFlight, markdown};
 
 /// The version of the format.
 const VERSION: u32 = 1;
-/// Points of one kind at most: more of them are not remembered.
+/// The most points of one kind: more would not be remembered.
 pub const MOST_POINTS: usize = 3;
-/// A review holds no more bookmarks than this.
+/// The most bookmarks of a review.
 const MOST_BOOKMARKS: usize = 1000;
 
 /// A review: what is stored beside a record.
@@ -34,19 +35,19 @@ pub struct Review {
     /// The mission that was flown, by id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mission: Option<String>,
-    /// Whose flight it was: the name of a profile, where there is one.
+    /// The profile of the pilot, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
-    /// The pilot's answer to why it went as it did.
+    /// The pilot's answer to why the flight went as it did.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub why: String,
-    /// The pilot's answer to what is to be done next time.
+    /// The pilot's answer to what comes next time.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub next: String,
-    /// What to keep and what to improve, in the order in which it was said.
+    /// The points to keep and to improve, in the order of their input.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     points: Vec<ReviewPoint>,
-    /// The bookmarks as they are now, earliest first; `None` as long as they are those of the record.
+    /// The present bookmarks, earliest first; `None` while they are those of the record.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     bookmarks: Option<Vec<Bookmark>>,
 }
@@ -55,18 +56,18 @@ pub struct Review {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ReviewPoint {
     pub kind: PointKind,
-    /// The moment it is tied to: milliseconds from the beginning of the record.
+    /// The moment of the point: milliseconds from the beginning of the record.
     at_ms: u64,
     pub text: String,
 }
 
-/// What a point asks for.
+/// The kind of a point: to keep or to improve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PointKind {
-    /// It went well and is to stay so.
+    /// It went well and should stay so.
     Sustain,
-    /// It is to be done otherwise.
+    /// It should be done differently.
     Improve,
 }
 
@@ -81,7 +82,7 @@ pub struct Bookmark {
 impl PointKind {
     pub const ALL: [Self; 2] = [Self::Sustain, Self::Improve];
 
-    /// What it is called: to sustain, to improve.
+    /// The name of the kind: to sustain, to improve.
     pub fn text(self) -> Text {
         match self {
             Self::Sustain => text!("review-sustain"),
@@ -89,7 +90,7 @@ impl PointKind {
         }
     }
 
-    /// The sign before it in lists.
+    /// The sign of the kind in lists.
     pub fn sign(self) -> char {
         match self {
             Self::Sustain => '+',
@@ -99,12 +100,12 @@ impl PointKind {
 }
 
 impl ReviewPoint {
-    /// Whether it is tied to a moment at this time.
+    /// Whether its moment is at this time.
     pub fn is_at(&self, at: Duration) -> bool {
         self.at_ms == milliseconds(at)
     }
 
-    /// The moment it is tied to, from the beginning of the record.
+    /// The moment of the point, from the beginning of the record.
     pub fn at(&self) -> Duration {
         Duration::from_millis(self.at_ms)
     }
@@ -125,7 +126,7 @@ impl Default for Review {
 }
 
 impl Review {
-    /// An empty one for a flight with this journal.
+    /// An empty review for a flight with this journal.
     pub fn of(head: Option<&Head>) -> Self {
         Self {
             mission: head.and_then(|it| it.subject.mission()).map(str::to_owned),
@@ -137,7 +138,7 @@ impl Review {
     /// Reads a review from the text of its file.
     ///
     /// # Errors
-    /// It is none, or one of a later version; in words.
+    /// The text is not a review, or one of a later version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let review: Self = serde_json::from_str(text)
             .map_err(|error| text!("review-unreadable", error = error.to_string()))?;
@@ -148,14 +149,14 @@ impl Review {
         Ok(review)
     }
 
-    /// It as a document.
+    /// The review as a JSON document.
     pub fn to_json(&self) -> String {
-        // Plain data: it can always be written.
+        // Plain data can always be written.
         let json = serde_json::to_string_pretty(self).unwrap_or_default();
         json + "\n"
     }
 
-    /// What to keep and what to improve, in the order in which it was said.
+    /// The points to keep and to improve, in the order of their input.
     pub fn points(&self) -> &[ReviewPoint] {
         &self.points
     }
@@ -165,7 +166,7 @@ impl Review {
         self.points.iter().filter(move |it| it.kind == kind)
     }
 
-    /// Whether the pilot has answered both questions: only then the score is explained.
+    /// Whether the pilot has answered both questions: only then is the score explained.
     pub fn is_answered(&self) -> bool {
         !self.why.is_empty() && !self.next.is_empty()
     }
@@ -173,7 +174,7 @@ impl Review {
     /// Adds a point at a time of the recording.
     ///
     /// # Errors
-    /// There are as many of its kind as are remembered; in words.
+    /// The review already has the most points of this kind.
     pub fn add(&mut self, kind: PointKind, at: Duration, text: String) -> Result<(), Text> {
         if self.points_of(kind).count() >= MOST_POINTS {
             return Err(text!("review-full", kind = kind.text(), most = MOST_POINTS));
@@ -186,7 +187,7 @@ impl Review {
     /// Removes a point by its number, from 1.
     ///
     /// # Errors
-    /// There is none of this number; in words.
+    /// The review has no point with this number.
     pub fn remove(&mut self, number: usize) -> Result<(), Text> {
         let at = number.checked_sub(1).filter(|&at| at < self.points.len());
         let at = at.ok_or_else(|| text!("review-no-point", number = number))?;
@@ -194,7 +195,7 @@ impl Review {
         Ok(())
     }
 
-    /// The bookmarks: those of the record, unless they were changed since.
+    /// The bookmarks: those of the record, unless they have been changed.
     pub fn bookmarks(&self, recorded: &[Moment]) -> Vec<Moment> {
         match &self.bookmarks {
             Some(own) => own.iter().map(Bookmark::moment).collect(),
@@ -202,10 +203,10 @@ impl Review {
         }
     }
 
-    /// Sets a bookmark at a time, or gives the one that is there another text; `now` is how the bookmarks stand.
+    /// Sets a bookmark at a time, or changes the text of an existing one; `now` is the present list of bookmarks.
     ///
     /// # Errors
-    /// There are too many; in words.
+    /// The review already has the most bookmarks.
     pub fn set_bookmark(&mut self, now: &[Moment], at: Duration, text: String) -> Result<(), Text> {
         let mut all = stored(now);
         let at_ms = milliseconds(at);
@@ -221,7 +222,7 @@ impl Review {
         Ok(())
     }
 
-    /// Removes the bookmark at a time; `now` is how the bookmarks stand.
+    /// Removes the bookmark at a time; `now` is the present list of bookmarks.
     pub fn remove_bookmark(&mut self, now: &[Moment], at: Duration) {
         let mut all = stored(now);
         all.retain(|it| it.at_ms != milliseconds(at));

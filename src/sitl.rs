@@ -1,7 +1,7 @@
 //! One instance of ArduPilot's SITL: its command line and its files.
 //!
-//! Facts of its options and traps are those of `ArduPilot` 4.6 (`SITL_cmdline.cpp`, `UARTDriver.cpp`), tried on a
-//! running one.
+//! The facts about its options and pitfalls are those of `ArduPilot` 4.6 (`SITL_cmdline.cpp`, `UARTDriver.cpp`),
+//! tested with a running instance.
 
 use core::net::SocketAddr;
 use std::collections::BTreeMap;
@@ -28,12 +28,12 @@ pub use shell::{line, quoted};
 pub use stage::SitlStage;
 pub use unfit::SitlUnfit;
 
-/// The file of parameters that an instance is started with, in its folder.
+/// The instance's file of start parameters, in its folder.
 const PARAMETER_FILE: &str = "vehicle.parm";
-/// The airframe, in its folder: SITL takes it only by a path that is relative to where it runs.
+/// The airframe file in the instance's folder: SITL accepts only a path relative to its working folder.
 const AIRFRAME_FILE: &str = "frame.json";
 
-/// A vehicle that `ArduPilot` is built for.
+/// A kind of vehicle that `ArduPilot` is built for.
 #[derive(
     Debug,
     Clone,
@@ -62,7 +62,7 @@ pub enum SitlKind {
 impl SitlKind {
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
-    /// Its name, as in JSON.
+    /// Its name as in JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -82,31 +82,31 @@ impl SitlKind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     pub kind: SitlKind,
-    /// SITL's name of a model (`quad`, which means plus, `x`, `hexa`); by default what suits the kind, the airframe and
-    /// the parameters.
+    /// SITL's name of a model (`quad`, a plus frame, `x`, `hexa`); by default the one that suits the kind, the
+    /// airframe and the parameters.
     pub model: Option<String>,
-    /// A frame file in the JSON of `SIM_Frame`; multicopters only, which without one are [`Airframe::standard`].
+    /// A frame file in the JSON of `SIM_Frame`, for multicopters only; by default [`Airframe::standard`].
     pub airframe: Option<String>,
     pub start: Start,
     /// Its system id, 1 to 254.
     pub system: u8,
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// Parameters besides the defaults of every new vehicle, or in their place.
+    /// Parameters in addition to the defaults of every new vehicle, or in their place.
     pub parameters: BTreeMap<String, f64>,
 }
 
-/// How the instance's serial 0 is reached.
+/// The connection of the instance's serial 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SerialEndpoint {
     /// It connects to this address and accepts no connection: all its other serial ports are closed.
     Outwards(SocketAddr),
-    /// It listens as SITL usually does, on port 5760 + 10 * this number and 2 and 3 above, and boots once a client has
-    /// connected.
+    /// It listens as SITL usually does: on port 5760 + 10 * this number, and on the ports 2 and 3 above it. It boots
+    /// once a client has connected.
     Listening(u16),
 }
 
-/// A command line, and the files that must lie where it is run.
+/// A command line, and the files that its working folder needs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CommandLine {
     /// The arguments, without the program.
@@ -120,7 +120,7 @@ const SYSTEMS: RangeInclusive<u8> = 1..=254;
 const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
 /// The valid altitudes, in metres above mean sea level.
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
-/// SITL takes a home nearer than this to latitude 0, longitude 0 for none, and starts near Canberra.
+/// SITL treats a home nearer than this to latitude 0, longitude 0 as no home, and starts near Canberra.
 const NOWHERE_DEG: f64 = 1e-7;
 /// The longest name of a parameter.
 const LONGEST_NAME: usize = 16;
@@ -133,7 +133,7 @@ impl Recipe {
     /// The command line of this instance.
     ///
     /// # Errors
-    /// What SITL would misunderstand, or die of, or spin on for ever, with what to do.
+    /// A value that SITL would misunderstand, crash on or hang on, with advice.
     pub fn command_line(&self, endpoint: SerialEndpoint) -> Result<CommandLine, SitlUnfit> {
         self.check()?;
         let named = self.airframe()?;
@@ -231,10 +231,10 @@ impl Recipe {
 }
 
 impl SerialEndpoint {
-    /// The ports of serial 0, 1 and 2 on which it listens.
+    /// The ports of serial 0, 1 and 2 for an instance that listens.
     ///
     /// # Errors
-    /// The instance's number is too large for any.
+    /// The instance's number is too large for a valid port.
     pub fn ports(self) -> Result<Vec<u16>, SitlUnfit> {
         let Self::Listening(instance) = self else {
             return Ok(Vec::new());
@@ -250,7 +250,7 @@ impl SerialEndpoint {
     fn arguments(self) -> Result<Vec<String>, SitlUnfit> {
         self.ports()?;
         Ok(match self {
-            // A port of 0 lets the system choose: the only socket that SITL cannot be kept from opening.
+            // With port 0 the system chooses: this socket is the only one that SITL cannot be prevented from opening.
             Self::Outwards(address) => words([
                 (
                     "--serial0",

@@ -1,18 +1,18 @@
 //! Manoeuvres of several vehicles: surveys, formations, following, spreading, searches and relay chains.
 //!
-//! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for its vehicles and follows their progress by telemetry. It
-//! is pure: its owner (the console, an exercise) calls [`Conductor::step`] about ten times a second, sends the result and
-//! enters the rows in the ledger.
+//! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for its vehicles and checks their progress by telemetry.
+//! It is pure: its owner (the console, an exercise) calls [`Conductor::step`] about ten times a second, sends the
+//! result and enters the rows in the ledger.
 //!
-//! **Separation.** All vehicles first fly to their places on paths that do not meet (`transit`), then each works in a
-//! space of its own: survey lines lie side by side (every second vehicle flies higher where they are closer than the
-//! separation), searches and followers have a height each, a formation moves as a rigid body (`march`). A vehicle that
-//! would come too close to one outside of its manoeuvre waits (`guard`).
+//! **Separation.** All vehicles first fly to their places on paths that do not meet (`transit`), then each works in
+//! its own space: survey lines lie side by side (every second vehicle flies higher if they are closer than the
+//! separation), each search and each follower has its own height, a formation moves as a rigid body (`march`). A
+//! vehicle that would come too close to one outside of its manoeuvre waits (`guard`).
 //!
-//! **Leader.** The first of the targets leads a formation. A `goto` or an `altitude` to it, alone or with others, moves
-//! the whole formation, and the rows of those that move along end when it has arrived. Any other movement takes a vehicle
-//! out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed commanded to its
-//! leader (`speed`).
+//! **Leader.** The first of the targets leads a formation. A `goto` or an `altitude` to it, alone or with others,
+//! moves the whole formation, and the rows of the other members end when it has arrived. Any other movement takes a
+//! vehicle out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed
+//! commanded to its leader (`speed`).
 
 use std::time::Duration;
 
@@ -47,16 +47,16 @@ use planner::Planner;
 pub struct Rules {
     /// The least distance between two vehicles, in metres.
     pub separation_m: f64,
-    /// The strip that the sensor covers, if there is one: the default line spacing.
+    /// The strip that the sensor covers: the default line spacing; `None` without a sensor.
     pub swath: Option<Swath>,
 }
 
-/// How wide a strip a sensor covers.
+/// The width of the strip that a sensor covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swath {
-    /// At no height, in metres.
+    /// The width at height 0, in metres.
     pub at_ground_m: f64,
-    /// The additional width per metre of height, in metres.
+    /// The additional width per metre of height.
     pub per_metre: f64,
 }
 
@@ -77,7 +77,7 @@ impl Default for Rules {
     }
 }
 
-/// An order to do something together.
+/// An order for a joint manoeuvre.
 #[derive(Debug, Clone, Copy)]
 struct Call<'a> {
     entry: EntryId,
@@ -99,7 +99,7 @@ struct Ordered<'a> {
 /// The result of an order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Assignment {
-    /// The vehicles whose autopilots are to carry it out.
+    /// The vehicles whose own autopilots carry the order out.
     pub alone: Vec<VehicleId>,
     /// The changed rows of this order and of earlier ones.
     pub rows: Vec<RowUpdate>,
@@ -119,11 +119,11 @@ pub struct StepOutcome {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     pub vehicle: VehicleId,
-    /// The points ahead, the next first; a single one is a place that it keeps.
+    /// The points ahead, the next one first; a single point is a place to hold.
     pub points: Vec<LatLon>,
 }
 
-/// Leads all manoeuvres of a session.
+/// Controls all manoeuvres of a session.
 #[derive(Debug, Clone, Default)]
 pub struct Conductor {
     rules: Rules,
@@ -141,8 +141,8 @@ impl Conductor {
         }
     }
 
-    /// Takes an order whose entry in the ledger is open already, and finds out which vehicles carry it out alone. A
-    /// deed concerns the mission and changes nothing here.
+    /// Accepts an order whose ledger entry is open already, and decides which vehicles carry it out by themselves. An
+    /// order to the mission changes nothing here.
     pub fn take(
         &mut self,
         entry: EntryId,
@@ -196,7 +196,7 @@ impl Conductor {
     }
 
     /// Notes a command before it is sent; returns the vehicles to send it to. A movement takes its vehicles out of
-    /// their manoeuvres, or moves a whole formation and is sent to none of it.
+    /// their manoeuvres, or moves a whole formation and is sent to none of its members.
     fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
         let mut left = ordered.targets.to_vec();
         if ordered.verb.movement.moves() && !is_guided(ordered.command) {
@@ -303,7 +303,7 @@ fn is_guided(command: &Command) -> bool {
 struct FormationGoal {
     /// The destination of the first vehicle.
     place: LatLon,
-    /// Above home; `None` keeps the height.
+    /// The height above home; `None` keeps the height.
     altitude_m: Option<f64>,
 }
 

@@ -1,7 +1,7 @@
 //! The console's terminal: taken over at the start, and always restored.
 //!
-//! Frames are written by a thread of their own, and no more of them than the line carries (`pace`). A terminal that
-//! reads slowly, or not at all, therefore holds up nothing, and sees the newest state when it reads again.
+//! A separate thread writes the frames, and no more of them than the line can carry (`pace`). A terminal that reads
+//! slowly, or not at all, therefore blocks nothing, and shows the newest state when it reads again.
 
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -33,20 +33,20 @@ use pace::Pace;
 pub use suspend::{can_be_suspended, stop, suspend_group};
 use writer::{FrameWriter, Traffic};
 
-/// How long the end of the program waits for a terminal that does not read.
+/// How long the program waits at its end for a terminal that does not read.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 /// DSR: the terminal answers as soon as it has read everything before it.
 const QUESTION: &[u8] = b"\x1b[5n";
 /// Presses of buttons, with coordinates beyond 223.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
-/// XTWINOPS: the terminal keeps the title of its window, and takes it back.
+/// XTWINOPS: the terminal saves the title of its window, and restores it.
 const KEEP_TITLE: &[u8] = b"\x1b[22;2t";
 const TAKE_TITLE_BACK: &[u8] = b"\x1b[23;2t";
 
-/// Whether the terminal is ours, so that it is given back exactly once.
+/// Whether the terminal has been taken over, so that it is restored exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
-/// Whether the title of its window has been kept, to be given back with it.
+/// Whether the title of the window has been saved, to be restored with it.
 static KEPT_TITLE: AtomicBool = AtomicBool::new(false);
 
 /// The screen of the console.
@@ -56,20 +56,20 @@ pub struct Screen {
     pace: Pace,
     clock: Instant,
     mouse: bool,
-    /// Whether its window has a title that may be set, and the one that it was given last.
+    /// Whether its window has a title that may be set, and the last title that was set.
     has_title: bool,
     title: String,
 }
 
 impl Screen {
-    /// Takes the terminal over: raw mode, alternate screen, no cursor. A panic anywhere from now on gives it
-    /// back, prints its message and ends the program.
+    /// Takes the terminal over: raw mode, alternate screen, no cursor. A later panic restores it, prints its message
+    /// and ends the program.
     ///
     /// # Errors
     /// Standard output is not a terminal or cannot be written.
     pub fn open(frames_per_s: u8, mouse: bool) -> io::Result<Self> {
-        // crossterm answers NO_COLOR by resetting bold and reverse too, which alarms depend on. The theme
-        // takes the colours away instead.
+        // crossterm handles NO_COLOR by resetting bold and reverse, too, which alerts need. The theme removes the
+        // colours instead.
         crossterm::style::force_color_output(true);
         enable_raw_mode()?;
         TAKEN.store(true, Ordering::SeqCst);
@@ -110,11 +110,11 @@ impl Screen {
             self.title.clear();
         }
         writer.forget_cursor();
-        // The first question is answered at once, also over a slow line, and tells that the terminal answers.
+        // The first query is answered at once, even over a slow line, and shows that the terminal answers.
         self.send()
     }
 
-    /// A screen of that size that leads nowhere, for measurements: frames are made and counted, not shown.
+    /// A screen of a given size without a terminal, for measurements: frames are drawn and counted, but not shown.
     ///
     /// # Errors
     /// The terminal library refuses the size.
@@ -195,7 +195,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Gives the window a title (OSC 2), where it has none of that name.
+    /// Sets the title of the window (OSC 2), unless it has that title already.
     ///
     /// # Errors
     /// The terminal is gone.
@@ -230,7 +230,7 @@ impl Screen {
         match term.as_str() {
             "linux" | "dumb" | "" => return Ok(()),
             term if term.starts_with("rxvt") || term.starts_with("foot") => {
-                // A semicolon would end the title or the text.
+                // A semicolon would end the title or the text, so it becomes a comma.
                 let note = note.replace(';', ",");
                 write!(writer, "\x1b]777;notify;sortie;{note}\x1b\\")?;
             }
@@ -239,18 +239,18 @@ impl Screen {
         Write::flush(writer)
     }
 
-    /// Gives the terminal back for a while.
+    /// Restores the terminal for a while.
     pub fn leave(&mut self) {
         self.let_go();
     }
 
-    /// Takes the terminal over again, as after [`leave`](Self::leave) or after a stop from outside; the next frame is
+    /// Takes the terminal over again, after [`leave`](Self::leave) or after a stop by a signal; the next frame is
     /// drawn completely.
     ///
     /// # Errors
     /// The terminal is gone.
     pub fn take_again(&mut self) -> io::Result<()> {
-        // The shell may have changed the mode meanwhile, of which the terminal library knows nothing.
+        // The shell may have changed the mode meanwhile, without the terminal library.
         disable_raw_mode()?;
         enable_raw_mode()?;
         TAKEN.store(true, Ordering::SeqCst);
@@ -259,8 +259,8 @@ impl Screen {
     }
 
     fn let_go(&self) {
-        // The last frame must not follow what gives the terminal back; a terminal that does not read must
-        // not hold up the end either: what it has not read by then is thrown away.
+        // The last frame must not follow the sequences that restore the terminal. A terminal that does not read must
+        // not delay the end: its unread output is discarded.
         if !self.traffic.wait_until_written(LAST_PATIENCE) {
             suspend::discard_output();
         }
@@ -274,16 +274,16 @@ impl Drop for Screen {
     }
 }
 
-/// Restores the terminal, once; errors are ignored because there is nowhere to report them.
+/// Restores the terminal, once; errors are ignored because they cannot be reported.
 fn give_back() {
     if TAKEN.swap(false, Ordering::SeqCst) {
-        // Writing may never end on a terminal that does not read.
+        // A write to a terminal that does not read may never end.
         let (done, written) = mpsc::channel();
         std::thread::spawn(move || {
             let mut terminal = io::stdout();
             drop(terminal.write_all(MOUSE_OFF));
             if KEPT_TITLE.swap(false, Ordering::SeqCst) {
-                // A terminal that cannot take it back shows none.
+                // For terminals that cannot restore a title, an empty title is set first.
                 drop(terminal.write_all(b"\x1b]2;\x1b\\"));
                 drop(terminal.write_all(TAKE_TITLE_BACK));
             }
@@ -301,8 +301,7 @@ fn give_back() {
     }
 }
 
-/// Restores the terminal on a panic in a background task, which would otherwise leave the screen to a half-dead
-/// program.
+/// Restores the terminal on a panic in a background task, which would otherwise leave a blocked screen.
 fn give_back_on_panic() {
     let default = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {

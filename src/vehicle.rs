@@ -1,8 +1,8 @@
 //! The model of one vehicle: its latest telemetry.
 //!
-//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, everybody else reads snapshots.
-//! `None` means that the vehicle has not said it (yet). Times are durations since the start of the program's clock,
-//! the same clock that every `now` argument of the pure modules reads.
+//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, other code reads snapshots. `None`
+//! means that the vehicle has not reported the value (yet). Times are durations since the start of the program's
+//! clock, the same clock that every `now` argument of the pure modules reads.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -33,17 +33,17 @@ pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 pub use way_home::{HomeReach, MeanCurrent, WayHome};
 
-/// A home that is farther away is none of this flight.
+/// A home farther away than this is not the home of this flight.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;
 
-/// The number by which people and the grammar call a vehicle. It is the vehicle's system id as long as that
-/// is enough; a swarm larger than the 255 ids of MAVLink needs more numbers than that.
+/// The number by which users and the command language address a vehicle. It is the vehicle's system id, unless a swarm
+/// is larger than the 255 ids of MAVLink.
 pub type VehicleId = u16;
 
 /// The newest snapshots of vehicles, shared by reference.
 pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
 
-/// The highest number that a vehicle may have; four digits are as wide as a table should get.
+/// The highest number of a vehicle; a table has room for four digits.
 pub const HIGHEST_VEHICLE: VehicleId = 9999;
 
 /// Everything known about one vehicle.
@@ -62,47 +62,47 @@ pub struct Vehicle {
     pub local: Option<LocalPosition>,
     /// Home, once received (`HOME_POSITION`).
     pub home: Option<Place>,
-    /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: where the autopilot is heading.
+    /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: the autopilot's target.
     pub target: Option<Target>,
     pub gps: Option<Gps>,
-    /// `GPS_RAW_INT`, if the receiver knows its own errors.
+    /// `GPS_RAW_INT`: the receiver's error estimates, if it has any.
     pub gps_accuracy: Option<GpsAccuracy>,
     pub hud: Option<Hud>,
-    /// Which sensors there are and which are well (`SYS_STATUS`).
+    /// The sensors that are present, in use and healthy (`SYS_STATUS`).
     pub health: Option<Health>,
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
-    /// The mean current of its motors; `None` while they stand still.
+    /// The mean current of its motors; `None` while they are stopped.
     pub load: Option<MeanCurrent>,
-    /// How the estimator is doing (`EKF_STATUS_REPORT`).
+    /// The state of the estimator (`EKF_STATUS_REPORT`).
     pub ekf: Option<Ekf>,
     pub vibration: Option<Vibration>,
     /// Whether it is on the ground (`EXTENDED_SYS_STATE`).
     pub landed: LandedState,
-    /// How far AUTO has flown its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
+    /// The progress of AUTO through its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
-    /// The plan, the fence and the rally points on board, as far as they have been read.
+    /// The plan, the fence and the rally points on board, if they have been read.
     pub plans: Plans,
     /// `FENCE_STATUS`; `None` while no fence is enabled.
     pub fence: Option<Fence>,
     /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
     pub rangefinder_m: Option<f32>,
-    /// WIND: direction it comes from and speed.
+    /// WIND: its direction of origin and its speed.
     pub wind: Option<Wind>,
     /// `RC_CHANNELS`: pulse widths in microseconds, channel 1 first; 0 where unused.
     pub rc: Option<RcChannels>,
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
-    /// The speeds commanded by this program.
+    /// The speeds that this program has commanded.
     pub asked_speeds: AskedSpeeds,
-    /// Milliseconds since the autopilot booted, as its messages carry it; a step back is a reboot.
+    /// Milliseconds since the autopilot booted, from its messages; a step back means a reboot.
     pub boot_ms: Option<u32>,
-    /// How well we hear it.
+    /// The quality of reception from the vehicle.
     pub link: LinkQuality,
     /// Its position since it was last heard, in simulated radio. Never shown to the operator.
     pub unheard: Option<Unheard>,
-    /// The reasons not to arm that it reported last, newest last, without the "`PreArm`: " prefix.
+    /// The last reported reasons against arming, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
     /// The last few status texts, newest last.
     pub texts: Vec<StatusText>,
@@ -150,7 +150,7 @@ impl Vehicle {
         }
     }
 
-    /// Where its messages are sent to.
+    /// The address of messages to it.
     pub fn address(&self) -> MavAddress {
         MavAddress {
             system: self.system,
@@ -210,7 +210,7 @@ impl Vehicle {
         ))
     }
 
-    /// The pack that flies the vehicle.
+    /// The main pack, which powers the motors.
     pub fn battery(&self) -> Option<&Battery> {
         self.batteries.first()
     }

@@ -2,21 +2,21 @@
 //! count.
 //!
 //! Each [`Verb`] is part of its row of the one table, in [`language`](crate::language). The ledger keeps it with every
-//! order, so that code about an order reads a property here and never compares names.
+//! order, so that code reads a property of an order here and never compares names.
 
 use std::fmt;
 use std::time::Duration;
 
-/// A verb, or one meaning of a verb that has several.
+/// A verb, or one of several meanings of a verb.
 #[derive(Clone, Copy)]
 pub struct Verb {
     /// Its name in the ledger; unique in the table.
     pub name: &'static str,
     /// Whether it needs a confirmation.
     pub danger: Danger,
-    /// How often and until when it is sent again.
+    /// The retries of the command.
     pub retry: Retry,
-    /// How it ranks with the other orders to the same vehicle.
+    /// Its precedence over other orders to the same vehicle.
     pub precedence: Precedence,
     /// Its effect on the movement of its vehicles.
     pub movement: Movement,
@@ -47,20 +47,20 @@ pub enum Danger {
     Confirm,
 }
 
-/// When a command without an answer is sent again. A command that arrives late can do harm, so no attempt is made
-/// after the deadline.
+/// The retries of a command without an answer. A command that arrives late can do harm, so no attempt is made after
+/// the deadline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Retry {
-    /// Tries at most, the first included.
+    /// The most attempts, the first included.
     pub tries: u8,
-    /// The time between two.
+    /// The time between two attempts.
     pub every: Duration,
     /// The deadline, counted from when the order was given.
     pub deadline: Duration,
 }
 
 impl Retry {
-    /// The times are in milliseconds.
+    /// Retries with times in milliseconds.
     pub const fn new(tries: u8, every_ms: u64, deadline_ms: u64) -> Self {
         Self {
             tries,
@@ -70,16 +70,16 @@ impl Retry {
     }
 }
 
-/// How an order ranks with the other orders to the same vehicle.
+/// The precedence of an order over other orders to the same vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precedence {
     /// It waits for the answers to earlier orders.
     InTurn,
-    /// The same, and later orders wait for its effect, on which they depend.
+    /// It waits for the answers to earlier orders, and later orders wait for its effect, on which they depend.
     Awaited,
-    /// It is sent at once and drops all that have not been answered.
+    /// It is sent at once and drops all orders that have not been answered.
     Urgent,
-    /// By its flight mode: modes that land or stop a vehicle are urgent. Later orders wait for its effect.
+    /// It depends on the flight mode: modes that land or stop a vehicle are urgent. Later orders wait for its effect.
     ByMode,
 }
 
@@ -91,12 +91,12 @@ pub enum Movement {
     Turn,
     /// It moves or stops the vehicle and supersedes the previous movement.
     To(Arrival),
-    /// As `To(Done)`; once in their places, it is the task of the vehicles to stay there.
+    /// Like `To(Done)`; once in their places, the vehicles' task is to stay there.
     Station,
 }
 
 impl Movement {
-    /// When such an order counts as arrived; `None` if it is no movement.
+    /// When such an order counts as arrived; `None` if it is not a movement.
     pub fn arrival(self) -> Option<Arrival> {
         match self {
             Self::None | Self::Turn => None,
@@ -119,13 +119,13 @@ impl Movement {
     }
 }
 
-/// When a vehicle has arrived, for `wait arrived`. When the ledger calls an order done is decided by
-/// [`Effect`](crate::commands::Effect).
+/// When a vehicle has arrived, for `wait arrived`. [`Effect`](crate::commands::Effect) decides when the ledger shows
+/// an order as done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrival {
     /// When the order is done; without a visible effect, when the vehicle stands still at its target.
     Done,
-    /// When the vehicle stands still at its target, which an earlier order has set.
+    /// When the vehicle stands still at the target of an earlier order.
     AtTarget,
     /// When it is on the ground.
     Landed,
@@ -138,20 +138,20 @@ pub enum Arrival {
 pub enum CountsAs {
     /// A command that gives its vehicles another task.
     Task,
-    /// A command that sets something besides the task, in a slot of its own.
+    /// A command that changes a setting beside the task, in its own slot.
     Setting,
-    /// A question to a vehicle: it may be refused, but its acceptance is no merit.
+    /// A query to a vehicle: a refusal counts, an acceptance earns nothing.
     Question,
-    /// A report of a contact, which is not sent to vehicles: it can be refused, but its acceptance earns nothing.
+    /// A report of a contact, which is not sent to vehicles: a refusal counts, an acceptance earns nothing.
     Report,
-    /// A word between trainee and mission: no command at all.
+    /// A message between trainee and mission: it does not count as a command.
     Word,
-    /// What trainees say of themselves: no part of the flight, and of no effect on any score.
+    /// A trainee's self-assessment: not part of the flight, and without effect on any score.
     SelfReport,
 }
 
 impl CountsAs {
-    /// Whether it is no command, but is said to the mission.
+    /// Whether it is a message to the mission instead of a command.
     pub fn is_said_to_mission(self) -> bool {
         match self {
             Self::Word | Self::SelfReport => true,

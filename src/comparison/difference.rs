@@ -8,27 +8,27 @@ use crate::scoring::{EventKind, LedgerReport, Report};
 use crate::text;
 use crate::text::{Text, clock, rounded};
 
-/// Something that one flight did otherwise than the other.
+/// One difference between two flights.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// When it shows first, by the mission's clock; `None` for what is only known at the end.
+    /// The mission time at which it shows first; `None` if it is only known at the end.
     pub at: Option<Duration>,
-    /// What it is about.
+    /// The subject of the difference.
     pub what: Text,
-    /// How it was in the flight that is looked at.
+    /// The value in the flight that is examined.
     pub own: Text,
-    /// How it was in the other one.
+    /// The value in the other flight.
     pub other: Text,
-    /// How many points of the score more it brought than in the other flight; `None` where it has none of its own.
+    /// The score gained over the other flight; `None` if the difference has no points of its own.
     pub points: Option<f64>,
 }
 
-/// Times that differ by less are the same.
+/// Times closer than this count as the same.
 const SAME_TIME: Duration = Duration::from_secs(2);
-/// Points that differ by less are the same.
+/// Points closer than this count as the same.
 const SAME_POINTS: f64 = 0.5;
 
-/// What differed between two flights: first what shows during them, by its time, then what moved the score, the dearest
+/// The differences between two flights: first those during the flights, by time, then those of the score, the largest
 /// first.
 pub fn differences(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     let mut timed: Vec<Difference> = objectives(own, other);
@@ -51,7 +51,7 @@ fn time(at: Option<Duration>) -> Text {
     at.map_or_else(|| text!("compare-never"), |at| clock(at).into())
 }
 
-/// The same thing at two times, where they differ.
+/// The difference of one event's times, if they differ.
 fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<Difference> {
     let is_same = match (own, other) {
         (Some(own), Some(other)) => own.abs_diff(other) < SAME_TIME,
@@ -67,7 +67,7 @@ fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<D
     })
 }
 
-/// When which objective was reached, and what it brought.
+/// The differences of the objectives: their times and their points.
 fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     let reports = own.report.objectives.iter().zip(&other.report.objectives);
     let reached = own.reached.iter().zip(&other.reached);
@@ -93,7 +93,7 @@ fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     .collect()
 }
 
-/// The first command that was not the same.
+/// The first command that differs.
 fn commands(own: &Report, other: &Report) -> Option<Difference> {
     let (mine, theirs) = (&own.ledger, &other.ledger);
     let is_same = |at: &usize| match (mine.get(*at), theirs.get(*at)) {
@@ -186,7 +186,7 @@ fn counts(own: &Report, other: &Report) -> Vec<Difference> {
         .collect()
 }
 
-/// What moved the score.
+/// The differences of the score's components.
 fn components(own: &Report, other: &Report) -> Vec<Difference> {
     let both = own.components.iter().filter_map(|mine| {
         let theirs = other.components.iter().find(|it| it.name == mine.name)?;

@@ -1,4 +1,4 @@
-//! Defaults, file, environment and flags, laid over each other.
+//! Combines defaults, file, environment and flags.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,8 +13,8 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
 
-/// Checks a word or line of a file, from its setting's name and the text. The valid themes and commands are known
-/// elsewhere.
+/// Checks a word or line of a file, given its setting's name. The caller provides it, since the valid themes and
+/// commands are not known here.
 pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 
 /// The source of a value.
@@ -24,9 +24,9 @@ pub enum Origin {
     Default,
     File {
         name: String,
-        /// The line in it, from 1.
+        /// The line in the file, from 1.
         line: usize,
-        /// The position of the value in it, in bytes.
+        /// The position of the value in the file, in bytes.
         span: Range<usize>,
     },
     Environment(&'static str),
@@ -79,7 +79,7 @@ impl Layers {
     ) -> Result<(), Vec<Diagnostic>> {
         let mut faults = Vec::new();
         let (table, errors) = DeTable::parse_recoverable(source);
-        // Of several errors of the syntax, the later ones tend to follow from the first.
+        // Of several syntax errors, the later ones usually follow from the first.
         faults.extend(errors.first().map(Diagnostic::from_toml));
         let mut reading = FileReading {
             name,
@@ -97,10 +97,10 @@ impl Layers {
         }
     }
 
-    /// Lays the environment on; a variable that is empty is as good as none.
+    /// Applies the environment; an empty variable counts as not set.
     ///
     /// # Errors
-    /// What is wrong with each variable that is left out.
+    /// The fault of each variable that is left out.
     pub fn environment(
         &mut self,
         variable: impl Fn(&str) -> Option<String>,
@@ -122,10 +122,10 @@ impl Layers {
         }
     }
 
-    /// Lays a flag of the command line on a setting.
+    /// Applies a flag of the command line to a setting.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of its value.
     pub fn flag(&mut self, setting: &str, flag: &'static str, word: &str) -> Result<(), Text> {
         match Setting::named(setting) {
             Some(setting) => self.word(setting, flag, Origin::Flag(flag), word),
@@ -133,7 +133,7 @@ impl Layers {
         }
     }
 
-    /// Lays a value on that follows from something else, where nothing else has set it.
+    /// Sets a default that follows from another variable, unless the setting has a value.
     pub fn follow(&mut self, setting: &str, variable: &'static str, word: &str) {
         if !self.values.contains_key(setting) {
             let value = Value::String(word.to_owned());
@@ -156,7 +156,7 @@ impl Layers {
                 None => drop(table.insert(name.clone(), value.clone())),
             }
         }
-        // Each value has been checked before it was laid on; a test does so for the table of settings.
+        // Each value has been checked before it was applied; a test does so for the table of settings.
         Config::deserialize(Value::Table(table)).unwrap_or_default()
     }
 
@@ -230,7 +230,7 @@ impl FileReading<'_> {
             };
             let is_known = SETTINGS.iter().any(|setting| setting.section() == name);
             let is_section = is_known && !name.is_empty();
-            // A name with a dot in quotes is none of ours.
+            // A quoted name with a dot is not a setting.
             let setting = match section {
                 "macros" => Setting::named(section),
                 _ => Setting::named(&name).filter(|it| it.key() == key.get_ref()),
@@ -256,7 +256,7 @@ impl FileReading<'_> {
         }
     }
 
-    /// A value of a setting, under its name; that of a macro is not the setting's.
+    /// Sets the value of a setting; the value of a macro is stored under the macro's name.
     fn setting(
         &mut self,
         setting: &Setting,
@@ -283,7 +283,7 @@ impl FileReading<'_> {
             }
         }
         if setting.kind == SettingKind::Lines {
-            // One line is as good as a list of one.
+            // A single line counts as a list of one.
             let lines = words.into_iter().map(Spanned::into_inner);
             value = Value::Array(lines.map(Value::String).collect());
         }

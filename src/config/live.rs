@@ -1,4 +1,4 @@
-//! Settings that the command line changes for as long as the console runs.
+//! Settings that the command line can change while the console runs.
 
 use super::{Config, Symbols};
 use crate::text::Language;
@@ -11,16 +11,16 @@ pub enum LiveSetting {
     Lang(Language),
     /// The symbols for curves and maps.
     Symbols(Symbols),
-    /// Frames per second at most.
+    /// The most frames per second.
     Fps(u8),
     /// Whether serious alerts ring the bell.
     Bell(bool),
-    /// Whether serious alerts ask for a desktop notification.
+    /// Whether serious alerts request a desktop notification.
     Notify(bool),
 }
 
 impl LiveSetting {
-    /// Makes it part of the settings in use.
+    /// Applies it to the settings in use.
     pub fn apply(&self, config: &mut Config) {
         match self {
             Self::Theme(name) => config.theme.clone_from(name),

@@ -9,13 +9,13 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
 use crate::text::{Language, Text};
 
-/// A setting of the configuration.
+/// A setting of the configuration, with its valid values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Setting {
     /// Its name with its section, `alerts.bell`.
     pub name: &'static str,
     pub kind: SettingKind,
-    /// The variable that sets it.
+    /// The environment variable that sets it.
     pub variable: Option<&'static str>,
     /// Its purpose, as a comment in a configuration file.
     pub about: &'static str,
@@ -27,7 +27,7 @@ pub enum SettingKind {
     /// One of these words.
     OneOf(&'static [&'static str]),
     Text,
-    /// A whole number from one to another.
+    /// A whole number within a range, both ends included.
     Whole(i64, i64),
     /// A yes or no: `true` or `false`.
     Flag,
@@ -254,7 +254,7 @@ impl Setting {
     /// The most frames per second.
     pub const FPS_MOST: i64 = 60;
 
-    /// The setting of a name.
+    /// The setting with a name.
     pub fn named(name: &str) -> Option<&'static Self> {
         SETTINGS.iter().find(|setting| setting.name == name)
     }
@@ -278,7 +278,7 @@ impl SettingKind {
     /// Checks the type of a value in a file; [`Self::check_word`] checks its words.
     ///
     /// # Errors
-    /// It is of another kind; the span is left empty.
+    /// The value has another type; the span is left empty.
     pub fn check(self, value: &Value) -> Result<(), Diagnostic> {
         let fits = match (self, value) {
             (Self::OneOf(choices), Value::String(word)) => {
@@ -321,7 +321,7 @@ impl SettingKind {
     /// Checks a word: the value itself, or one of its list.
     ///
     /// # Errors
-    /// There is no such thing; the place is the whole word.
+    /// The word is not valid; the span is the whole word.
     pub fn check_word(self, word: &str) -> Result<(), Diagnostic> {
         match self {
             Self::Columns => Column::read(word).map(drop),
@@ -337,7 +337,7 @@ impl SettingKind {
         }
     }
 
-    /// The value of a word of the environment or the command line; `None` if it is of another kind.
+    /// The value of a word of the environment or the command line; `None` if it has another type.
     pub fn read(self, word: &str) -> Option<Value> {
         let value = match self {
             Self::OneOf(_) | Self::Text => Value::String(word.to_owned()),

@@ -7,7 +7,7 @@ use toml::Value;
 use super::{Layers, SETTINGS, Setting, SettingKind};
 
 impl Layers {
-    /// A configuration file with every value, and comments with their source. Unset ones are comments.
+    /// A configuration file with every value, and comments with their source. Unset values are comments.
     pub fn show(&self) -> String {
         let mut text = String::new();
         let mut section = "";

@@ -17,7 +17,7 @@ pub struct TableConfig {
     pub sort: TableSort,
 }
 
-/// A column, in the order of display. The names are those of the configuration and of the command line.
+/// A column of the swarm table, in the order of display. Its names are used in the configuration and in commands.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumString, IntoStaticStr, VariantNames,
 )]
@@ -25,10 +25,10 @@ pub struct TableConfig {
 pub enum Column {
     Id,
     Name,
-    /// The groups it belongs to.
+    /// The groups that the vehicle belongs to.
     Group,
     Mode,
-    /// Whether it is armed, or ready to be.
+    /// Whether the vehicle is armed, or ready to be armed.
     Armed,
     /// On the ground or in the air.
     State,
@@ -38,18 +38,18 @@ pub enum Column {
     Speed,
     #[strum(serialize = "bat")]
     Battery,
-    /// Kind of fix, and satellites.
+    /// Kind of GPS fix, and satellites.
     Gps,
-    /// The share of its messages that arrive.
+    /// The share of the vehicle's messages that arrive.
     Link,
     Home,
     /// The newest command and its state.
     Command,
-    /// Distance to its target.
+    /// Distance to the vehicle's target.
     ToGo,
     Heading,
     Climb,
-    /// Voltage of the pack.
+    /// Voltage of the main pack.
     #[strum(serialize = "volt")]
     Voltage,
     #[strum(serialize = "amps")]
@@ -60,19 +60,19 @@ pub enum Column {
     /// Round trip of a message.
     #[strum(serialize = "ping")]
     RoundTrip,
-    /// The worst test ratio of the filter.
+    /// The worst test ratio of the EKF.
     Ekf,
     #[strum(serialize = "vibe")]
     Vibration,
-    /// The item of the plan that is flown.
+    /// The plan item that is being flown.
     Item,
-    /// Height above the sea.
+    /// Height above mean sea level in metres.
     Sea,
     #[strum(serialize = "lat")]
     Latitude,
     #[strum(serialize = "lon")]
     Longitude,
-    /// The worst alert, and since when.
+    /// The most serious alert, and its duration.
     Alert,
 }
 
@@ -110,7 +110,7 @@ impl Column {
 }
 
 impl TableSort {
-    /// By number; the default.
+    /// Sorted by vehicle number; the default.
     pub const BY_ID: Self = Self {
         column: Column::Id,
         reversed: false,
@@ -132,7 +132,7 @@ impl TableSort {
         })
     }
 
-    /// The same in lower case for files.
+    /// The name of the column in lower case, for files.
     pub fn name(self) -> String {
         let mark = if self.reversed { "-" } else { "" };
         format!("{mark}{}", self.column.name())
@@ -158,7 +158,7 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// Nothing is written for the usual order.
+/// The default order is not written.
 impl Serialize for TableSort {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if *self == Self::default() {

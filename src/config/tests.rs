@@ -60,7 +60,7 @@ fn every_setting_of_the_table_is_one_of_the_configuration() {
             SettingKind::AlertKinds => ("[\"gps\"]".to_owned(), ""),
             SettingKind::Lines => ("\"all arm\"".to_owned(), ".m"),
         };
-        // Booleans have different defaults: one of the two values differs.
+        // Booleans have different defaults, so one of the two values differs from the default.
         let configs = [value.clone(), "false".to_owned()].map(|value| {
             let mut layers = Layers::default();
             let line = format!("{}{tail} = {value}", setting.name);

@@ -23,7 +23,7 @@ pub fn fit(text: &str, width: usize) -> String {
     cut + &" ".repeat(width.saturating_sub(used))
 }
 
-/// The same, padded at its left.
+/// Text of exactly `width` columns, padded at its left.
 pub(super) fn right(text: &str, width: usize) -> String {
     let text = fit(text, width);
     let words = text.trim_end();

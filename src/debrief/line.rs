@@ -1,8 +1,8 @@
-//! The lines of the page, with what each tells.
+//! The lines of the page, with the tone of each.
 
 use super::{DebriefPage, TimelineMark};
 
-/// What a line tells, for screens that can show it.
+/// The meaning of a line, for screens that can show it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DebriefTone {
     /// The result: mission, score and medal.
@@ -15,9 +15,9 @@ pub enum DebriefTone {
     Good,
     /// A result that cost points, or a failure.
     Bad,
-    /// What may bring points.
+    /// An improvement that may bring points.
     Gain,
-    /// What happened, by its kind.
+    /// An event of the flight, by its kind.
     Event(TimelineMark),
 }
 
@@ -34,14 +34,14 @@ impl DebriefPage<'_> {
         self.line_of(&heading, DebriefTone::Heading);
     }
 
-    /// A line that tells something of its own.
+    /// Writes a line with its own tone.
     pub(super) fn line_of(&mut self, line: &str, tone: DebriefTone) {
         self.toned(DebriefTone::Plain);
         self.line(line);
         self.toned(tone);
     }
 
-    /// Says what the lines tell that were written since it was said last.
+    /// Sets the tone of the lines written since the last call.
     pub(super) fn toned(&mut self, tone: DebriefTone) {
         let written = self.words.matches('\n').count();
         self.tones.resize(written, tone);

@@ -1,20 +1,20 @@
-//! The truth on a map of letters: what was there, what was found of it, and what was never looked at.
+//! The truth as a map of characters: objects, finds, and the parts that were never searched.
 
 use super::DebriefPage;
 use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::text;
 use crate::text::Text;
 
-/// The size of the map at most; a row is twice as high as a column is wide.
+/// The greatest size of the map; a row is twice as high as a column is wide.
 const COLUMNS: usize = 72;
 const ROWS: usize = 22;
 const SHADES: [char; 6] = ['.', ':', '-', '+', '*', '#'];
-/// Squares weaker than this are left blank.
+/// Squares with a weaker hazard are left blank.
 const FAINT: f64 = 0.03;
-/// Objects named below the map.
+/// The most objects named below the map.
 const NAMED: usize = 6;
 
-/// What the signs mean, by the id of the words; those that lie above others come last.
+/// The meaning of the signs, by the id of the text; a later sign is drawn over an earlier one.
 const SIGNS: [(char, &str); 9] = [
     ('?', "debrief-sign-gap"),
     ('~', "debrief-sign-track"),
@@ -28,7 +28,7 @@ const SIGNS: [(char, &str); 9] = [
 ];
 
 impl DebriefPage<'_> {
-    /// Nothing where there was nothing to be known.
+    /// Writes the map; nothing if the mission had nothing to find.
     pub(super) fn map(&mut self, truth: &TruthReport) {
         let is_known = !truth.squares.is_empty()
             || !truth.objects.is_empty()
@@ -48,7 +48,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// What was found, and where the rest was.
+    /// Lists what was found, and the places of the rest.
     fn missed(&mut self, truth: &TruthReport) {
         let real = truth.objects.iter().filter(|object| is_asked(object));
         let (found, missed): (Vec<&ObjectReport>, Vec<_>) = real.partition(|object| object.found);
@@ -78,7 +78,7 @@ impl DebriefPage<'_> {
     }
 }
 
-/// Whether it counts as missed unless it is reported.
+/// Whether the object counts as missed if it is not reported.
 fn is_asked(object: &ObjectReport) -> bool {
     object.sought && object.kind != ObjectKind::Decoy
 }
@@ -91,7 +91,7 @@ struct TextMap {
 }
 
 impl TextMap {
-    /// A canvas that all of it fits on; `None` where there is nothing.
+    /// A canvas for everything in the report; `None` if it is empty.
     fn around(truth: &TruthReport) -> Option<Self> {
         let strong = truth
             .squares
@@ -157,7 +157,7 @@ impl TextMap {
         }
     }
 
-    /// How strong the hazards were, by the squares that were strong.
+    /// Shades the squares by the strength of their hazard.
     fn shade(&mut self, truth: &TruthReport) {
         let strong = truth
             .squares
@@ -170,7 +170,7 @@ impl TextMap {
         }
     }
 
-    /// Every place of the canvas that lies in a square.
+    /// Fills all cells of the canvas that lie in a square.
     fn fill(&mut self, square: &SquareReport, sign: char) {
         let half = square.side_m / 2.0;
         let [west, north] = [square.at[0] - half, square.at[1] + half];
@@ -196,7 +196,7 @@ impl TextMap {
         }
     }
 
-    /// What the signs that stand on it mean, and its scale.
+    /// The meaning of the signs on the canvas, and its scale.
     fn legend(&self) -> Text {
         let stands = |sign: char| self.rows.iter().any(|row| row.contains(&sign));
         let signs = SIGNS.iter().filter(|(sign, _)| stands(*sign));

@@ -1,4 +1,4 @@
-//! What happened, in its order: commands, events, mistakes, and how alerts were answered.
+//! The events in order: commands, mistakes, and answers to alerts.
 
 use super::layout::clock;
 use super::{DebriefPage, DebriefTone};
@@ -9,13 +9,13 @@ use crate::text::Text;
 
 /// Columns of the strip of time.
 const STRIP: usize = 60;
-/// Rows of the timeline; when there are more, the commands that went well are left out.
+/// The most rows of the timeline; if there are more, successful commands are left out.
 const ROWS: usize = 40;
 
-/// What a row is about. Later marks are drawn over earlier ones in the strip of time.
+/// The subject of a row. Later marks are drawn over earlier ones in the strip of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimelineMark {
-    /// A command that was taken.
+    /// A command that was accepted.
     Command,
     /// Neither good nor bad: a fact that explains the flight.
     Remark,
@@ -54,7 +54,7 @@ impl TimelineMark {
         }
     }
 
-    /// The letter that stands for it.
+    /// The letter for this mark.
     pub fn letter(self) -> char {
         match self {
             Self::Command => '>',
@@ -71,7 +71,7 @@ impl TimelineMark {
 struct TimelineRow {
     at_s: f64,
     mark: TimelineMark,
-    /// The command that was refused, by its place in the report.
+    /// The index of the refused command in the report.
     refused: Option<usize>,
     text: Text,
 }
@@ -97,7 +97,7 @@ impl DebriefPage<'_> {
 }
 
 fn rows(report: &Report) -> Vec<TimelineRow> {
-    // The row of an alert tells when it came and how it was answered.
+    // An alert has its own row, with its time and its answer.
     let is_own = |event: &&EventReport| !matches!(event.about, Some(EventSubject::Alert(_)));
     let events = report.events.iter().filter(is_own);
     let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
@@ -109,8 +109,7 @@ fn rows(report: &Report) -> Vec<TimelineRow> {
     together(&rows)
 }
 
-/// A command to many is refused to each of them, perhaps for different reasons: one row for each reason, which says how
-/// many gave it.
+/// Merges refusals of one command with the same reason: one row per reason, with the number of vehicles.
 fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
     let refusals = rows.chunk_by(|a, b| a.refused.is_some() && a == b);
     let row = |same: &[TimelineRow]| {
@@ -127,7 +126,7 @@ fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
     refusals.filter_map(row).collect()
 }
 
-/// What came and what was done about it, and only then whether that was soon enough.
+/// The alert, its answer, and whether the answer was in time.
 fn alert_row(alert: &AlertReport) -> TimelineRow {
     let limit = format!("{:.0}", alert.limit_s);
     let text = match alert.answered_after_s {
@@ -154,7 +153,7 @@ fn alert_row(alert: &AlertReport) -> TimelineRow {
     }
 }
 
-/// What happened along the time of a flight, in so many equal parts: where several things fall into one, the gravest.
+/// The most serious mark in each of `parts` equal parts of the flight.
 pub fn strip(report: &Report, parts: usize) -> Vec<Option<TimelineMark>> {
     marks_along(&rows(report), report.sim_time_s, parts)
 }
@@ -191,7 +190,7 @@ fn event_row(event: &EventReport) -> TimelineRow {
     }
 }
 
-/// A command that at least one vehicle took; a rejection has a row of its own.
+/// A command that at least one vehicle accepted; a rejection has a row of its own.
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
@@ -204,7 +203,7 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     })
 }
 
-/// When what is marked, for tests.
+/// Times and letters of the marks, for tests.
 #[cfg(test)]
 pub(super) fn marks(report: &Report) -> Vec<(String, char)> {
     let rows = rows(report).into_iter();

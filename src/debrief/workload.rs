@@ -1,4 +1,4 @@
-//! How much the operator had to do, as strips of time. It is shown, not scored.
+//! The operator's workload as strips of time. It is shown, not scored.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use crate::text::{Locale, Text};
 const LEAD: usize = 2;
 const LABEL: usize = 11;
 const STRIP: usize = 60;
-/// Utilisation is shown in tenths.
+/// Utilisation is shown in whole tenths, at most 9.
 const TENTHS: f64 = 10.0;
 const MINUTE_S: f64 = 60.0;
 
@@ -20,15 +20,15 @@ const MINUTE_S: f64 = 60.0;
 #[derive(Debug, Clone, Copy)]
 pub struct WorkloadStrips<'a> {
     pub workload: &'a WorkloadReport,
-    /// Columns that a line may have.
+    /// The columns available for a line.
     pub width: usize,
-    /// The time of the mission that a mark points at.
+    /// The mission time marked by the cursor.
     pub cursor: Option<Duration>,
     pub locale: &'a Locale,
 }
 
 impl WorkloadStrips<'_> {
-    /// A line per curve, one for the answers where there are any, and the times below them.
+    /// One line per curve, one for the answers if there are any, and the times below.
     pub fn lines(&self) -> Vec<String> {
         let workload = self.workload;
         let busy = |share: &f64| digit((share * TENTHS).min(9.0) as u32);
@@ -47,7 +47,7 @@ impl WorkloadStrips<'_> {
         lines
     }
 
-    /// Neglect: how many vehicles worked by themselves in the last minute, on average.
+    /// Neglect: how many vehicles worked without attention in the last minute, on average.
     fn alone(&self) -> Vec<char> {
         let neglect_s = &self.workload.neglect_s;
         let points = (MINUTE_S / self.workload.every_s.max(1.0)) as usize;
@@ -69,7 +69,7 @@ impl WorkloadStrips<'_> {
         format!("{:LEAD$}{label}|{strip}|", "")
     }
 
-    /// The points over the whole strip; of those that share a cell, the highest.
+    /// The points over the whole strip; of those in one cell, the highest.
     fn spread(&self, points: &[char]) -> String {
         let (cells, count) = (self.cells(), points.len());
         let of = |cell: usize| {
@@ -90,7 +90,7 @@ impl WorkloadStrips<'_> {
         strip.into_iter().collect()
     }
 
-    /// The beginning and the end, or the mark that shows the time under the cursor.
+    /// The times at the ends, or the time at the cursor.
     fn scale(&self) -> String {
         let end_s = self.end_s();
         let cells = self.cells();
@@ -109,14 +109,14 @@ impl WorkloadStrips<'_> {
         ((share * cells as f64) as usize).min(cells - 1)
     }
 
-    /// When the last point was taken, in seconds; never 0.
+    /// The time of the last point in seconds, never 0.
     fn end_s(&self) -> f64 {
         let points = self.workload.utilisation.len().max(2) - 1;
         (self.workload.every_s * points as f64).max(1.0)
     }
 }
 
-/// A figure in one column: none is a point, more than nine are a tilde.
+/// A figure in one column: a dot for zero, a tilde for more than nine.
 fn digit(value: u32) -> char {
     match char::from_digit(value, 10) {
         Some('0') => '.',
@@ -125,7 +125,7 @@ fn digit(value: u32) -> char {
     }
 }
 
-/// What there is to say of the workload besides its curves.
+/// The figures of the workload as sentences, besides its curves.
 pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
     let last = |times: &[f64]| format!("{:.0}", times.last().copied().unwrap_or(0.0));
     let mut words = vec![text!(
@@ -157,7 +157,7 @@ pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
 }
 
 impl DebriefPage<'_> {
-    /// Only where something was commanded or answered.
+    /// Only for flights with a command or an answer.
     pub(super) fn workload(&mut self, report: &Report) {
         let workload = &report.workload;
         if workload.commands == 0 && workload.answers.is_empty() {

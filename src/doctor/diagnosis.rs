@@ -6,51 +6,50 @@ use std::time::Duration;
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
 use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
-/// Before this a link is only being listened to: heartbeats come once a second.
+/// The time before a first diagnosis: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
 /// How long a vehicle may take to answer: it is queried every five seconds.
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
-/// The silence after which a vehicle that has answered before has lost its way back: some answers are lost on any
-/// radio.
+/// The silence after which a vehicle that has answered before counts as one-way; some answers are lost on any radio.
 const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
 /// The most vehicles without an answer that are listed by number.
 const MOST_NAMED: usize = 3;
-/// A larger share of bytes that belong to no frame, and more of them in the window than this, are noise.
+/// The share of bytes outside frames that counts as noise, and the least number of such bytes in the window.
 const MOST_NOISE: f64 = 0.5;
 const NOISE_THAT_MATTERS: u64 = 2000;
-/// So many messages are enough to expect an answer.
+/// The number of sent messages after which an answer is expected.
 const ASKED_ENOUGH: u64 = 3;
-/// The share of frames with a wrong checksum that counts as a fault; a radio at its limit stays below.
+/// The share of frames with a wrong checksum that counts as a fault; a radio at the limit of its range stays below.
 const MOST_DAMAGED: f64 = 0.05;
-/// More frames than this share missing are a fault.
+/// The share of missing frames that counts as a fault.
 const MOST_LOST: f64 = 0.10;
-/// The heartbeat rate that reveals two autopilots with one id; one sends one a second.
+/// The heartbeat rate that reveals two autopilots with one id; one autopilot sends one a second.
 const TWO_HEARTBEATS_HZ: f64 = 1.5;
-/// A vehicle that has changed its port is heard by both for a while; two vehicles are for longer.
+/// A vehicle that has changed its port is heard on both for less than this; two vehicles are heard for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
-/// The number of bytes that distinguishes noise from a start in the middle of a frame.
+/// The number of bytes from which on garbage is noise, not a start in the middle of a frame.
 const NOISE_ENOUGH: u64 = 40;
-/// So many frames of unknown messages are no accident.
+/// The number of frames of unknown messages that is no accident.
 const FOREIGN_ENOUGH: u64 = 3;
 
 /// A finding about a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkFinding {
-    /// The link, by its place in the list of charts.
+    /// The index of the link in the list of charts.
     pub link: usize,
     /// Its kind of connection, on which the advice depends.
     pub way: Way,
     pub cause: Cause,
 }
 
-/// How much a finding matters.
+/// The weight of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Weight {
     Fatal,
     /// Something does not work as it should.
     Fault,
     Remark,
-    /// No fault, or too early to tell.
+    /// Not a fault, or too early to tell.
     Fine,
 }
 
@@ -62,29 +61,29 @@ pub enum Cause {
     /// Nothing arrives at all.
     Nothing,
     Text,
-    /// Bytes arrive, but no frame is in them.
+    /// Bytes arrive, but they contain no frame.
     NoFrame,
-    /// Garbage on a serial port with a wrong baud rate.
+    /// Bytes without frames or text on a serial port: its baud rate is probably wrong.
     WrongBaud,
-    /// Frames of messages that the dialect does not have, and of no others.
+    /// All frames are of messages that the dialect does not have.
     UnknownDialect,
-    /// Some frames are of messages that the dialect does not have: this share, in percent.
+    /// Some frames, this share in percent, are of messages that the dialect does not have.
     ForeignMessages(u8),
-    /// Ground stations, but nothing that flies.
+    /// Ground stations are heard, but no vehicle.
     OnlyGroundStations,
-    /// Nothing but heartbeats with our own address.
+    /// All frames are heartbeats with our own address.
     OwnEcho,
-    /// Components such as cameras, but no autopilot.
+    /// Components such as cameras are heard, but no autopilot.
     NoAutopilot,
     /// Two vehicles have this system id.
     DuplicateSystem(SystemId),
-    /// The vehicle signs its frames and does not answer ours, which are not signed.
+    /// The vehicle signs its frames and does not answer ours, which are unsigned.
     Signed(SystemId),
-    /// The vehicle signs its frames, but takes ours unsigned.
+    /// The vehicle signs its frames, but accepts unsigned ones.
     SignedButAnswers(SystemId),
     /// The vehicle is heard but does not answer.
     OneWay(SystemId),
-    /// So many vehicles are heard and do not answer.
+    /// This many vehicles are heard but do not answer.
     OneWayVehicles(usize),
     /// This share of the bytes belongs to no frame, in percent.
     Noise(u8),
@@ -96,18 +95,18 @@ pub enum Cause {
     Damaged(u8),
     /// This share of the frames does not arrive, in percent.
     Lossy(u8),
-    /// A recording is played: there are no answers.
+    /// A recording is played, so there are no answers.
     Recording,
     /// It is too early to tell.
     Listening,
-    /// So many vehicles are heard, and it is too early to expect an answer from them.
+    /// This many vehicles are heard, and it is too early to expect an answer.
     Unanswered(usize),
-    /// So many vehicles are heard and answer.
+    /// This many vehicles are heard and answer.
     Well(usize),
 }
 
 impl Cause {
-    /// How much it matters.
+    /// The weight of the cause.
     pub fn weight(&self) -> Weight {
         match self {
             Self::NotOpen
@@ -168,7 +167,7 @@ fn fine(chart: &Chart) -> Vec<Cause> {
     unanswered.into_iter().chain(well).collect()
 }
 
-/// The faults of one link, seen by itself.
+/// The faults of one link, without the other links.
 fn examine(chart: &Chart) -> Vec<Cause> {
     let Some(last) = chart.last() else {
         return vec![Cause::Listening];
@@ -213,7 +212,7 @@ fn nobody(chart: &Chart) -> Cause {
     if change.frames > 0 || !chart.senders().is_empty() {
         return strangers(chart);
     }
-    // In noise a beginning of a frame is found here and there, but most bytes belong to none.
+    // Noise contains the beginning of a frame here and there, but most of its bytes belong to none.
     let has_frames = change.bytes > 2 * change.skipped;
     if change.bytes == 0 {
         Cause::Nothing
@@ -234,7 +233,7 @@ fn nobody(chart: &Chart) -> Cause {
     }
 }
 
-/// A sender is heard that is not a vehicle.
+/// The diagnosis if senders are heard, but no vehicle.
 fn strangers(chart: &Chart) -> Cause {
     let senders = chart.senders();
     let is_us = |sender: &Sender| sender.ids() == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT);
@@ -277,7 +276,8 @@ fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     })
 }
 
-/// The share of the vehicles' frames that are missing. Of other ground stations, vehicles forward some frames only.
+/// The share of the vehicles' frames that are missing. Other ground stations are not counted, since vehicles forward
+/// only some of their frames.
 fn lost_share(chart: &Chart) -> f64 {
     let vehicles: BTreeSet<SystemId> = autopilots(chart)
         .map(|sender| sender.source.system)
@@ -294,7 +294,7 @@ fn lost_share(chart: &Chart) -> f64 {
     share(lost, came + lost)
 }
 
-/// Ground stations that are heard beside a vehicle: they can command it, too. A recording has all that were there.
+/// Ground stations that are heard beside a vehicle and can command it, too; none in a recording.
 fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
     let senders = chart.senders().iter();
     let stations = senders
@@ -330,8 +330,8 @@ fn quality(change: &ChartChange, lost: f64) -> Vec<Cause> {
     causes
 }
 
-/// System ids that two vehicles have, and the links on which they are heard. Two at one end of one link show
-/// by twice as many heartbeats and by a numbering that jumps to and fro.
+/// System ids that two vehicles have, and the links on which they are heard. Two vehicles at one end of a link show as
+/// a double heartbeat rate and sequence numbers that jump to and fro.
 fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
     let mut places: BTreeMap<SystemId, Vec<(usize, u32)>> = BTreeMap::new();
     let mut doubled: BTreeMap<SystemId, Vec<usize>> = BTreeMap::new();
@@ -345,9 +345,10 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
             if sender.known_for >= BOTH_FOR && !known.contains(&place) {
                 known.push(place);
             }
-            // Over UDP two vehicles are two peers; one with an odd numbering has restarted or counts wrongly.
+            // Over UDP, two vehicles are two peers; a single peer with jumping numbers has restarted or counts
+            // wrongly.
             let may_share = !matches!(chart.way(), Way::Udp | Way::UdpIn);
-            // Two numberings in turn: nothing else steps back so often on a way that keeps the order.
+            // Two alternating sequences: on a route that keeps the order, nothing else steps back so often.
             let numbered = chart.numbered(sender);
             let jumps = may_share && numbered.late > numbered.came / 4;
             if jumps && sender.heartbeat_hz >= TWO_HEARTBEATS_HZ {

@@ -1,11 +1,11 @@
-//! The texts of findings: the cause, and the advice.
+//! The texts of findings: cause and advice.
 
 use super::{Cause, LinkFinding, Way};
 use crate::text;
 use crate::text::Text;
 
 impl Cause {
-    /// A name that stays the same when its figures change.
+    /// A name of the cause without its figures.
     pub fn name(&self) -> &'static str {
         match self {
             Self::NotOpen => "not-open",
@@ -113,7 +113,7 @@ impl LinkFinding {
     }
 }
 
-/// The advice if nothing arrives.
+/// The advice for a link on which nothing arrives.
 fn silence(way: Way) -> Text {
     match way {
         Way::Tcp => text!("doctor-try-silence-tcp"),

@@ -1,4 +1,4 @@
-//! When a mission begins, and by whose clock its time passes.
+//! The begin of a mission, and the clock of its time.
 
 use std::time::Duration;
 
@@ -9,14 +9,14 @@ use crate::vehicle::VehicleId;
 /// The longest wait for a mission's vehicles to be heard.
 const HEARD_WITHIN: Duration = Duration::from_secs(10);
 
-/// By whose clock mission time passes once the mission has begun.
+/// The clock of mission time once the mission has begun.
 #[derive(Debug, Clone)]
 pub enum FlightPace {
-    /// By the driver's time: the simulator is stepped together with the mission.
+    /// The driver's time: the simulator is stepped together with the mission.
     LockStep,
-    /// At a rate, which may change: the simulator keeps up with it.
+    /// A rate, which may change: the simulator keeps up with it.
     Scaled(PacedClock),
-    /// By the vehicles' own clocks: a slow machine slows the mission down with them.
+    /// The vehicles' own clocks: a slow machine slows the mission down with them.
     VehicleClocks(Clock),
 }
 
@@ -47,7 +47,7 @@ impl FlightDriver {
         }
     }
 
-    /// The flight, for reading.
+    /// The flight, read only.
     pub fn flight(&self) -> &Flight {
         &self.flight
     }
@@ -71,9 +71,8 @@ impl FlightDriver {
         self.time
     }
 
-    /// Begins the mission once all its vehicles are heard: what each has on board depends on their order. A vehicle
-    /// that stays silent delays it by 10 s at most. To be called from when the vehicles are there to be
-    /// heard; true if the mission begins now.
+    /// Begins the mission once all its vehicles are heard, since the payload of each depends on their order. A silent
+    /// vehicle delays it by at most 10 s. To be called once the vehicles are started; true if the mission begins now.
     pub fn begin_when_heard(&mut self, now: Duration, are_all_heard: bool) -> bool {
         if self.has_begun() {
             return false;
@@ -88,7 +87,7 @@ impl FlightDriver {
         self.has_begun()
     }
 
-    /// Moves mission time on, and returns it. `clocks` is what the vehicles' clocks say, where they count
+    /// Advances mission time, and returns it. `clocks` are the vehicles' clocks, if they count
     /// ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms)).
     pub fn advance(
         &mut self,
@@ -105,14 +104,14 @@ impl FlightDriver {
         self.time
     }
 
-    /// Changes the rate of time, if it runs at one.
+    /// Changes the rate of time, if the flight has one.
     pub fn set_rate(&mut self, rate: f64, now: Duration) {
         if let FlightPace::Scaled(clock) = &mut self.pace {
             clock.set_rate(rate, now);
         }
     }
 
-    /// The next tick of the flight that is due at a mission time; none after its end.
+    /// The next tick of the flight that is due at a mission time; `None` after its end.
     pub fn tick(&mut self, until: Duration) -> Option<Duration> {
         if self.is_over() || self.ticked + TICK > until {
             return None;

@@ -9,7 +9,7 @@ use crate::mission::{Flight, Mission};
 use crate::record::{InputLog, InputsHead};
 use crate::sim::{Airframe, PortId, World};
 
-/// The embedded simulator, stepped together with the mission: a flight takes no longer than its computation.
+/// The embedded simulator, stepped together with the mission: a flight takes only its computing time.
 #[derive(Debug)]
 pub struct LockStep {
     world: World,
@@ -21,8 +21,8 @@ pub struct LockStep {
 }
 
 impl Exercise {
-    /// Puts the mission's vehicles on their pads: all of the first airframe or one each, the last one for all that
-    /// follow; without any, the drones that were built for it, or the simulator's own.
+    /// Puts the mission's vehicles on their pads. All have the first airframe, or each has its own and the last one is
+    /// for all that follow. Without airframes they are the drones built for the mission, or the simulator's default.
     pub fn new(
         mission: Arc<Mission>,
         seed: u64,
@@ -56,7 +56,7 @@ impl Exercise {
         self.link.inputs = Some(InputLog::begin(head, world, ports));
     }
 
-    /// The whole lines of inputs since the last call.
+    /// The complete lines of inputs since the last call.
     pub fn take_inputs(&mut self) -> String {
         let inputs = self.link.inputs.as_mut();
         inputs.map_or_else(String::new, InputLog::take)
@@ -108,7 +108,7 @@ impl LockStep {
         }
     }
 
-    /// A vehicle's connection. Of one that has rebooted it is made again, as a real one would be.
+    /// A vehicle's connection; after a reboot of the vehicle it is opened again.
     fn open_port(&mut self, index: usize) -> PortId {
         let port = &mut self.ports[index];
         if !self.world.is_open(*port) {

@@ -1,4 +1,4 @@
-//! From a line of the pilot to the vehicles, and back into the ledger.
+//! Carries out the pilot's lines, and enters the results in the ledger.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ impl<L> Exercise<L> {
         for work in self.operator.conduct(&self.vehicles, now) {
             self.dispatch(work, now);
         }
-        // Only the record shows paths.
+        // Paths are only needed for the record.
         let paths = self.log.as_ref().map(|_| self.operator.paths());
         if let Some(paths) = paths.filter(|paths| *paths != self.paths) {
             self.note_down(now, || Happening::Paths(PathLine::all(&paths)));
@@ -75,12 +75,12 @@ impl<L> Exercise<L> {
             }
             Dispatch::Steer(vehicle, steering) => {
                 if let Some(session) = session(&mut self.seats, vehicle) {
-                    // What cannot be flown to is not said again: it shows in what the vehicle does not do.
+                    // An impossible setpoint is not reported again: it shows in the vehicle's behaviour.
                     let _ = session.steer(&steering, now);
                 }
             }
             Dispatch::Notice(notice) => self.tell(since(self.prelude, notice), now),
-            // The ledger in the report has the reason.
+            // The report's ledger contains the reason.
             Dispatch::Refused(_) => {}
         }
     }

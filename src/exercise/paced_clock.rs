@@ -1,13 +1,13 @@
-//! Time that passes faster or slower than the program's.
+//! A clock that runs faster or slower than the program's.
 
 use std::time::Duration;
 
-/// A clock that follows another one at a rate, which may change on the way: it never jumps and never goes back.
+/// A clock that follows another one at a rate that may change: it never jumps and never goes back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PacedClock {
-    /// Seconds of this clock per second of the other.
+    /// Seconds of this clock per second of the other one.
     rate: f64,
-    /// The other clock when the rate was set, and this one then.
+    /// The other clock's time when the rate was set, and this clock's time then.
     since: Duration,
     reached: Duration,
 }
@@ -22,17 +22,17 @@ impl PacedClock {
         }
     }
 
-    /// Stands at zero now, at the rate that it has.
+    /// Sets the clock to zero now, at its present rate.
     pub fn begin(&mut self, now: Duration) {
         *self = Self::new(self.rate, now);
     }
 
-    /// Its time at a time of the other clock.
+    /// Its time for a time of the other clock.
     pub fn at(&self, now: Duration) -> Duration {
         self.reached + now.saturating_sub(self.since).mul_f64(self.rate)
     }
 
-    /// Runs at another rate from now on.
+    /// Changes the rate from now on.
     pub fn set_rate(&mut self, rate: f64, now: Duration) {
         self.reached = self.at(now);
         self.since = now;

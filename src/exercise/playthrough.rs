@@ -1,4 +1,4 @@
-//! A career flown by pilot scripts: whether a course can be played through from nothing to its end.
+//! A career flown by pilot scripts: whether a course can be completed from its beginning.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use crate::mission::Mission;
 use crate::scoring::Medal;
 use crate::workshop::part;
 
-/// Flights of one day.
+/// The number of flights per day.
 const FLIGHTS_A_DAY: usize = 4;
-/// A mission that was flown so lately is left alone for a while, if there is another one.
+/// A mission flown within this many flights is avoided, if there is another one.
 const TIRED_FOR: usize = 2;
-/// Credits that are kept when parts are bought.
+/// The credits that remain when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
 
 /// A simulated trainee who flies the pilot scripts as the campaign advises, and buys new parts.
@@ -48,20 +48,20 @@ pub struct PlaythroughFlight {
     pub passed: bool,
     /// The medal, if one was won.
     pub medal: Option<Medal>,
-    /// Parts that were bought afterwards, by id.
+    /// The parts bought afterwards, by id.
     pub bought: Vec<String>,
     /// Credits after the purchases.
     pub credits: u32,
     /// The level of experience.
     pub level: u32,
-    /// How many drones may be flown at a time.
+    /// The most drones that may be flown at a time.
     pub licence: u8,
-    /// How likely skills are there, on average, in percent.
+    /// The mean probability of mastery of all skills, in percent.
     pub mean_skill_percent: f64,
 }
 
 impl Playthrough {
-    /// A career on these missions, with a pilot for each; each flight has a seed of its own, counted from this one.
+    /// A career on these missions, with a pilot for each; each flight has the next seed, counted from this one.
     pub fn new(
         pilots: impl IntoIterator<Item = (Mission, Script)>,
         first_day: i64,
@@ -88,13 +88,13 @@ impl Playthrough {
         &self.history
     }
 
-    /// Whether all missions are passed; drills need not be.
+    /// Whether all missions are passed; drills are optional.
     pub fn is_complete(&self) -> bool {
         let mut missions = self.course.offers().iter();
         missions.all(|offer| offer.drill_of.is_some() || self.standing.has_passed(&offer.id))
     }
 
-    /// The next flight; `None` if nothing may be flown.
+    /// Flies the next flight; `None` if no mission may be flown.
     pub fn fly(&mut self) -> Option<PlaythroughFlight> {
         let day = self.first_day + (self.flown.len() / FLIGHTS_A_DAY) as i64;
         let id = self.choose(day)?;
@@ -125,7 +125,8 @@ impl Playthrough {
         })
     }
 
-    /// The recommended mission; otherwise, or if that was just flown, an open mission, then one with a medal to win.
+    /// The recommended mission; otherwise, or if it was just flown, an open mission, then one with a medal left to
+    /// win.
     fn choose(&self, day: i64) -> Option<String> {
         let stage = |offer: &Offer| self.course.stage(offer, &self.standing, day);
         let offers = || self.course.offers().iter();
@@ -142,7 +143,7 @@ impl Playthrough {
         Some(mission.id.clone())
     }
 
-    /// Buys the parts that passed missions have unlocked, the cheapest first, while credits last.
+    /// Buys parts that passed missions have unlocked, the cheapest first, while the credits last.
     fn shop(&mut self) -> Vec<String> {
         let offers = self.course.offers().iter();
         let passed = offers.filter(|offer| self.standing.has_passed(&offer.id));

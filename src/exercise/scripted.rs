@@ -10,10 +10,10 @@ use crate::mission::Mission;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A pilot script for a mission: only its vehicles and its places are known.
+/// Reads a pilot script for a mission; only its vehicles and its places are known.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The faults of the script.
 pub fn read_script(text: &str, mission: &Mission) -> Result<Script, Vec<Diagnostic>> {
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
     let (places, areas) = (mission.places_to_name(), mission.named_areas());

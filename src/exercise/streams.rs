@@ -1,4 +1,4 @@
-//! A mission on vehicles that keep time themselves.
+//! A mission on vehicles with their own clocks.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -10,23 +10,22 @@ use crate::vehicle::VehicleId;
 
 /// Byte streams of vehicles that run by themselves: SITL processes.
 ///
-/// All runs on mission time, which is how far the vehicles' own clocks have come as their messages tell it
-/// ([`Clock`]): waits and limits of the pilot and the mission, and the deadlines of commands as well. A vehicle's
-/// answer and its clock come along the same way, so a deadline in its time stays right at any speed, and neither a
-/// simulator nor a console that is late makes a command fail. Many messages that come at once are taken one by one, with
-/// the mission's ticks between them.
+/// Waits and limits of the pilot and the mission, and the deadlines of commands run on mission time, which follows the
+/// vehicles' own clocks in their messages ([`Clock`]). A vehicle's answer and its clock arrive together, so a deadline
+/// in its time is right at any speed, and a late simulator or console does not make a command fail. Messages that
+/// arrive together are handled one by one, with the mission's ticks between them.
 #[derive(Debug)]
 pub struct LiveStreams {
-    /// When time of ours passed first.
+    /// The program's time at the first call.
     opened: Option<Duration>,
-    /// Up to where sessions have come, and after the prelude pilot and mission.
+    /// The time up to which sessions have been stepped, and after the prelude pilot and mission.
     stepped: Duration,
     lost: Vec<bool>,
 }
 
 impl Exercise<LiveStreams> {
-    /// A mission that begins once all vehicles are heard and tell their time, or 10 s after the first time passed;
-    /// until then nothing flies. `speedup` is what the vehicles were asked for.
+    /// A mission that begins once all vehicles are heard and report their time, or 10 s after the first time passed;
+    /// until then nothing flies. `speedup` is the requested speed-up of the vehicles.
     pub fn live(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.vehicles;
         let link = LiveStreams {
@@ -43,7 +42,7 @@ impl Exercise<LiveStreams> {
         exercise
     }
 
-    /// Takes a vehicle's bytes, at our time.
+    /// Handles a vehicle's bytes, at the program's time.
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.seats[index].decoder.push(bytes);
         let mut session_now = self.advance(now, None);
@@ -55,7 +54,7 @@ impl Exercise<LiveStreams> {
         self.gather(session_now);
     }
 
-    /// Lets time of ours pass: vehicles that are silent do not stop the mission for ever.
+    /// Advances the program's time, so that silent vehicles do not stop the mission for ever.
     pub fn pass(&mut self, now: Duration) {
         let session_now = self.advance(now, None);
         self.gather(session_now);
@@ -78,14 +77,14 @@ impl Exercise<LiveStreams> {
         std::mem::take(&mut self.seats[index].outgoing)
     }
 
-    /// Moves everything to a time of ours; returns the time of the sessions. They begin with time of ours, because a
-    /// vehicle may have to be asked before it tells its own.
+    /// Moves everything to a time of the program; returns the time of the sessions. They begin with the program's
+    /// time, because a vehicle may have to be asked before it reports its own.
     fn advance(&mut self, now: Duration, reading: Option<(VehicleId, Option<u32>)>) -> Duration {
         let opened = *self.link.opened.get_or_insert(now);
         let talked = now.saturating_sub(opened);
         let are_all_heard = self.driver.has_begun() || self.are_all_heard();
         if self.driver.begin_when_heard(now, are_all_heard) {
-            // Steps of the sessions are steps of the mission.
+            // Steps of the sessions coincide with steps of the mission.
             let whole = talked.as_millis().div_ceil(HEARTBEAT_EVERY.as_millis());
             self.prelude = HEARTBEAT_EVERY * whole as u32;
             self.link.stepped = self.prelude;
@@ -100,7 +99,7 @@ impl Exercise<LiveStreams> {
         session_now
     }
 
-    /// A pilot must not command a vehicle whose mode is not known yet.
+    /// Whether all vehicles are ready for the pilot: none may be commanded before its mode is known.
     fn are_all_heard(&self) -> bool {
         let mut vehicles = self.seats.iter().zip(&self.link.lost);
         vehicles.all(|(seat, is_lost)| {
@@ -109,7 +108,7 @@ impl Exercise<LiveStreams> {
         })
     }
 
-    /// Sessions, pilot and mission follow, in the steps that they have in the embedded simulator.
+    /// Advances sessions, pilot and mission, in the same steps as in the embedded simulator.
     fn catch_up(&mut self, session_now: Duration) {
         while self.link.stepped + SESSION_POLL <= session_now && !self.is_over() {
             self.link.stepped += SESSION_POLL;

@@ -18,7 +18,7 @@ fn mission() -> (Arc<Mission>, Script) {
     mission_with("")
 }
 
-/// The first mission, with more sections.
+/// The first mission with additional sections.
 fn mission_with(more: &str) -> (Arc<Mission>, Script) {
     let mission = Arc::new(Mission::parse(&format!("{MISSION}\n{more}")).expect("no faults"));
     let places = mission.places();
@@ -36,7 +36,7 @@ struct Process {
     world: World,
     port: PortId,
     live: Exercise<LiveStreams>,
-    /// Time of ours per time of the simulator.
+    /// The program's time per simulated time.
     pace: f64,
 }
 
@@ -181,7 +181,7 @@ fn a_silent_vehicle_does_not_stop_the_mission_for_ever() {
     assert!(!process.live.report().passed);
 }
 
-/// The first mission in lock step with its reference pilot, recorded; up to a time, if one is named.
+/// The recorded first mission in lock step with its reference pilot; up to a time, if one is given.
 fn recorded(seed: u64, until: Option<Duration>) -> (MissionReport, String) {
     let (mission, script) = mission();
     let mut exercise = Exercise::new(mission, seed, script, Vec::new());
@@ -268,7 +268,7 @@ fn without_its_sensor_a_mission_cannot_be_passed() {
     assert!(!report.passed);
 }
 
-/// The part that an objective has of its points when a script flies a mission.
+/// The share of an objective's points that a script earns in a mission.
 fn share_of(objective: &str, file: &str, script: &str) -> f64 {
     let mission = Arc::new(Mission::parse(file).expect("no faults"));
     let places = mission.places_to_name();
@@ -290,7 +290,7 @@ fn share_of(objective: &str, file: &str, script: &str) -> f64 {
     found.points / found.points_max
 }
 
-/// The reference pilot up to a line, and from there a report of everything that was found, without a near look.
+/// The reference pilot up to a line, and then reports of all finds without a close look.
 fn blind(pilot: &str, until: &str) -> String {
     let (sweep, _) = pilot.split_once(until).expect("it has this line");
     format!("{sweep}3 mark contacts as person\nall rtl\nwait all disarmed timeout 200s\n")

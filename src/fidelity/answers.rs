@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-/// Something said, and when.
+/// One answer of a vehicle, with its time.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Said {
     pub at_s: f64,
@@ -16,7 +16,7 @@ impl Said {
         Self { at_s, text }
     }
 
-    /// A status text. Its numbers do not count: two flights never touch the ground at the same micrometre per second.
+    /// A status text. Its numbers are ignored: no two flights touch the ground at exactly the same speed.
     pub fn text(at_s: f64, severity: u8, text: &str) -> Self {
         let mut words = format!("[{severity}] ");
         for letter in text.chars() {
@@ -30,38 +30,39 @@ impl Said {
     }
 }
 
-/// Where two orders part.
+/// The first difference between two sequences of answers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FirstDifference {
-    /// Its place in the order, from 0.
+    /// Its index in the sequence, from 0.
     pub place: usize,
-    /// When the recording said it, in seconds since the recording began (the simulator, if the recording ended).
+    /// The time of the recorded answer, in seconds since the recording began (of the simulated one, if the recording
+    /// ended).
     pub at_s: f64,
-    /// What the real vehicle said.
+    /// The answer of the real vehicle.
     pub recorded: Option<String>,
-    /// What the simulated vehicle said instead.
+    /// The answer of the simulated vehicle instead.
     pub simulated: Option<String>,
 }
 
-/// How the answers of one kind compare.
+/// The comparison of the answers of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answers {
-    /// Which kind: acks, texts, modes or reached.
+    /// The kind: acks, texts, modes or reached.
     pub kind: &'static str,
-    /// How many the real vehicle gave.
+    /// The number of answers of the real vehicle.
     pub recorded: usize,
-    /// How many the simulated vehicle gave.
+    /// The number of answers of the simulated vehicle.
     pub simulated: usize,
-    /// Nothing if the orders are identical.
+    /// The first difference; `None` if the sequences are identical.
     pub first_difference: Option<FirstDifference>,
-    /// What only the real vehicle said, with how often.
+    /// Answers of the real vehicle only, with their number.
     pub missing: BTreeMap<String, usize>,
-    /// What only the simulated vehicle said, with how often.
+    /// Answers of the simulated vehicle only, with their number.
     pub extra: BTreeMap<String, usize>,
 }
 
 impl Answers {
-    /// Compares what was said from a time on.
+    /// Compares the answers from a time on.
     pub(super) fn new(kind: &'static str, from_s: f64, real: &[Said], simulated: &[Said]) -> Self {
         let since = |all: &[Said]| -> Vec<Said> {
             let later = all.iter().filter(|said| said.at_s >= from_s);

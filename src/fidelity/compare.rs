@@ -7,27 +7,27 @@ use super::{Aim, Manoeuvre, Observed};
 use crate::geo::maths;
 use crate::geo::wrap_180;
 
-/// How far apart the points of a comparison are, seconds.
+/// The interval between the points of a comparison, seconds.
 const EVERY_S: f64 = 0.1;
-/// A vehicle that moves slower than this stands, m/s.
+/// A vehicle slower than this counts as stationary, m/s.
 const STANDS_M_S: f64 = 0.2;
-/// How long a vehicle that stands is still compared, seconds.
+/// How long a stationary vehicle is still compared, seconds.
 const REST_S: f64 = 2.0;
-/// Near enough to a place, metres.
+/// A place counts as reached within this distance, metres.
 const NEAR_M: f64 = 1.0;
-/// Near enough to a height, metres.
+/// A height counts as reached within this difference, metres.
 const NEAR_HEIGHT_M: f64 = 0.5;
-/// Near enough to a heading, degrees.
+/// A heading counts as reached within this difference, degrees.
 const NEAR_DEG: f64 = 2.0;
-/// Near enough to a velocity, as a share of the change.
+/// A velocity counts as reached within this share of the change.
 const NEAR_SHARE: f64 = 0.1;
-/// A velocity that changes by less is not a change, m/s.
+/// A smaller change of velocity is not counted, m/s.
 const CHANGE_M_S: f64 = 0.5;
 
 /// Root-mean-square and largest difference of one quantity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Difference {
-    /// Root of the mean square.
+    /// Root of the mean square of the difference.
     pub rms: f64,
     pub largest: f64,
 }
@@ -35,19 +35,19 @@ pub struct Difference {
 /// One manoeuvre of both vehicles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Flight {
-    /// What was asked for.
+    /// The name of the commanded manoeuvre.
     pub name: String,
-    /// When, in seconds since the recording began.
+    /// The time of the command, in seconds since the recording began.
     pub at_s: f64,
-    /// How long it was compared: until both vehicles stand, or the next manoeuvre begins.
+    /// The compared duration: until both vehicles are stationary, or the next manoeuvre begins.
     pub compared_s: f64,
     /// The real vehicle's highest speed, m/s.
     pub top_speed_m_s: f64,
-    /// How far the vehicles were apart when it began, metres; the differences below leave it out.
+    /// The distance between the vehicles at the beginning, metres; the differences below leave it out.
     pub apart_at_start_m: f64,
-    /// Distance between the vehicles, metres.
+    /// Distance between the vehicles, in metres.
     pub position_m: Difference,
-    /// Difference in height, metres.
+    /// Difference in height, in metres.
     pub altitude_m: Difference,
     /// Length of the difference of the velocities, m/s.
     pub velocity_m_s: Difference,
@@ -55,9 +55,9 @@ pub struct Flight {
     pub pitch_deg: Difference,
     pub yaw_deg: Difference,
     pub voltage_v: Difference,
-    /// How long the real vehicle took to what the manoeuvre is for, if it got there.
+    /// The time that the real vehicle took to reach the aim, if it reached it.
     pub recorded_reach_s: Option<f64>,
-    /// How long the simulated vehicle took.
+    /// The time that the simulated vehicle took to reach the aim, if it reached it.
     pub simulated_reach_s: Option<f64>,
 }
 
@@ -74,7 +74,7 @@ impl Flight {
 pub struct Comparison {
     /// The manoeuvres in order.
     pub manoeuvres: Vec<Flight>,
-    /// What was answered from the time on at which the position was known: acks, texts, modes, reached.
+    /// The answers since the position was known: acks, texts, modes, reached.
     pub answers: Vec<Answers>,
 }
 
@@ -103,7 +103,7 @@ struct Pair<'a> {
     manoeuvre: &'a Manoeuvre,
     real: &'a Observed,
     simulated: &'a Observed,
-    /// The simulated vehicle's place less the real one's when it began.
+    /// The simulated vehicle's position relative to the real one's at the beginning.
     offset_m: [f64; 3],
     to_s: f64,
 }
@@ -177,7 +177,7 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// Adds the differences at one time, if both vehicles told their state around it.
+    /// Adds the differences at one time, if the states of both vehicles are known around it.
     fn note(&self, at_s: f64, tally: &mut Tally) {
         let (real, simulated) = (self.real, self.simulated);
         let place = real
@@ -213,7 +213,7 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// How long a vehicle took to what the manoeuvre is for; `None` also if it was there from the start.
+    /// The time that a vehicle took to reach the aim; `None` also if it was there from the start.
     fn reach_s(&self, observed: &Observed) -> Option<f64> {
         let Manoeuvre { from_s, to_s, .. } = *self.manoeuvre;
         if self.manoeuvre.aim == Aim::Landed {
@@ -231,7 +231,7 @@ impl<'a> Pair<'a> {
         (there > from_s).then_some(there - from_s)
     }
 
-    /// What counts as reached, for both vehicles.
+    /// The criterion for reaching the aim, for both vehicles.
     fn goal(&self) -> Option<Goal> {
         let known_s = self.real.position_ned_m.last()?.0;
         let asked_s = self.manoeuvre.last_asked_s.min(known_s);
@@ -253,7 +253,7 @@ enum Goal {
     Height(f64),
     Place([f64; 3]),
     Heading(f64),
-    /// A velocity, and how near is near enough.
+    /// A velocity, with its tolerance.
     Velocity([f64; 3], f64),
 }
 
@@ -276,10 +276,10 @@ impl Goal {
 
 /// The resolution of the time to reach, seconds.
 const STEP_S: f64 = 0.02;
-/// Quantities that are compared.
+/// The number of quantities that are compared.
 const QUANTITIES: usize = 7;
 
-/// Squares and maxima of the differences so far.
+/// Squares and maxima of the differences so far, by quantity.
 #[derive(Default)]
 struct Tally {
     count: [f64; QUANTITIES],
@@ -294,7 +294,7 @@ impl Tally {
         self.largest[quantity] = self.largest[quantity].max(difference.abs());
     }
 
-    /// `None` if the vehicles were never seen together.
+    /// The differences; `None` if the vehicles were never observed at the same time.
     fn differences(&self) -> Option<[Difference; QUANTITIES]> {
         (self.count[0] > 0.0).then(|| {
             std::array::from_fn(|quantity| Difference {

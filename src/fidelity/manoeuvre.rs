@@ -1,4 +1,4 @@
-//! A flight cut into manoeuvres by what was sent.
+//! A flight divided into manoeuvres by its commands.
 
 use mavlink::dialects::ardupilotmega::CopterMode::{
     COPTER_MODE_AUTO, COPTER_MODE_LAND, COPTER_MODE_RTL,
@@ -14,40 +14,40 @@ use crate::geo::LatLon;
 use crate::vehicle::{Mode, VehicleClass};
 use crate::wire::Content;
 
-/// What a manoeuvre has to bring about.
+/// The aim of a manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Aim {
-    /// To climb to a height above the origin, metres.
+    /// Climb to a height above the origin, in metres.
     Height(f64),
-    /// To be at a place: metres north, east and down of the origin.
+    /// Be at a place: metres north, east and down of the origin.
     Place([f64; 3]),
-    /// To have the velocity that the real vehicle had in the end.
+    /// Have the velocity that the real vehicle had in the end.
     Velocity,
-    /// To have the heading that the real vehicle had in the end.
+    /// Have the heading that the real vehicle had in the end.
     Heading,
-    /// To be on the ground and disarmed.
+    /// Be on the ground and disarmed.
     Landed,
 }
 
 /// One manoeuvre: from its command to the next one's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Manoeuvre {
-    /// What was asked for.
+    /// The name of the commanded manoeuvre.
     pub name: String,
-    /// When it was asked for, seconds since the recording began.
+    /// The time of its command, in seconds since the recording began.
     pub from_s: f64,
-    /// When it was asked for the last time: a velocity has to be said again and again.
+    /// The time of its last command: a velocity has to be repeated.
     pub last_asked_s: f64,
-    /// When the next thing was asked for.
+    /// The time of the next command.
     pub to_s: f64,
-    /// What it is for.
+    /// The aim of the manoeuvre.
     pub aim: Aim,
 }
 
-/// Manoeuvres shorter than this tell nothing, seconds.
+/// Shorter manoeuvres are not compared, seconds.
 const SHORTEST_S: f64 = 1.5;
 
-/// Cuts what was sent into manoeuvres. Commands that the real vehicle refused begin none.
+/// Divides the sent frames into manoeuvres. Commands that the real vehicle refused begin no manoeuvre.
 pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
     let mut all: Vec<Manoeuvre> = Vec::new();
     let mut sticks = None;
@@ -60,7 +60,7 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
         else {
             continue;
         };
-        // Sticks are repeated all the time, whatever else is asked for.
+        // Sticks are repeated all the time, alongside other commands.
         if let MavMessage::RC_CHANNELS_OVERRIDE(data) = message
             && sticks.replace(data.chan3_raw) == Some(data.chan3_raw)
         {

@@ -11,14 +11,14 @@ use crate::wire::Content;
 
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
-/// What one vehicle said, sorted by subject. Times are seconds since the beginning of the recording.
+/// The messages of one vehicle, sorted by subject. Times are seconds since the beginning of the recording.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observed {
     /// Metres north, east and down of the origin.
     pub position_ned_m: Series<3>,
     /// Metres per second north, east and down.
     pub velocity_ned_m_s: Series<3>,
-    /// Roll, pitch and yaw in degrees; the yaw goes on beyond 360 instead of jumping.
+    /// Roll, pitch and yaw in degrees; the yaw continues beyond 360 instead of jumping.
     pub attitude_deg: Series<3>,
     pub voltage_v: Series<1>,
     /// Results of commands and of plan transfers.
@@ -28,7 +28,7 @@ pub struct Observed {
     pub(super) reached: Vec<Said>,
     /// When the vehicle was armed (`true`) and disarmed.
     pub(super) armed: Vec<(f64, bool)>,
-    /// Command, result and time of each ack, by number.
+    /// Time, command and result of each ack, by number.
     pub(super) results: Vec<(f64, u16, u8)>,
     end_s: f64,
     origin: Option<(LatLon, f64)>,
@@ -36,7 +36,7 @@ pub struct Observed {
 }
 
 impl Observed {
-    /// Sorts what a vehicle said.
+    /// Sorts the frames of a vehicle.
     pub fn new(heard: &[Timed]) -> Self {
         let mut observed = Self::default();
         for Timed { at, frame } in heard {
@@ -54,17 +54,17 @@ impl Observed {
         observed
     }
 
-    /// When the position became known: what came before is the boot.
+    /// When the position became known; earlier messages belong to the boot.
     pub fn begin_s(&self) -> f64 {
         self.position_ned_m.first().map_or(0.0, |(at, _)| at)
     }
 
-    /// When it said something for the last time.
+    /// The time of its last message.
     pub fn end_s(&self) -> f64 {
         self.end_s
     }
 
-    /// Where the vehicle was switched on, if it told its origin.
+    /// The place where the vehicle was switched on, if it has reported its origin.
     pub fn start(&self) -> Option<Start> {
         let (at, altitude_amsl_m) = self.origin?;
         let heading = self.attitude_deg.at(self.begin_s()).map(|angles| angles[2]);
@@ -75,7 +75,7 @@ impl Observed {
         })
     }
 
-    /// Whether the vehicle accepted a command that was sent at a time (true if it said nothing of it).
+    /// Whether the vehicle accepted a command sent at a time (true without an answer).
     pub(super) fn accepted(&self, command: u16, sent_s: f64) -> bool {
         self.results
             .iter()

@@ -14,12 +14,12 @@ use crate::wire::{
 
 /// The simulated vehicle's system id.
 const SYSTEM: u8 = 1;
-/// How long the simulated vehicle is listened to after the recording's end: it may say the same a little later.
+/// How long the simulated vehicle is heard after the recording's end: its answers may come a little later.
 pub(super) const AFTERWARDS: Duration = Duration::from_secs(3);
 /// The longest payload of any message.
 const LONGEST: usize = 255;
-/// Where `COMMAND_LONG` (76) and `COMMAND_INT` (75) keep the system that they address: needed where a command has a
-/// number that the dialect lacks.
+/// The offset of the target system in `COMMAND_LONG` (76) and `COMMAND_INT` (75), for commands with a number that the
+/// dialect lacks.
 const TARGET_OF_A_COMMAND: usize = 30;
 /// The field at Canberra where SITL starts unless told otherwise.
 const SITL_HOME: Start = Start {
@@ -28,11 +28,11 @@ const SITL_HOME: Start = Start {
     heading_deg: 0.0,
 };
 
-/// Sends what the ground station of a recording sent, at the same times, and returns what the simulated vehicle said
-/// until the recording ends. It starts where the real vehicle started, ready to fly.
+/// Sends the ground station's frames of a recording at the same times, and returns the simulated vehicle's frames
+/// until the recording ends. The vehicle starts at the place of the real one, ready to fly.
 pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let start = real.start().unwrap_or(SITL_HOME);
-    // The recorded ones had no frame file.
+    // The recorded vehicles had no frame file.
     let mut world = World::new(&WorldConfig {
         airframes: vec![Airframe::shared_default()],
         ..WorldConfig::row(1, start)
@@ -64,7 +64,7 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
             heard.push(Timed { at, frame });
         }
         if !world.is_open(port) {
-            // The vehicle reboots. A recording that goes on has a ground station that connects again.
+            // The vehicle reboots. If the recording continues, its ground station connects again.
             if world.now() + AFTERWARDS >= end {
                 break;
             }
@@ -83,7 +83,7 @@ struct Ground {
 }
 
 impl Ground {
-    /// Says to the simulated vehicle what was said to the recorded one.
+    /// Encodes a message of the recording for the simulated vehicle.
     fn encode(&mut self, frame: &Frame, bytes: &mut Vec<u8>) {
         if let Some(outgoing) = readdressed(&frame.content, self.recorded) {
             let (system, component) = (frame.system, frame.component);
@@ -105,8 +105,8 @@ fn system_of(recording: &Recording) -> SystemId {
         .map_or(SYSTEM, |timed| timed.frame.system)
 }
 
-/// The same message, to the simulated vehicle if it was to the recorded one; other addresses were meant to be wrong
-/// and stay wrong. `None` for what the dialect does not know.
+/// The same message, addressed to the simulated vehicle if it was addressed to the recorded one; other addresses were
+/// wrong on purpose and stay wrong. `None` for messages that the dialect does not know.
 fn readdressed(content: &Content, recorded: SystemId) -> Option<Outgoing> {
     match content {
         Content::Message(message) => {

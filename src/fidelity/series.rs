@@ -1,4 +1,4 @@
-//! Measurements over time, read between their samples.
+//! Measurements over time, interpolated between their samples.
 
 /// `N` numbers at ascending times, in seconds.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,4 +1,4 @@
-//! The comparison, on flights whose differences are known.
+//! The comparison, tested on flights with known differences.
 
 use std::time::Duration;
 
@@ -68,7 +68,7 @@ fn a_slower_vehicle_falls_behind_and_a_shifted_start_does_not_count() {
     );
     let flight = &compared.manoeuvres[0];
     assert!((flight.apart_at_start_m - 30.0).abs() < 1e-3, "{flight:?}");
-    // One metre a second, over 8 s: 8 m at last, and 8 / √3 in the mean.
+    // One metre per second over 8 s: 8 m at the end, and 8 / √3 in the mean.
     assert!((flight.position_m.largest - 8.0).abs() < 0.02, "{flight:?}");
     assert!(
         (flight.position_m.rms - 8.0 / 3.0_f64.sqrt()).abs() < 0.1,
@@ -177,7 +177,7 @@ fn a_recording_is_read_from_tlogs_and_addressed_to_the_simulated_vehicle() {
     assert_eq!(recording.sent[0].at, Duration::from_secs(1));
     assert_eq!(recording.heard.len(), 2);
     let answers = Observed::new(&replay(&recording, &Observed::new(&recording.heard)));
-    // Mode 0 by a command without bit 0 of parameter 1 is denied; an unaddressed vehicle would be silent.
+    // Mode 0 by a command without bit 0 of parameter 1 is denied; a vehicle that is not addressed would be silent.
     let acks: Vec<&str> = answers.acks.iter().map(|ack| ack.text.as_str()).collect();
     assert_eq!(acks, ["DO_SET_MODE DENIED"]);
 }

@@ -14,12 +14,12 @@ pub struct FleetClock {
     stand: Arc<watch::Sender<ClockReading>>,
 }
 
-/// How a clock has stood still.
+/// The pauses of a clock.
 #[derive(Debug, Clone, Copy, Default)]
 struct ClockReading {
-    /// Since when it does.
+    /// Since when it has been stopped, if it is.
     since: Option<Instant>,
-    /// For how long it did before, altogether.
+    /// The duration of its earlier pauses, altogether.
     before: Duration,
 }
 
@@ -32,7 +32,7 @@ impl FleetClock {
         }
     }
 
-    /// The time since the start, without that for which it stood still.
+    /// The time since the start, without pauses.
     pub fn now(&self) -> Duration {
         let stand = *self.stand.borrow();
         let until = stand.since.unwrap_or_else(Instant::now);

@@ -20,13 +20,13 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Frame, SystemId};
 
-/// Batches of frames that may wait for the hub; beyond that links read more slowly.
+/// The most batches of frames in the queue to the hub; beyond that, links read more slowly.
 const INBOUND_KEPT: usize = 256;
-/// Batches of frames that may wait for one vehicle's task.
+/// The most batches of frames in the queue to one vehicle's task.
 const BATCHES_KEPT: usize = 256;
-/// The delay before a full inbox is tried again.
+/// The delay before a full queue is tried again.
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
-/// How often a shared system id is complained about.
+/// The interval of warnings about a shared system id.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
 
 /// A sender of frames.
@@ -36,10 +36,10 @@ struct FrameSender {
     peer: LinkPeer,
 }
 
-/// How a vehicle is reached.
+/// The route to a vehicle.
 struct PeerRoute {
     sender: FrameSender,
-    /// The autopilot's component; other components with its system id may come another way.
+    /// The autopilot's component; other components with its system id may use another route.
     component: ComponentId,
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
@@ -77,7 +77,7 @@ impl PeerRoute {
     }
 }
 
-/// The surroundings of a hub.
+/// The channels and settings that the hub is started with.
 pub(super) struct HubSurroundings {
     pub clock: FleetClock,
     /// Telemetry to request from vehicles.
@@ -98,7 +98,7 @@ struct Hub {
     cancel: CancellationToken,
 }
 
-/// Runs the hub until cancelled or until the console has let go of it.
+/// Runs the hub until it is cancelled or the console has dropped its end.
 pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Receiver<FleetRequest>) {
     let HubSurroundings {
         clock,
@@ -153,7 +153,7 @@ impl Hub {
         self.tell(news).await;
     }
 
-    /// Hands an order on; one that cannot be handed on is answered here, so that no row waits for ever.
+    /// Passes an order on; one that cannot be passed on is answered here, so that no row waits for ever.
     async fn order(&mut self, vehicle: VehicleId, order: VehicleCommand) {
         let system = SystemId::try_from(vehicle).ok();
         let reason = match system.and_then(|system| self.routes.get(&system)) {
@@ -168,8 +168,8 @@ impl Hub {
         self.tell(FleetEvent::Report(Report::Row(row))).await;
     }
 
-    /// Tells a vehicle's task something that it can do without: one that does not keep up has no time for it, and
-    /// of one that was never heard nothing is known.
+    /// Sends a message that a vehicle's task can miss: it is dropped if the task does not keep up, or if the vehicle
+    /// was never heard.
     fn pass_on(&self, vehicle: VehicleId, news: ToVehicle) {
         let system = SystemId::try_from(vehicle).ok();
         if let Some(route) = system.and_then(|system| self.routes.get(&system)) {
@@ -185,19 +185,19 @@ impl Hub {
         }
     }
 
-    /// Lets go of a vehicle's task, which ends with that.
+    /// Drops the route of a vehicle, which ends its task.
     fn forget(&mut self, vehicle: VehicleId) {
         if let Ok(system) = SystemId::try_from(vehicle) {
             self.routes.remove(&system);
         }
     }
 
-    /// Whether anything has found no room yet.
+    /// Whether any change still waits for room.
     fn has_wants(&self) -> bool {
         self.routes.values().any(|route| !route.wants.is_empty())
     }
 
-    /// Gives each vehicle its frames, those of one vehicle together.
+    /// Distributes frames to their vehicles, those of one vehicle together.
     async fn distribute(&mut self, batch: Inbound) {
         let mut by_system: BTreeMap<SystemId, Vec<Frame>> = BTreeMap::new();
         for frame in batch.frames {
@@ -248,9 +248,9 @@ impl Hub {
         }
     }
 
-    /// The autopilot is heard by another way. Once the way used so far has been silent for long enough it is
-    /// the same vehicle with a new connection, or another port of a lab network; before that it is a second one,
-    /// whose frames are not to be taken. Returns whether they are.
+    /// Handles an autopilot that is heard by another route. If the present route has been silent for long enough, it
+    /// is the same vehicle with a new connection or another port; otherwise it is a second vehicle with the same id,
+    /// whose frames are not accepted. Returns whether they are.
     async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),
@@ -309,7 +309,7 @@ impl Hub {
         self.tell(FleetEvent::Parameters(id, parameters_out)).await;
     }
 
-    /// Two senders with one system id: commands would reach whichever listens. Say so, and keep to the first.
+    /// Warns about two senders with one system id, since commands would reach either of them; the first one is kept.
     async fn complain(&mut self, system: SystemId, from: FrameSender, now: Duration) {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
@@ -342,7 +342,7 @@ impl Hub {
         self.tell(FleetEvent::Warning(notice)).await;
     }
 
-    /// The link, and the peer's network address where the link has several peers.
+    /// The name of the link, with the peer's network address if the link has several peers.
     fn name_of(&self, sender: FrameSender) -> Text {
         let Some(link) = self.links.get(usize::from(sender.link.0)) else {
             return Text::default();
@@ -355,7 +355,7 @@ impl Hub {
         }
     }
 
-    /// Rare occurrences may wait for the console; frames go on waiting in the links meanwhile.
+    /// Sends an event to the console, and waits if necessary: events are rare, and frames wait in the links meanwhile.
     async fn tell(&self, event: FleetEvent) {
         // An error means that the console is gone, and the token will follow.
         drop(self.events.send(event).await);

@@ -14,35 +14,35 @@ use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
-/// Reports that a task keeps while the console is not listening.
+/// The most reports that a task keeps while the console does not read.
 const BACKLOG: usize = 1000;
-/// While parameters are coming, they are given out so often.
+/// The interval of parameter snapshots while a list arrives.
 const PARAMETERS_EVERY: Duration = Duration::from_millis(200);
 
-/// A message from the hub to a vehicle's task.
+/// A message from the hub to the task of a vehicle.
 pub(super) enum ToVehicle {
     /// Frames of this vehicle.
     Frames(Vec<Frame>),
     Order(VehicleCommand),
-    /// Where it is to be, as a part of a manoeuvre.
+    /// A setpoint for the vehicle in a manoeuvre.
     Steer(Steering),
-    /// All its parameters are wanted.
+    /// A request to download all its parameters.
     FetchParameters,
-    /// Its autopilot was started anew.
+    /// Its autopilot has been restarted.
     Restarted,
-    /// Something is to be done to its simulator or its link.
+    /// A change of its simulator or its link.
     Want(Want),
     /// The vehicle is reached by another link or peer from now on.
     Route(LinkHandle, LinkPeer),
 }
 
-/// Everything a vehicle's task owns.
+/// The state of a vehicle's task.
 pub(super) struct VehicleTask {
     pub session: Session,
     pub clock: FleetClock,
     pub inbox: mpsc::Receiver<ToVehicle>,
     pub route: (LinkHandle, LinkPeer),
-    /// How often the link had come up again when we looked last.
+    /// The link's number of reconnections at the last check.
     pub reconnects: u32,
     pub state: watch::Sender<Arc<Vehicle>>,
     pub parameters: ParameterFeed,
@@ -52,7 +52,7 @@ pub(super) struct VehicleTask {
     pub dropped: u64,
 }
 
-/// Gives out parameters as they come: a whole list of them a few times a second, not one by one.
+/// Publishes parameters while they arrive: as a list a few times a second, not one by one.
 pub(super) struct ParameterFeed {
     sender: watch::Sender<ParameterSnapshot>,
     published: (u64, Fetching),
@@ -70,7 +70,7 @@ impl ParameterFeed {
 
     fn publish(&mut self, news: ParameterSnapshot, now: Duration) {
         let state = (news.list.revision(), news.fetching);
-        // While a snapshot is looked at, the next change of the list copies it.
+        // While a reader holds a snapshot, the next change copies the list.
         let is_due = !news.fetching.is_under_way() || now >= self.at + PARAMETERS_EVERY;
         if state != self.published && is_due {
             self.published = state;
@@ -81,7 +81,7 @@ impl ParameterFeed {
 }
 
 impl VehicleTask {
-    /// Runs until cancelled or until the hub is gone.
+    /// Runs until it is cancelled or the hub has ended.
     pub async fn run(mut self, cancel: CancellationToken) {
         loop {
             let patience = self.session.patience();
@@ -125,7 +125,7 @@ impl VehicleTask {
             ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);
-                // In missions, each vehicle has a link of its own.
+                // In missions, each vehicle has its own link.
                 self.route.0.hush(self.session.is_cut());
             }
             ToVehicle::Route(link, peer) => {
@@ -136,14 +136,14 @@ impl VehicleTask {
         }
     }
 
-    /// An impossible setpoint is not reported again: the manoeuvre notices that the vehicle does not move.
+    /// An impossible setpoint is not reported separately: the manoeuvre notices that the vehicle does not move.
     fn steer(&mut self, steering: &Steering, now: Duration) {
         if let Err(reason) = self.session.steer(steering, now) {
             tracing::warn!(vehicle = self.session.vehicle().id, "not steered: {reason}");
         }
     }
 
-    /// What a full link drops is counted there; a command's own schedule repeats it.
+    /// Frames that a full link drops are counted there; a command's own retries repeat it.
     fn send(&mut self) {
         let (link, peer) = &self.route;
         for message in self.session.take_outgoing() {
@@ -181,7 +181,7 @@ impl VehicleTask {
             let before = self.backlog.len();
             self.backlog
                 .retain(|report| matches!(report, Report::Row(_)));
-            // The newest rows are the final ones, so the oldest go.
+            // The newest rows are the final ones, so the oldest are dropped.
             let surplus = self.backlog.len().saturating_sub(BACKLOG);
             self.backlog.drain(..surplus);
             self.dropped += (before - self.backlog.len()) as u64;

@@ -11,19 +11,19 @@ use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, HEARTBEAT_DATA, TIMESYN
 pub use self::tally::{MessageTally, Rate};
 use crate::wire::{Anatomy, ComponentId, SystemId};
 
-/// Kinds of messages that one link keeps; beyond that new ones are only counted. 250 vehicles send about 10 000.
+/// The most kinds of messages that one link keeps; further ones are only counted. 250 vehicles send about 10 000.
 const MOST_KINDS: usize = 20_000;
-/// Kinds whose checksum cannot be verified: noise looks like any of them.
+/// The most kinds with a checksum that cannot be verified, since noise may look like any of them.
 const MOST_UNVERIFIED: usize = 256;
-/// Noise seldom looks so often like the same message of the same sender.
+/// Noise seldom looks like the same message of the same sender this often.
 const KEEPS_COMING: u64 = 3;
 /// Entries silent for this long may be replaced if there is no room.
 const STALE: Duration = Duration::from_secs(60);
-/// Room is looked for no more often than this.
+/// The least interval between two searches for room.
 const SWEEP_EVERY: Duration = Duration::from_secs(1);
-/// Frames of one kind that are kept for a graph between two looks.
+/// The most frames of one kind that are kept for a graph between two reads.
 const MOST_WATCHED: usize = 512;
-/// A source that has been silent for so long has paused, or was stopped.
+/// A source that has been silent for this long has paused, or was stopped.
 const PAUSE: Duration = Duration::from_secs(5);
 
 /// Whether frames were received or sent.
@@ -37,9 +37,9 @@ pub enum Direction {
 /// One sender at one end of a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FrameSource {
-    /// Whether it was received from the sender, or sent by us.
+    /// Whether the frame was received from the sender, or sent by this program.
     pub direction: Direction,
-    /// The peer of the link that sent the frames, or to whom they went.
+    /// The peer of the link that sent or received the frames.
     pub peer: u32,
     /// The sender's system id.
     pub system: SystemId,
@@ -54,7 +54,7 @@ pub struct TallyKey {
     pub message: u32,
 }
 
-/// The frames of one watched kind since the last look.
+/// The frames of one watched kind since the last read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WatchedMessage {
     pub key: TallyKey,
@@ -99,17 +99,17 @@ pub struct Census {
     noise: Vec<u8>,
 }
 
-/// Facts about a source that need every frame.
+/// Facts about a source for which every frame counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Witness {
     answered_at: Option<Duration>,
     heard_at: Duration,
-    /// Since when it has been heard without a pause.
+    /// Since when frames have been received without a pause.
     steady_since: Duration,
 }
 
 impl Census {
-    /// Counts one frame. `is_verified` tells whether the dialect could check it.
+    /// Counts one frame. `is_verified`: the dialect has verified its checksum.
     pub fn note(&mut self, way: FrameWay, bytes: &[u8], is_verified: bool, now: Duration) {
         let Some(frame) = Anatomy::of(bytes) else {
             return;
@@ -156,7 +156,7 @@ impl Census {
         }
     }
 
-    /// Whether one more kind has room.
+    /// Whether there is room for one more kind.
     fn admit(&mut self, is_verified: bool, now: Duration) -> bool {
         if !self.has_room(is_verified) && now >= self.next_sweep {
             self.next_sweep = now + SWEEP_EVERY;
@@ -171,7 +171,7 @@ impl Census {
         self.tallies.len() < MOST_KINDS && (is_verified || self.unverified < MOST_UNVERIFIED)
     }
 
-    /// Drops entries that have been silent for long: peers come and go under new numbers.
+    /// Drops entries that have been silent for long, since peers reconnect under new numbers.
     fn sweep(&mut self, now: Duration) {
         self.tallies
             .retain(|_, tally| now.saturating_sub(tally.last_at) < STALE);
@@ -183,7 +183,7 @@ impl Census {
         self.unverified = tallies.filter(|tally| !tally.was_admitted_verified).count();
     }
 
-    /// Keeps the beginning of bytes in which no frame was found.
+    /// Keeps the beginning of bytes that contain no frame.
     pub fn note_noise(&mut self, bytes: &[u8]) {
         const KEPT: usize = 256;
         self.noise.clear();
@@ -211,8 +211,8 @@ impl Census {
         self.tallies.get(&key)
     }
 
-    /// Whether a kind is more than a pattern in noise: its checksum was right, or its sender is known by others, or
-    /// it keeps coming.
+    /// Whether a kind is more than noise: its checksum was right, its sender has other messages, or it has come
+    /// several times.
     pub fn is_credible(&self, key: TallyKey, tally: &MessageTally) -> bool {
         tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
     }
@@ -227,7 +227,7 @@ impl Census {
         self.sources.get(&source)?.answered_at
     }
 
-    /// Since when a source has been heard without a pause.
+    /// Since when a source has been received without a pause.
     pub fn steady_since(&self, source: FrameSource) -> Option<Duration> {
         Some(self.sources.get(&source)?.steady_since)
     }
@@ -237,12 +237,12 @@ impl Census {
         self.uncounted
     }
 
-    /// The last bytes in which no frame was found.
+    /// The last bytes that contain no frame.
     pub fn noise(&self) -> &[u8] {
         &self.noise
     }
 
-    /// Keeps every frame of these kinds from now on, and of no others.
+    /// Keeps every frame of these kinds from now on, and of no other kinds.
     pub fn watch(&mut self, keys: &BTreeSet<TallyKey>) {
         self.watched.retain(|key, _| keys.contains(key));
         for &key in keys {
@@ -281,11 +281,11 @@ impl Census {
     }
 }
 
-/// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a question itself.
-/// Parameters and the like are broadcast at any program's request.
+/// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a request itself.
+/// Parameters and similar messages are broadcast at any program's request.
 fn answers(frame: &Anatomy<'_>) -> bool {
     const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
-    /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a question.
+    /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a request.
     const TIMESYNC: u32 = TIMESYNC_DATA::ID;
     match frame.id {
         COMMAND_ACK => true,

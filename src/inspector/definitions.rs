@@ -1,17 +1,17 @@
-//! What the messages are made of: names, types, units and enums, which the dialect crate does not keep at run time.
-//! Read from a table in the program, when it is first asked for.
+//! The definitions of the messages: names, types, units and enums, which the dialect crate does not keep at run time.
+//! Read from an embedded table at the first use.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use strum::EnumString;
 
-/// The table; its head names the source.
+/// The table of definitions; its header names the source.
 const TABLE: &str = include_str!("definitions.txt");
 
 static DEFINITIONS: LazyLock<Definitions> = LazyLock::new(|| Definitions::read(TABLE));
 
-/// All messages and enums that are known.
+/// All messages and enums of the table.
 #[derive(Debug, Default)]
 pub struct Definitions {
     messages: BTreeMap<u32, MessageDefinition>,
@@ -34,7 +34,7 @@ pub struct FieldDefinition {
     pub name: &'static str,
     /// The type of one element.
     pub kind: FieldType,
-    /// How many elements an array has; 0 for a single value.
+    /// The number of elements of an array; 0 for a single value.
     pub count: u8,
     /// Its unit as MAVLink spells it (`cm/s`, `degE7`); empty if it has none.
     pub unit: &'static str,
@@ -91,12 +91,12 @@ impl FieldDefinition {
 }
 
 impl EnumDefinition {
-    /// The name of a value, without the part that all names of its enum share.
+    /// The name of a value, without the prefix that all names of its enum share.
     pub fn name(&self, value: u64) -> Option<&'static str> {
         self.entries.get(&value).copied()
     }
 
-    /// The names of the bits that are set, the lowest first; bits without a name as hexadecimal numbers.
+    /// The names of the bits that are set, the lowest bit first; bits without a name as hexadecimal numbers.
     pub fn flags(&self, value: u64) -> Vec<String> {
         let bits = (0..64)
             .map(|bit| 1u64 << bit)
@@ -107,7 +107,7 @@ impl EnumDefinition {
 }
 
 impl Definitions {
-    /// The definitions that the program brings.
+    /// The embedded definitions.
     pub fn get() -> &'static Self {
         &DEFINITIONS
     }
@@ -127,7 +127,7 @@ impl Definitions {
         self.enums.get(name)
     }
 
-    /// Reads a table. A line that is not understood is passed over; a test sees to it that there is none.
+    /// Reads a table. Invalid lines are skipped; a test ensures that there are none.
     fn read(table: &'static str) -> Self {
         let mut read = Self::default();
         for line in table.lines().filter(|line| !line.starts_with('#')) {
@@ -203,8 +203,8 @@ mod tests {
         }
     }
 
-    /// The seed is made from the names and types of all base fields in order: where it is the same, so is the
-    /// layout. Extensions are outside it, but their length shows when the dialect writes them.
+    /// The seed is computed from the names and types of all base fields in order: equal seeds mean equal layouts.
+    /// Extensions are not part of it, but their length shows when the dialect writes them.
     #[test]
     fn the_table_lays_out_every_message_of_the_dialect_as_the_dialect_does() {
         let (mut known, mut measured) = (0, 0);
@@ -217,7 +217,7 @@ mod tests {
             assert_eq!(message.name, default.message_name());
             assert_eq!(message.seed, MavMessage::extra_crc(id), "{}", message.name);
             let len: usize = message.fields.iter().map(FieldDefinition::wire_len).sum();
-            // Where no enum stands in the way: with no zero at its end the dialect writes all that it has.
+            // Unless an enum prevents it: without a zero at the end, the dialect writes the full length.
             if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
                 assert_eq!(
                     full.ser(MavlinkVersion::V2, &mut [0; 255]),

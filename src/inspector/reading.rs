@@ -11,8 +11,8 @@ use crate::wire::Anatomy;
 pub struct MessageReading {
     /// The message's name, if its id is known.
     pub name: Option<&'static str>,
-    /// Whether the checksum is right for the message as it is defined here. If not, there are no values: the
-    /// sender lays the message out otherwise, or the frame is damaged.
+    /// Whether the checksum is right for this definition of the message. Otherwise there are no values: the sender
+    /// uses another layout, or the frame is damaged.
     pub is_verified: bool,
     /// The fields in wire order.
     pub values: Vec<FieldReading>,
@@ -26,17 +26,17 @@ pub struct FieldReading {
     pub unit: &'static str,
     /// Its elements; more than one for an array.
     pub elements: Vec<ElementReading>,
-    /// Text, if it is made of characters.
+    /// The text of a field of characters.
     pub text: Option<String>,
     /// Names of the enum value or of the bits that are set; empty if it has none.
     pub names: Vec<String>,
     /// Whether it is the value for "unknown".
     pub is_unknown: bool,
-    /// Whether it is an extension field, which older senders leave out: it is zero then.
+    /// Whether it is an extension field, which is zero if the sender omits it.
     pub is_extension: bool,
 }
 
-/// A number as it was on the wire.
+/// A number as it was sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ElementReading {
     Unsigned(u64),
@@ -68,7 +68,7 @@ impl fmt::Display for ElementReading {
     }
 }
 
-/// A number with so many significant digits, without trailing zeros.
+/// A number with `digits` significant digits, without trailing zeros.
 pub fn figure(value: f64, digits: i32) -> String {
     if !value.is_finite() {
         return value.to_string();
@@ -92,7 +92,7 @@ pub fn figure(value: f64, digits: i32) -> String {
 }
 
 impl FieldReading {
-    /// The value without its unit: text in quotes, the elements of an array with blanks between them.
+    /// The value without its unit: quoted text, or the elements separated by blanks.
     pub fn figures(&self) -> String {
         if let Some(text) = &self.text {
             return format!("\"{text}\"");
@@ -112,7 +112,7 @@ impl FieldReading {
     }
 }
 
-/// The name of a message, or its number where it has none.
+/// The name of a message, or its number if it has no name.
 pub fn name_of(id: u32) -> String {
     let known = Definitions::get().message(id);
     known.map_or_else(|| format!("#{id}"), |message| message.name.to_owned())
@@ -186,9 +186,9 @@ fn names(
 ) -> Vec<String> {
     let number = match value {
         Some(ElementReading::Unsigned(number)) => number,
-        // A mask keeps its bits when it is sent in a signed field.
+        // A mask keeps its bits in a signed field.
         Some(ElementReading::Signed(number)) => number as u64,
-        // MISSION_ITEM and the like carry no enums in fractions.
+        // Fractional values, as in MISSION_ITEM, are not enums.
         _ => return Vec::new(),
     };
     match field.names.and_then(|name| definitions.names(name)) {

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::ATTITUDE_DATA;
 use crate::geo::wrap_360;
 use crate::vehicle::{Attitude, Vehicle};
 
-/// Applies ATTITUDE; one without numbers in it changes nothing.
+/// Applies ATTITUDE; a message with NaN changes nothing.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &ATTITUDE_DATA, now: Duration) {
     let [roll_deg, pitch_deg, yaw_deg] = [data.roll, data.pitch, data.yaw].map(f32::to_degrees);
     if roll_deg.is_finite() && pitch_deg.is_finite() && yaw_deg.is_finite() {
@@ -23,7 +23,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &ATTITUDE_DATA, now: Duration) 
 /// A heading within 0 (included) to 360 (excluded) degrees.
 pub(super) fn heading_deg(angle_deg: f32) -> f32 {
     let wrapped = wrap_360(f64::from(angle_deg)) as f32;
-    // Narrowing may round up to 360 itself.
+    // Rounding to a narrower type may give 360 itself.
     if wrapped >= 360.0 { 0.0 } else { wrapped }
 }
 

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::{BATTERY_STATUS_DATA, SYS_STATUS_DATA};
 
 use crate::vehicle::{Battery, MeanCurrent, Vehicle};
 
-/// The pack that flies the vehicle.
+/// The id of the pack that powers the motors.
 pub(super) const MAIN_PACK: u8 = 0;
 /// The silence of `BATTERY_STATUS` after which `SYS_STATUS` applies to pack 0.
 const PACK_SILENT: Duration = Duration::from_secs(5);
@@ -40,7 +40,7 @@ pub(super) fn apply_summary(
     if pack_heard_at.is_some_and(|at| now.saturating_sub(at) < PACK_SILENT) {
         return;
     }
-    // 0 V is how ArduPilot says that nothing measures the battery.
+    // ArduPilot reports 0 V if no sensor measures the battery.
     let voltage_v = (!matches!(data.voltage_battery, 0 | u16::MAX))
         .then(|| f32::from(data.voltage_battery) * 1e-3);
     let current_a = current_a(data.current_battery);
@@ -58,7 +58,7 @@ pub(super) fn apply_summary(
     };
 }
 
-/// The pack of that id, made where there is none yet.
+/// The pack with that id, added if it is new.
 fn pack(vehicle: &mut Vehicle, id: u8, now: Duration) -> &mut Battery {
     let packs = &mut vehicle.batteries;
     let index = packs
@@ -92,7 +92,7 @@ fn pack_voltage_v(data: &BATTERY_STATUS_DATA) -> Option<f32> {
     any.then_some(total_mv as f32 * 1e-3)
 }
 
-/// -1 means that it is not measured; anything else below zero is no current that a battery in use gives either.
+/// The current; -1 means that it is not measured, and other negative values are not plausible for a battery in use.
 fn current_a(centiamperes: i16) -> Option<f32> {
     (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }

@@ -4,13 +4,13 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-/// A step back by more than this is no reordering of datagrams.
+/// A step back by more than this is not a reordering of datagrams.
 const STEP_BACK_MS: u32 = 5_000;
 /// A clock below this has just started; it may then have stepped back by less.
 const NEAR_ZERO_MS: u32 = 5_000;
 /// The largest step back by reordering for a clock that has just started.
 const REORDERING_MS: u32 = 1_000;
-/// A small step forward over the end of the 32-bit counter (49.7 days) is no step back.
+/// A small step forward over the end of the 32-bit counter (49.7 days) is not a step back.
 const WRAP_MS: u32 = 3_600_000;
 /// No autopilot boots twice within this time.
 const SETTLE: Duration = Duration::from_secs(10);
@@ -22,7 +22,7 @@ pub(super) enum Step {
     Onward,
     /// The autopilot has booted since the reading before.
     Rebooted,
-    /// Readings of two different clocks alternate: two vehicles share one system id. Said once.
+    /// Readings of two different clocks alternate: two vehicles share one system id. Reported once.
     TwoClocks,
 }
 
@@ -70,8 +70,9 @@ fn is_step_back(before: u32, boot_ms: u32) -> bool {
     back > STEP_BACK_MS || (boot_ms < NEAR_ZERO_MS && back > REORDERING_MS)
 }
 
-/// Milliseconds since boot, where the message carries them; 0 is how senders leave them out. A vehicle whose streams a reboot has stopped still
-/// asks for the time now and then, by its own clock; nanoseconds too large for the counter are another clock's.
+/// Milliseconds since boot, if the message carries them; 0 means that the sender has left them out. A vehicle whose
+/// streams stopped at a reboot still requests the time now and then, with its own clock. Nanoseconds too large for the
+/// counter are those of another clock.
 pub(super) fn boot_ms(message: &MavMessage) -> Option<u32> {
     use MavMessage as M;
     let boot_ms = match message {

@@ -16,7 +16,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         hdop: (data.eph != u16::MAX).then(|| f32::from(data.eph) * 0.01),
         at: report.now,
     };
-    // 0 is what senders without the extension fields say, and the end of the range what others do that do not know.
+    // Senders without the extension fields give 0, and others give the end of the range for an unknown accuracy.
     let is_known = |accuracy| !matches!(accuracy, 0 | u32::MAX);
     vehicle.gps_accuracy = (is_known(data.h_acc) && is_known(data.v_acc)).then_some(GpsAccuracy {
         horizontal_m: data.h_acc as f32 * 1e-3,

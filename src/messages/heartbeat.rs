@@ -7,13 +7,13 @@ use crate::text;
 use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
 
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
-/// A component that is no flight controller.
+/// The autopilot type of a component that is not a flight controller.
 const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
 /// The autopilot whose mode numbers this program has names for.
 const AUTOPILOT_ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 const FLAG_ARMED: u8 = MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED.bits();
 
-/// The numbers of a HEARTBEAT, whether the dialect has names for all of them or not.
+/// The numbers of a HEARTBEAT, even those without a name in the dialect.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Beat {
     custom_mode: u32,
@@ -87,7 +87,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) 
     };
     let before = vehicle.heartbeat.replace(heartbeat);
     if !heartbeat.armed {
-        // Whatever it headed for, it does so no more.
+        // The old target no longer applies.
         vehicle.target = None;
     }
     let Some(before) = before else { return };
@@ -96,7 +96,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) 
             Severity::Notice,
             text!("heard-mode", mode = heartbeat.mode.to_string()),
         );
-        // The new mode heads for its own target and says so, or has none.
+        // The new mode reports its own target, or has none.
         vehicle.target = None;
     }
     if before.armed != heartbeat.armed {

@@ -1,4 +1,4 @@
-//! Parameters as they pass.
+//! Parameters that are heard in passing.
 
 use std::str;
 
@@ -6,13 +6,13 @@ use mavlink::dialects::ardupilotmega::PARAM_VALUE_DATA;
 
 use crate::parameters::{HeardParameter, ParameterList};
 
-/// `PARAM_VALUE.param_index` of a value that was sent for itself, not as part of the list.
+/// `PARAM_VALUE.param_index` of a value that was sent by itself, not as part of the list.
 const NO_INDEX: u16 = u16::MAX;
 
 pub(super) fn apply(parameters: &mut ParameterList, data: &PARAM_VALUE_DATA) {
     let bytes: &[u8; 16] = &data.param_id;
     let bytes = bytes.split(|&byte| byte == 0).next().unwrap_or_default();
-    // Names are ASCII; what is not is noise, or no name at all.
+    // Names are ASCII; other bytes are noise, or not a name.
     let Ok(name) = str::from_utf8(bytes) else {
         return;
     };

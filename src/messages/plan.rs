@@ -13,7 +13,7 @@ pub(super) fn apply_current(vehicle: &mut Vehicle, data: &MISSION_CURRENT_DATA) 
         items => Some(items),
     };
     if vehicle.plan.total != total {
-        // Another plan: what was reached in the one before says nothing about it.
+        // A new plan: the item reached in the old one does not apply.
         vehicle.plan.reached = None;
     }
     vehicle.plan.current = data.seq;

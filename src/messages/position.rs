@@ -1,4 +1,4 @@
-//! Where the vehicle is, and the points its coordinates are measured from.
+//! The vehicle's position, and the origins of its coordinates.
 
 use std::time::Duration;
 
@@ -29,7 +29,7 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
     vehicle.global = position;
 }
 
-/// Applies `LOCAL_POSITION_NED`; one without numbers in it changes nothing.
+/// Applies `LOCAL_POSITION_NED`; a message with NaN changes nothing.
 pub(super) fn apply_local(vehicle: &mut Vehicle, data: &LOCAL_POSITION_NED_DATA, now: Duration) {
     let ned_m = [data.x, data.y, data.z];
     let velocity_m_s = [data.vx, data.vy, data.vz];
@@ -55,7 +55,7 @@ pub(super) fn origin(data: &GPS_GLOBAL_ORIGIN_DATA) -> Option<Place> {
     place(data.latitude, data.longitude, data.altitude)
 }
 
-/// A point that is known: not 0, 0 and on the earth.
+/// A valid point: on the earth, and not 0, 0.
 pub(super) fn point(lat_e7: i32, lon_e7: i32) -> Option<LatLon> {
     let at_point = LatLon::from_e7(lat_e7, lon_e7);
     ((lat_e7, lon_e7) != (0, 0) && at_point.is_valid()).then_some(at_point)

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use crate::vehicle::Vehicle;
 
-/// `DISTANCE_SENSOR.signal_quality` of a reading that is worth nothing.
+/// `DISTANCE_SENSOR.signal_quality` of an invalid reading.
 const SIGNAL_INVALID: u8 = 1;
 
 pub(super) fn apply(vehicle: &mut Vehicle, data: &RANGEFINDER_DATA) {

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{VFR_HUD_DATA, WIND_DATA};
 use super::attitude::heading_deg;
 use crate::vehicle::{Hud, Vehicle, Wind};
 
-/// Applies `VFR_HUD`; one without numbers in it changes nothing.
+/// Applies `VFR_HUD`; a message with NaN changes nothing.
 pub(super) fn apply_hud(vehicle: &mut Vehicle, data: &VFR_HUD_DATA, now: Duration) {
     let parts = [data.airspeed, data.groundspeed, data.alt, data.climb];
     if !parts.iter().all(|part| part.is_finite()) {
@@ -24,7 +24,7 @@ pub(super) fn apply_hud(vehicle: &mut Vehicle, data: &VFR_HUD_DATA, now: Duratio
     });
 }
 
-/// Applies WIND; one without numbers in it changes nothing.
+/// Applies WIND; a message with NaN changes nothing.
 pub(super) fn apply_wind(vehicle: &mut Vehicle, data: &WIND_DATA) {
     if data.direction.is_finite() && data.speed.is_finite() {
         vehicle.wind = Some(Wind {

@@ -19,14 +19,15 @@ const MOST_UNFINISHED: usize = 8;
 const SAME_CHECK: Duration = Duration::from_secs(2);
 /// The placeholder for missing chunks.
 const MISSING: &[u8] = b"...";
-/// How `ArduPilot` marks a reason not to arm: found by its periodic check, or given to a refused arm command.
+/// The prefixes by which `ArduPilot` marks a reason against arming: from its periodic check, or from a refused arm
+/// command.
 const REASON_PREFIXES: [&str; 2] = ["PreArm:", "Arm:"];
 
 /// A STATUSTEXT as received.
 #[derive(Debug, Clone)]
 pub(super) struct Chunk {
     component: ComponentId,
-    /// Which text it is part of; 0 for a text that is whole.
+    /// The text that it belongs to; 0 for a text in one piece.
     id: u16,
     sequence: u8,
     severity: Severity,
@@ -49,14 +50,14 @@ impl Chunk {
     }
 }
 
-/// A text as a human shall read it, not yet cleaned.
+/// A complete text, not yet cleaned.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Joined {
     pub(super) severity: Severity,
     pub(super) text: String,
 }
 
-/// Texts of which some chunks have come, oldest first.
+/// Texts with missing chunks, oldest first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Assembly {
     unfinished: Vec<Unfinished>,
@@ -74,7 +75,7 @@ struct Unfinished {
 }
 
 impl Assembly {
-    /// Takes in a chunk and returns the texts that need not wait any longer: usually none or one.
+    /// Adds a chunk and returns the texts that need not wait any longer: usually none or one.
     pub(super) fn accept(&mut self, chunk: Chunk, now: Duration) -> Vec<Joined> {
         if chunk.id == 0 {
             let text = text_of(&chunk.bytes);
@@ -106,7 +107,7 @@ impl Assembly {
         out
     }
 
-    /// The texts whose rest does not seem to come.
+    /// The texts whose missing chunks are overdue.
     pub(super) fn expire(&mut self, now: Duration) -> Vec<Joined> {
         self.unfinished
             .extract_if(.., |text| now.saturating_sub(text.at) >= REST_WITHIN)
@@ -114,7 +115,7 @@ impl Assembly {
             .collect()
     }
 
-    /// All that is unfinished: nothing more will come.
+    /// All incomplete texts, since no further chunk will come.
     pub(super) fn drain(&mut self) -> Vec<Joined> {
         self.unfinished.drain(..).map(Unfinished::join).collect()
     }
@@ -133,12 +134,12 @@ impl Assembly {
 }
 
 impl Unfinished {
-    /// Whether the very same chunk is there already, as a network may deliver it twice.
+    /// Whether the same chunk has been received before: a network may deliver it twice.
     fn has(&self, chunk: &Chunk) -> bool {
         self.severity == chunk.severity && self.chunks.get(&chunk.sequence) == Some(&chunk.bytes)
     }
 
-    /// Whether the chunk can be part of this text, not of a later one under the same id.
+    /// Whether the chunk can be part of this text, and not of a later one with the same id.
     fn fits(&self, chunk: &Chunk) -> bool {
         let beyond_end = self.last.is_some_and(|last| chunk.sequence > last);
         let ends_early = chunk.is_last
@@ -162,7 +163,7 @@ impl Unfinished {
             .is_some_and(|last| self.chunks.len() == usize::from(last) + 1)
     }
 
-    /// The text in order. Bytes are joined before they are read: a chunk may end within a character.
+    /// The text in order. Bytes are joined before they are decoded, since a chunk may end within a character.
     fn join(self) -> Joined {
         let mut bytes = Vec::new();
         let mut next = 0;
@@ -187,8 +188,8 @@ fn text_of(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Adds a text to the vehicle's and to the notices. A reason not to arm is kept apart as well; one that comes
-/// alone, later than those before, replaces them (`reasons_at` remembers when the last one came).
+/// Adds a text to the vehicle's and to the notices. A reason against arming is also kept separately; one that comes
+/// later than [`SAME_CHECK`] after the last one (`reasons_at`) replaces all earlier ones.
 pub(super) fn apply(
     vehicle: &mut Vehicle,
     joined: &Joined,

@@ -1,4 +1,4 @@
-//! Where the autopilot is heading.
+//! The target of the autopilot.
 
 use std::time::Duration;
 
@@ -12,11 +12,11 @@ use crate::geo::LatLon;
 use crate::vehicle::{HeightFrame, Place, Target, Vehicle};
 
 /// The silence after which a target is void. Targets are requested once a second and may be lost. It is longer than
-/// the time-out of a link: the last target of a lost vehicle stays known.
+/// the time-out of a link, so that the last target of a lost vehicle stays known.
 const SILENT: Duration = Duration::from_millis(3500);
 
-/// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height
-/// above home once home, or a position that tells it, is known.
+/// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height above
+/// home once home is known, or a position that gives it.
 pub(super) fn apply_global(
     vehicle: &mut Vehicle,
     data: &POSITION_TARGET_GLOBAL_INT_DATA,
@@ -26,7 +26,7 @@ pub(super) fn apply_global(
     let altitude_m = match HeightFrame::from_wire(data.coordinate_frame as u8) {
         HeightFrame::SeaLevel => home_altitude_m(vehicle).map(|home| f64::from(data.alt) - home),
         HeightFrame::Home => Some(f64::from(data.alt)),
-        // The height of the terrain is not known here.
+        // The height of the terrain is unknown here.
         HeightFrame::Terrain | HeightFrame::Other => None,
     };
     vehicle.target = Some(Target {
@@ -38,7 +38,7 @@ pub(super) fn apply_global(
 }
 
 /// Applies `POSITION_TARGET_LOCAL_NED`, which is measured from the origin of local coordinates. Without a known
-/// `origin` it is measured from where the vehicle is now, in both kinds of coordinates.
+/// `origin` it is converted by the vehicle's present position in both kinds of coordinates.
 pub(super) fn apply_local(
     vehicle: &mut Vehicle,
     data: &POSITION_TARGET_LOCAL_NED_DATA,
@@ -69,8 +69,8 @@ pub(super) fn apply_local(
     });
 }
 
-/// Forgets a target of which nothing has been heard for long: autopilots do not say that they have none, they
-/// merely stop to send it (`ArduCopter` under a velocity command, in LOITER, on the ground).
+/// Forgets a target that has not been heard for long. Autopilots do not report that they have no target, but stop
+/// sending it (`ArduCopter` under a velocity command, in LOITER, on the ground).
 pub(super) fn expire(vehicle: &mut Vehicle, now: Duration) {
     let is_over = |target: Target| now.saturating_sub(target.at) >= SILENT;
     if !vehicle.link.lost && vehicle.target.is_some_and(is_over) {
@@ -78,7 +78,7 @@ pub(super) fn expire(vehicle: &mut Vehicle, now: Duration) {
     }
 }
 
-/// Which parts of a target its type mask leaves in.
+/// The parts of a target that its type mask does not ignore.
 struct Uses(PositionTargetTypemask);
 
 impl Uses {
@@ -105,7 +105,7 @@ impl Uses {
     }
 }
 
-/// Home's height above mean sea level, from home itself or from the two heights of a position.
+/// Home's height above mean sea level, from home itself or from the two heights of a position report.
 fn home_altitude_m(vehicle: &Vehicle) -> Option<f64> {
     vehicle.home.map(|home| home.altitude_amsl_m).or_else(|| {
         vehicle

@@ -18,7 +18,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &AUTOPILOT_VERSION_DATA) {
     });
 }
 
-/// The hash of the long id, 0 where there is none: `ArduPilot` fills in only the long id.
+/// A hash of the long id, 0 if there is none: `ArduPilot` sets only the long id.
 fn folded(uid2: &[u8; 18]) -> u64 {
     if uid2.iter().all(|&byte| byte == 0) {
         return 0;

@@ -121,7 +121,7 @@ fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
     );
 }
 
-/// The states of the rows that `2 param set NAME 0` gets in a flight.
+/// The states of the rows for `2 param set NAME 0` in a flight.
 fn setting(name: &str, stake: Stake, rules: &str) -> Vec<RowState> {
     let source = include_str!("../../missions/00-first-flight.toml");
     let source = source.replacen("[rules]\n", &format!("[rules]\n{rules}\n"), 1);

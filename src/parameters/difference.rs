@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// How a parameter differs between one list and another.
+/// How a parameter of one list differs from another list.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterFinding {
     /// Both have it with different values: this list's and the other's.
@@ -20,11 +20,11 @@ pub struct ParameterDifference<'a> {
     pub finding: ParameterFinding,
 }
 
-/// Rounding of a number that was written with about seven digits.
+/// The rounding of a number written with about seven digits.
 const ROUNDING: f32 = 1e-6;
 
-/// Whether two values are the same parameter value. Whole numbers must be equal, they may be bit masks; others may
-/// have been rounded when they were written down.
+/// Whether two values are equal. Whole numbers must match exactly, since they may be bit masks; others may have been
+/// rounded in a file.
 #[expect(
     clippy::float_cmp,
     reason = "whole numbers are compared, and equal is meant"
@@ -37,7 +37,7 @@ pub fn is_same(one: f32, other: f32) -> bool {
     is_rounded && (one - other).abs() <= ROUNDING * one.abs().max(other.abs())
 }
 
-/// What differs between this list and another, in order of the names.
+/// The differences between this list and another, in order of the names.
 pub fn differences<'a>(
     this: impl Iterator<Item = (&'a str, f32)>,
     other: impl Iterator<Item = (&'a str, f32)>,
@@ -62,8 +62,8 @@ pub fn differences<'a>(
     found.collect()
 }
 
-/// Whether a parameter tells one vehicle from another or counts what it has done: its number, the ids of its sensors,
-/// its hours. Copied to another vehicle it would do harm: two vehicles with one system id take each other's commands.
+/// Whether a parameter identifies one vehicle or counts its use: its system id, the ids of its sensors, its hours. It
+/// must not be copied: two vehicles with one system id receive each other's commands.
 pub fn is_the_vehicles_own(name: &str) -> bool {
     matches!(name, "SYSID_THISMAV" | "MAV_SYSID" | "FORMAT_VERSION")
         || name.starts_with("STAT_")

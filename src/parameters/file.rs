@@ -1,7 +1,8 @@
 //! Parameter files: one parameter a line.
 //!
-//! Written as Mission Planner does, `NAME,VALUE`. Read are also `NAME VALUE` with any blanks (MAVProxy) and the five
-//! columns of QGroundControl (`SYSTEM COMPONENT NAME VALUE TYPE`, with tabs). `#` begins a comment.
+//! Files are written as Mission Planner does, `NAME,VALUE`. The reader also accepts `NAME VALUE` with any blanks
+//! (MAVProxy) and the five columns of QGroundControl (`SYSTEM COMPONENT NAME VALUE TYPE`, with tabs). `#` begins a
+//! comment.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,8 +17,8 @@ const LONGEST_NAME: usize = 16;
 /// Reads a parameter file.
 ///
 /// # Errors
-/// Every line that makes no sense, with its place: a wrong name, a value that is no finite number or does not fit a
-/// float, something after the value, a name that occurs twice with different values.
+/// Every invalid line, with its place: a wrong name, a value that is not a finite number or does not fit a float, text
+/// after the value, a name with two different values.
 pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
     let mut values: BTreeMap<String, (f32, usize)> = BTreeMap::new();
     let mut faults = Vec::new();
@@ -49,8 +50,8 @@ pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
     }
 }
 
-/// Writes a parameter file, with a comment before the values. What is no finite number is kept as a comment: no vehicle
-/// could be told to take it.
+/// Writes a parameter file, with a comment before the values. A value that is not a finite number is written as a
+/// comment, since no vehicle could accept it.
 pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) -> String {
     let mut text = String::new();
     for line in comment.lines() {

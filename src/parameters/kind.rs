@@ -1,4 +1,4 @@
-//! The types of parameters, and which values fit them.
+//! The types of parameters, and the values that fit them.
 
 use std::fmt;
 
@@ -29,24 +29,24 @@ pub enum ParameterType {
     Real64,
 }
 
-/// Why a value cannot be a parameter's.
+/// Why a value does not fit a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterUnfit {
-    /// It is infinite or not a number at all.
+    /// It is infinite or not a number.
     NotFinite,
-    /// The vehicle stores a whole number.
+    /// It has a fraction, but the vehicle stores a whole number.
     NotWhole(ParameterType),
-    /// It lies outside of what the type holds.
+    /// It lies outside the range of the type.
     OutOfRange {
         kind: ParameterType,
-        /// The least value that it holds.
+        /// The least value of the type.
         least: f64,
-        /// The greatest value that it holds.
+        /// The greatest value of the type.
         greatest: f64,
     },
-    /// Whole, and in range, but `PARAM_SET` carries a float, which has 24 bits only.
+    /// It is whole and in range, but `PARAM_SET` carries a float with only 24 bits.
     Inexact {
-        /// The nearest value that it could carry.
+        /// The nearest value that `PARAM_SET` can carry.
         nearest: f32,
     },
 }
@@ -57,10 +57,11 @@ impl ParameterType {
         self.into()
     }
 
-    /// Checks that a parameter of this type can take a value, and returns it as it goes over the wire.
+    /// Checks that a value fits a parameter of this type, and returns it as it is sent.
     ///
     /// # Errors
-    /// The type cannot hold the value. `ArduPilot` itself checks nothing: it truncates fractions and wraps or saturates large values.
+    /// The value does not fit. `ArduPilot` itself does not check: it cuts off fractions and wraps or saturates values
+    /// that are too large.
     pub fn check(self, value: f64) -> Result<f32, ParameterUnfit> {
         if !value.is_finite() {
             return Err(ParameterUnfit::NotFinite);
@@ -90,7 +91,7 @@ impl ParameterType {
         !matches!(self, Self::Real32 | Self::Real64)
     }
 
-    /// The least and the greatest value that it holds.
+    /// The least and the greatest value of the type.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Uint8 => (0.0, f64::from(u8::MAX)),
@@ -101,14 +102,14 @@ impl ParameterType {
             Self::Int32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
             Self::Uint64 => (0.0, u64::MAX as f64),
             Self::Int64 => (i64::MIN as f64, i64::MAX as f64),
-            // A double travels as a float as well.
+            // A double is sent as a float, too.
             Self::Real32 | Self::Real64 => (f64::from(f32::MIN), f64::from(f32::MAX)),
         }
     }
 }
 
 impl ParameterUnfit {
-    /// The same in words, of a parameter of that name.
+    /// The reason in words, for a parameter of that name.
     pub fn text(&self, name: &str) -> Text {
         match self {
             Self::NotFinite => text!("parameters-not-finite", name = name),

@@ -1,113 +1,112 @@
-//! The parameters of one vehicle as they pass.
+//! The parameters of one vehicle, collected from the messages that are heard.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{ParameterType, is_same};
 
-/// No vehicle has more parameters; beyond this, names are noise and are not kept.
+/// No vehicle has more parameters; further names are noise and are not kept.
 const MOST_PARAMETERS: usize = 10_000;
-/// PX4 sends a checksum of its parameters under this name, which is none of them.
+/// PX4 sends a checksum of its parameters under this name; it is not a parameter.
 const HASH: &str = "_HASH_CHECK";
 
-/// One parameter as the vehicle said it last.
+/// One parameter as last heard.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ListedParameter {
-    /// The value. Integers come converted to a float, as `ArduPilot` sends them, not as its bits.
+    /// The value. Integers are converted to a float, as `ArduPilot` sends them, not copied by their bits.
     pub value: f32,
-    /// The value that it had when it was heard first.
+    /// The value when the parameter was first heard.
     pub original: f32,
     /// The type that the vehicle stores it in.
     pub kind: ParameterType,
-    /// Its place in the vehicle's list, where one was said.
+    /// Its index in the vehicle's list, if the vehicle has sent one.
     pub index: Option<u16>,
 }
 
 impl ListedParameter {
-    /// Whether it has changed since it was heard first.
+    /// Whether it has changed since it was first heard.
     pub fn is_changed(&self) -> bool {
         !is_same(self.value, self.original)
     }
 }
 
-/// What a `PARAM_VALUE` says.
+/// The content of a `PARAM_VALUE`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeardParameter<'a> {
     pub name: &'a str,
     pub value: f32,
     /// The type it is stored in.
     pub kind: ParameterType,
-    /// The place in the list; `None` where it was sent for itself.
+    /// The index in the list; `None` if the value was sent by itself.
     pub index: Option<u16>,
-    /// How many parameters the vehicle has.
+    /// The number of parameters of the vehicle.
     pub count: u16,
 }
 
-/// The parameters of a vehicle that have passed so far, by name.
+/// The parameters of a vehicle that have been heard, by name.
 #[derive(Debug, Clone, Default)]
 pub struct ParameterList {
     // Names are shared, so that a copy of the list copies no text.
     by_name: BTreeMap<Arc<str>, ListedParameter>,
     count: Option<u16>,
-    /// Which places of the list have passed.
+    /// Which indices of the list have been heard.
     seen: Vec<bool>,
     received: u16,
     passed: u64,
-    /// How many there are by a value that was sent for itself.
+    /// The length of the list by a value that was sent by itself.
     announced: Option<u16>,
     revision: u64,
 }
 
 impl ParameterList {
-    /// The parameter of that name (upper case, as the vehicle spells it).
+    /// The parameter with that name (upper case, as the vehicle spells it).
     pub fn get(&self, name: &str) -> Option<&ListedParameter> {
         self.by_name.get(name)
     }
 
-    /// All that have passed, in order of their names.
+    /// All heard parameters, in order of their names.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &ListedParameter)> {
         self.by_name
             .iter()
             .map(|(name, parameter)| (name.as_ref(), parameter))
     }
 
-    /// How many have passed.
+    /// The number of heard parameters.
     pub fn len(&self) -> usize {
         self.by_name.len()
     }
 
-    /// Whether none has passed.
+    /// Whether no parameter has been heard.
     pub fn is_empty(&self) -> bool {
         self.by_name.is_empty()
     }
 
-    /// How many the vehicle has, once it has said so.
+    /// The number of the vehicle's parameters, once known.
     pub fn count(&self) -> Option<u16> {
         self.count
     }
 
-    /// How many places of the list have passed.
+    /// The number of list indices that have been heard.
     pub fn received(&self) -> u16 {
         self.received
     }
 
-    /// How many values have passed with a place in the list, the same again included.
+    /// The number of values heard with an index, repeats included.
     pub fn passed(&self) -> u64 {
         self.passed
     }
 
-    /// Whether every place of the list has passed.
+    /// Whether every index of the list has been heard.
     pub fn is_complete(&self) -> bool {
         self.count.is_some_and(|count| count > 0) && self.received == self.seen.len() as u16
     }
 
-    /// Whether the vehicle has another number of parameters by now: some appear only once others are switched on.
+    /// Whether the vehicle has another number of parameters by now: some appear only after others are enabled.
     pub fn is_outdated(&self) -> bool {
         self.announced.is_some() && self.announced != self.count
     }
 
-    /// Places of the vehicle's list that have not passed yet, in order. Empty also before the vehicle has
-    /// said how many there are.
+    /// Indices of the list that have not been heard yet, in order. Empty until the length is known.
     pub fn missing(&self) -> impl Iterator<Item = u16> + '_ {
         (0..)
             .zip(&self.seen)
@@ -115,12 +114,12 @@ impl ParameterList {
             .map(|(index, _)| index)
     }
 
-    /// A number that moves with every change.
+    /// A number that changes with every change of the list.
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// Forgets which places have passed, not the values: the list is about to come again.
+    /// Forgets which indices have been heard, but keeps the values: the list is about to be sent again.
     pub fn expect_again(&mut self) {
         self.seen.fill(false);
         self.received = 0;
@@ -143,7 +142,7 @@ impl ParameterList {
         self.note_place(heard);
         if let Some(known) = self.by_name.get_mut(heard.name) {
             let index = heard.index.or(known.index);
-            // Compared by its bits: what is no number differs from itself otherwise.
+            // Compared by bits, since NaN is never equal to itself.
             let is_news = known.value.to_bits() != heard.value.to_bits()
                 || (known.kind, known.index) != (heard.kind, index);
             self.revision += u64::from(is_news);
@@ -165,8 +164,8 @@ impl ParameterList {
         }
     }
 
-    /// Another count means another list, in which the places that were seen mean nothing. A value that is sent for
-    /// itself does not say so for sure: the list that is just coming may still be numbered the old way.
+    /// Notes the index of a value. Another count means another list, so the indices heard so far no longer count. A
+    /// value sent by itself is no proof: a list that is just arriving may still have the old numbering.
     fn note_place(&mut self, heard: &HeardParameter<'_>) {
         let Some(index) = heard.index else {
             self.announced = Some(heard.count);

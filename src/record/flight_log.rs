@@ -1,11 +1,11 @@
-//! The log of a flight under way: data not yet in its files.
+//! The log of a flight in progress: data that are not in its files yet.
 
 use std::time::Duration;
 
 use super::{Happening, JournalLine};
 use crate::wire::{Anatomy, is_secret};
 
-/// Frames and lines of a flight that wait to be written.
+/// Frames and lines of a flight that have not been written yet.
 #[derive(Debug)]
 pub struct FlightLog {
     /// The time of day when the flight began: microseconds since 1970 (UTC).
@@ -27,7 +27,7 @@ impl FlightLog {
         }
     }
 
-    /// Adds a frame, unless it carries a secret. A time before that of the last entry becomes the latter.
+    /// Adds a frame, unless it carries a secret. A time before the last entry's is raised to it.
     pub fn note_frame(&mut self, at: Duration, frame: &[u8]) {
         self.last_at = self.last_at.max(at);
         let since = u64::try_from(self.last_at.as_micros()).unwrap_or(u64::MAX);
@@ -38,14 +38,14 @@ impl FlightLog {
         );
     }
 
-    /// Adds a line to the journal. A time before that of the last entry becomes the latter.
+    /// Adds a line to the journal. A time before the last entry's is raised to it.
     pub fn note(&mut self, at: Duration, what: Happening) {
         self.last_at = self.last_at.max(at);
         let line = JournalLine::new(self.last_at, what);
         self.lines.push_str(&line.to_line());
     }
 
-    /// Adds that the flight was flown to its end.
+    /// Notes that the flight was flown to its end.
     pub fn end(&mut self) {
         self.note(self.last_at, Happening::End);
     }

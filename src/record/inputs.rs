@@ -28,9 +28,9 @@ const LONGEST_STEPS: u64 = 24 * 60 * 60 * 100;
 pub struct InputsHead {
     /// The version of the format.
     pub sortie_inputs: u32,
-    /// The program that simulated it.
+    /// The program that simulated the flight.
     pub program: String,
-    /// Seed of everything random in the simulator.
+    /// The seed of the simulator's random numbers.
     pub seed: u64,
     /// The start of each vehicle: latitude and longitude in degrees, altitude in metres above sea level, heading in
     /// degrees; as text, which keeps all digits.
@@ -41,7 +41,7 @@ pub struct InputsHead {
 }
 
 impl InputsHead {
-    /// The head for a world; `airframes` are those that its mission does not set.
+    /// The head for a world; `airframes` are those that the mission does not set.
     pub fn of(world: &WorldConfig, airframes: &[impl AsRef<Airframe>]) -> Self {
         let files = airframes.iter().map(|airframe| airframe.as_ref().file());
         Self {
@@ -91,7 +91,7 @@ fn numbers(start: &Start) -> [String; 4] {
 /// A line after the head.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputLine {
-    /// The steps that the simulator had made before.
+    /// The number of steps that the simulator had made before.
     pub s: u64,
     #[serde(flatten)]
     pub what: Entered,
@@ -101,7 +101,7 @@ pub struct InputLine {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Entered {
-    /// A connection was made: vehicle counted from 0, number of the connection, serial port.
+    /// A connection was made: the vehicle counted from 0, the number of the connection, the serial port.
     On(usize, u64, u8),
     /// A connection was ended: vehicle and number.
     Off(usize, u64),
@@ -110,7 +110,7 @@ pub enum Entered {
     Pace(f64),
     /// The fingerprint of each vehicle's state, in hexadecimal.
     State(Vec<String>),
-    /// The flight was over.
+    /// The flight has ended.
     End,
 }
 
@@ -124,13 +124,12 @@ pub struct InputLog {
     written: String,
     /// The decoders of the connections: frames are recorded when complete, as the vehicle receives them.
     decoders: BTreeMap<u64, Decoder>,
-    /// The pace that was noted last.
+    /// The last pace that was recorded.
     pace: Option<f64>,
 }
 
 impl InputLog {
-    /// Begins the log of a world before its first step, with the connections that are made already, all of them to
-    /// serial 0.
+    /// Begins the log of a world before its first step, with the existing connections, all of them to serial 0.
     pub fn begin(head: &InputsHead, world: &mut World, connected: &[PortId]) -> Self {
         world.keep_inputs();
         let mut log = Self {
@@ -200,7 +199,7 @@ impl InputLog {
         }
     }
 
-    /// The frames completed by a connection's bytes.
+    /// The frames that these bytes of a connection complete.
     fn whole_frames(&mut self, connection: u64, bytes: &[u8]) -> String {
         let decoder = self.decoders.entry(connection).or_default();
         decoder.push(bytes);
@@ -223,12 +222,12 @@ impl InputLog {
     }
 }
 
-/// The fingerprint of a vehicle as it is written.
+/// The fingerprint of a vehicle in hexadecimal digits.
 pub fn fingerprint(world: &World, vehicle: usize) -> String {
     format!("{:016x}", world.fingerprint(vehicle))
 }
 
-/// A log of inputs as it was read.
+/// A log of inputs, as read from its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredInputs {
     pub head: InputsHead,
@@ -236,15 +235,15 @@ pub struct StoredInputs {
     pub lines: Vec<InputLine>,
     /// The damage of the rest of the file, after the readable part.
     pub damage: Option<Text>,
-    /// Whether that is more than a missing end.
+    /// Whether the damage is more than a missing end.
     is_damaged: bool,
 }
 
 impl StoredInputs {
-    /// Reads a log. What is damaged, goes back in time or follows the end ends it.
+    /// Reads a log. A line that is damaged, goes back in time or follows the end stops it.
     ///
     /// # Errors
-    /// It is no log of inputs, or one of another version; in words.
+    /// The text is not a log of inputs, or one of another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let head: InputsHead = serde_json::from_str(all.next().unwrap_or_default())
@@ -290,7 +289,7 @@ impl StoredInputs {
         matches!(self.lines.last(), Some(line) if line.what == Entered::End)
     }
 
-    /// Whether it was not damaged, only cut off.
+    /// Whether it is intact but without its end.
     pub fn is_cut(&self) -> bool {
         !self.is_whole() && !self.is_damaged
     }
@@ -302,7 +301,7 @@ impl StoredInputs {
 }
 
 impl InputLine {
-    /// The simulated time of it.
+    /// The simulated time of the line.
     pub fn at(&self) -> Duration {
         STEP * u32::try_from(self.s).unwrap_or(u32::MAX)
     }

@@ -17,7 +17,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Verb;
 
-/// Something that happened, and when.
+/// An event and its time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JournalLine {
     /// Microseconds since the beginning of the record.
@@ -27,31 +27,31 @@ pub struct JournalLine {
 }
 
 impl JournalLine {
-    /// That something happened at a time that counts from the beginning of the record.
+    /// An event at a time from the beginning of the record.
     pub fn new(at: Duration, what: Happening) -> Self {
         let us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
         Self { us, what }
     }
 
-    /// The same, no earlier than `at`: occurrences within one tick are timed by clocks that were read one after the
+    /// The same event, no earlier than `at`: events within one tick are timed by clocks that were read one after the
     /// other.
     #[must_use]
     pub fn not_before(self, at: Duration) -> Self {
         Self::new(self.at().max(at), self.what)
     }
 
-    /// When it happened, from the beginning of the record.
+    /// The time of the event, from the beginning of the record.
     pub fn at(&self) -> Duration {
         Duration::from_micros(self.us)
     }
 
-    /// It in a line, with its end.
+    /// The event as a line, with its line end.
     pub fn to_line(&self) -> String {
         written(self)
     }
 }
 
-/// An occurrence beside the links.
+/// An event beside the links.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Happening {
@@ -61,23 +61,23 @@ pub enum Happening {
     Row(RowLine),
     /// A notice that neither telemetry nor the mission repeats.
     Notice(NoticeLine),
-    /// The radio between a vehicle and the console is like this from now on.
+    /// The radio between a vehicle and the console has this state from now on.
     Loss(LossLine),
-    /// The paths of joint manoeuvres have changed: those of all vehicles that are led.
+    /// The paths of joint manoeuvres have changed: these are the paths of all vehicles in one.
     Paths(Vec<PathLine>),
     /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
-    /// The mission was stepped up to this time of its own clock.
+    /// The mission was advanced to this time of its own clock.
     Mission { ms: u64 },
     /// The operator set a bookmark.
     Bookmark { text: String },
-    /// The session was ended as usual.
+    /// The session was ended normally.
     End,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EntryLine {
-    /// Its number in the ledger.
+    /// The number of the command in the ledger.
     pub id: u32,
     /// The whole line in the console's grammar.
     pub line: String,
@@ -109,7 +109,7 @@ pub struct RowLine {
     pub id: u32,
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often it has been sent.
+    /// How often the command has been sent.
     pub tries: u8,
     /// The reason of a refusal, or a remark, in English.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -155,12 +155,12 @@ impl RowLine {
 /// A notice to the operator, in English.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoticeLine {
-    /// Which vehicle it is about, if one.
+    /// The vehicle that it is about, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<VehicleId>,
-    /// How serious it is: a `MAV_SEVERITY`.
+    /// Its severity: a `MAV_SEVERITY`.
     pub severity: u8,
-    /// Which alert it is about, if one.
+    /// The alert that it is about, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kind: Option<AlertKind>,
     pub text: String,
@@ -190,8 +190,8 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// The part of a demand for the journal: the radio, which the console simulates; the simulator's answers are in
-    /// telemetry.
+    /// The line of a demand that belongs into the journal: the radio, which the console simulates. The simulator's
+    /// answers are in telemetry.
     pub fn of_demand(vehicle: VehicleId, want: Want) -> Option<Self> {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, fault))),
@@ -204,7 +204,7 @@ impl Happening {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathLine {
     pub vehicle: VehicleId,
-    /// The points ahead, the next first: latitude and longitude in degrees.
+    /// The points ahead, the next one first: latitude and longitude in degrees.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -237,9 +237,9 @@ pub struct LossLine {
     pub vehicle: VehicleId,
     /// The share of frames lost in either direction, 0 to 1.
     pub loss: f64,
-    /// The delay of the other frames, in microseconds.
+    /// The delay of frames that are not lost, in microseconds.
     pub delay_us: u64,
-    /// Decides which frames are lost.
+    /// The seed that decides which frames are lost.
     pub seed: u64,
 }
 
@@ -264,9 +264,9 @@ impl LossLine {
     }
 }
 
-/// Something in a line, with its end.
+/// A value as a line of JSON, with its line end.
 pub(super) fn written(what: &impl Serialize) -> String {
-    // Plain data without maps that have other keys than words: it can always be written.
+    // Plain data with text keys can always be written.
     let mut line = serde_json::to_string(what).unwrap_or_default();
     line.push('\n');
     line

@@ -15,7 +15,7 @@ mod tables;
 mod track;
 mod tracks;
 
-/// A kind of file.
+/// A file format for other programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExportFormat {
     /// A folder with a table for each kind of message.
@@ -30,10 +30,10 @@ pub enum ExportFormat {
     Mcap,
 }
 
-/// Writes a recording as a file, or as a folder of tables: whole, or not at all. Nothing that exists is replaced.
+/// Writes a recording as a file, or as a folder of tables, completely or not at all. Existing files are not replaced.
 ///
 /// # Errors
-/// It cannot be read or written, or there is something at the path already; in words.
+/// The recording cannot be read or the file cannot be written, or the path exists already.
 pub fn export(
     film: &Film,
     moments: &[Moment],
@@ -69,14 +69,14 @@ pub fn export(
     }
 }
 
-/// Lets a file or a folder be written under another name beside its own, which it gets once it is whole.
+/// Writes a file or a folder under a temporary name beside its own, and renames it once it is complete.
 fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let name = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
     let name = name.to_string_lossy();
     let part = to.with_file_name(format!(".{name}.{}.part", std::process::id()));
     let written = write(&part).and_then(|()| fs::rename(&part, to));
     if written.is_err() {
-        // What cannot be removed either is on a disk that is gone.
+        // If the partial file cannot be removed either, its disk is gone.
         drop(if part.is_dir() {
             fs::remove_dir_all(&part)
         } else {
@@ -86,7 +86,7 @@ fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<(
     written
 }
 
-/// The records of a recording; damage is passed over.
+/// The records of a recording; damaged ones are skipped.
 pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
     let pieces = film.reader(0, None)?.map_while(Result::ok);
     Ok(pieces.filter_map(|piece| match piece {
@@ -95,7 +95,7 @@ pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, T
     }))
 }
 
-/// A new file in which as much is written at once as is quick.
+/// A new file with a buffer, since many small writes would be slow.
 fn create(path: PathBuf) -> io::Result<io::BufWriter<std::fs::File>> {
     let file = std::fs::File::create_new(path)?;
     Ok(io::BufWriter::with_capacity(256 * 1024, file))

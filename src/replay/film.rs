@@ -17,14 +17,14 @@ use crate::store::{RecordFiles, read_run};
 use crate::text;
 use crate::text::Text;
 
-/// So many bytes from its end on the last record of a recording is looked for.
+/// How far from its end the last record of a recording is searched, in bytes.
 const TAIL_LEN: u64 = 64 * 1024;
 /// No recording is longer than a week.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
-/// A journal longer than this is none of ours.
+/// A longer journal was not written by this program.
 const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
-/// A recording that was opened. It does not change while it is replayed.
+/// An open recording. It does not change while it is replayed.
 #[derive(Debug)]
 pub struct Film {
     files: RecordFiles,
@@ -34,9 +34,9 @@ pub struct Film {
     review: Review,
     /// The fault of the review.
     review_fault: Option<Text>,
-    /// The logs that were joined to it.
+    /// The logs that have been joined to it.
     logs: Vec<JoinedLog>,
-    /// What is wrong with those logs.
+    /// The faults of those logs.
     log_faults: Vec<Text>,
     began_unix_us: u64,
     length: Duration,
@@ -46,7 +46,7 @@ impl Film {
     /// Opens a recording by one of its files.
     ///
     /// # Errors
-    /// It cannot be read, or holds no frame; in words.
+    /// The recording cannot be read, or has no frame.
     pub fn open(path: &Path) -> Result<Self, Text> {
         let files = RecordFiles::beside(path);
         let Some(frames) = files.frames.clone() else {
@@ -63,7 +63,7 @@ impl Film {
             None => None,
         };
         let run = match &files.run {
-            // A flight can be looked at without its score.
+            // A flight can be replayed without its score.
             Some(path) => read_run(path)
                 .ok()
                 .and_then(|text| Stored::read(&text).ok()),
@@ -103,12 +103,12 @@ impl Film {
         &self.files
     }
 
-    /// When it began: microseconds since 1970 (UTC).
+    /// The time of its beginning: microseconds since 1970 (UTC).
     pub fn began_unix_us(&self) -> u64 {
         self.began_unix_us
     }
 
-    /// How long it is.
+    /// The length of the recording.
     pub fn length(&self) -> Duration {
         self.length
     }
@@ -118,7 +118,7 @@ impl Film {
         self.journal.as_ref()
     }
 
-    /// The faults of its journal and its review.
+    /// The faults of its journal, its review and its logs.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
         let logs = self.log_faults.iter().cloned();
@@ -144,20 +144,20 @@ impl Film {
         journal.flat_map(Journal::bookmarks).collect()
     }
 
-    /// The logs that were joined to it.
+    /// The logs that have been joined to it.
     pub fn logs(&self) -> &[JoinedLog] {
         &self.logs
     }
 
-    /// The mission that was flown, where one was.
+    /// The recorded run, if a mission was flown.
     pub fn run(&self) -> Option<&Stored> {
         self.run.as_ref()
     }
 
-    /// Reads its frames from a place in the file on, where a record starts.
+    /// Reads its frames from an offset in the file at which a record begins.
     ///
     /// # Errors
-    /// The file is gone; in words.
+    /// The file is gone.
     pub fn reader(&self, offset: u64, last_us: Option<u64>) -> Result<TlogSalvage<File>, Text> {
         let open = || {
             let mut file = File::open(&self.frames)?;
@@ -218,10 +218,10 @@ pub struct TlogSpan {
 }
 
 impl TlogSpan {
-    /// Reads the two ends of a tlog, however long it is.
+    /// Reads the first and the last frame of a tlog of any length.
     ///
     /// # Errors
-    /// It cannot be read, or holds no frame; in words.
+    /// The file cannot be read, or has no frame.
     pub fn read(path: &Path) -> Result<Self, Text> {
         let unreadable = |error| unreadable(path, &error);
         let none = || text!("replay-no-tlog", file = path.display().to_string());
@@ -231,7 +231,7 @@ impl TlogSpan {
         let mut tail = File::open(path).map_err(unreadable)?;
         let from = len.saturating_sub(TAIL_LEN);
         tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
-        // A clock that was set meanwhile tells no length: that is known once the recording has been gone through.
+        // A clock that was set meanwhile gives no length: the length is known once the recording has been indexed.
         let plausible = times(tail).filter(|us| us.abs_diff(first) < LONGEST_US);
         Ok(Self {
             first_unix_us: first,
@@ -239,7 +239,7 @@ impl TlogSpan {
         })
     }
 
-    /// How long it lasts from a time of day on.
+    /// The length, counted from a time of day.
     pub fn length_from(self, began_unix_us: u64) -> Duration {
         Duration::from_micros(self.last_unix_us.saturating_sub(began_unix_us))
     }

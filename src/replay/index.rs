@@ -17,7 +17,7 @@ use crate::moment::Moment;
 use crate::scoring::Report;
 use crate::text::Text;
 
-/// The distance between key frames at first.
+/// The initial interval of key frames.
 const KEY_EVERY: Duration = Duration::from_secs(10);
 /// The most key frames kept; beyond that, every other one is dropped. Each has a few kilobytes per vehicle, and twenty
 /// for its curves.
@@ -44,7 +44,7 @@ impl KeyFrame {
     }
 }
 
-/// The index of a recording, as far as it has been gone through.
+/// The index of a recording, as far as it has been read.
 #[derive(Debug)]
 pub(super) struct Index {
     shared: Arc<Shared>,
@@ -59,28 +59,28 @@ struct Shared {
 
 #[derive(Debug, Default)]
 struct Found {
-    /// Earliest first, the first at the beginning.
+    /// The key frames, earliest first, with one at the beginning.
     keys: Vec<Arc<KeyFrame>>,
-    /// Earliest first, without bookmarks.
+    /// The moments, earliest first, without bookmarks.
     moments: Arc<Vec<Moment>>,
     report: Option<Arc<Report>>,
     reached: Duration,
-    /// Whether all of it has been gone through.
+    /// Whether the recording has been read to its end.
     is_over: bool,
 }
 
 impl Shared {
     fn found(&self) -> MutexGuard<'_, Found> {
-        // What was found before a panic was found.
+        // Results from before a panic are still valid.
         self.found.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl Index {
-    /// Begins to go through a recording.
+    /// Begins to index a recording.
     ///
     /// # Errors
-    /// Its file is gone, or there is no thread for it.
+    /// The file is gone, or no thread can be started.
     pub fn begin(film: &Arc<Film>, started: &Started, config: &Config) -> Result<Self, Text> {
         let stage = Stage::new(film)?;
         let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
@@ -93,7 +93,7 @@ impl Index {
             observer,
             key_every: KEY_EVERY,
         };
-        // There is always one to go back to.
+        // The first key frame is at the beginning, so that every time has one before it.
         reader.keep();
         let thread = std::thread::Builder::new()
             .name("index".to_owned())
@@ -105,12 +105,12 @@ impl Index {
         })
     }
 
-    /// How far the recording has been gone through.
+    /// How far the recording has been indexed.
     pub fn reached(&self) -> Duration {
         self.shared.found().reached
     }
 
-    /// How long the recording is, once it has been gone through.
+    /// The length of the recording, once it has been indexed.
     pub fn length(&self) -> Option<Duration> {
         let found = self.shared.found();
         found.is_over.then_some(found.reached)
@@ -121,7 +121,7 @@ impl Index {
         Arc::clone(&self.shared.found().moments)
     }
 
-    /// The result of the mission, once the recording has been gone through to its end.
+    /// The result of the mission, once the recording has been indexed to its end.
     pub fn report(&self) -> Option<Arc<Report>> {
         self.shared.found().report.clone()
     }
@@ -133,7 +133,7 @@ impl Index {
         found.keys.get(passed.checked_sub(1)?).map(Arc::clone)
     }
 
-    /// Waits until all of it has been gone through.
+    /// Waits until the recording has been indexed.
     pub fn finish(&mut self) {
         if let Some(thread) = self.thread.take() {
             drop(thread.join());
@@ -148,7 +148,7 @@ impl Drop for Index {
     }
 }
 
-/// Goes through a recording.
+/// Reads a recording for its index.
 struct IndexReader {
     shared: Arc<Shared>,
     stage: Stage,

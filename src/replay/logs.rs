@@ -11,10 +11,10 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder};
 
-/// Lays a log on a recording. The log is of the vehicle that it names itself unless `vehicle` says otherwise.
+/// Joins a log to a recording. The log is of the vehicle that it names itself, unless `vehicle` names another one.
 ///
 /// # Errors
-/// It is no log, of no vehicle of the recording, or of another time; in words.
+/// The file is not a log, its vehicle is not in the recording, or it is of another time.
 pub fn join_log(
     film: &Film,
     bytes: &[u8],

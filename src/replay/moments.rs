@@ -1,4 +1,4 @@
-//! Finds the moments of a recording that are worth coming back to.
+//! Finds the notable moments of a recording.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -15,38 +15,38 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleId};
 
-/// Vehicles that come closer to each other than this are noted.
+/// Vehicles closer to each other than this become a moment.
 const NEAR_M: f64 = 15.0;
 /// Two vehicles have passed when their distance has grown by this much.
 const PASSED_M: f64 = 1.0;
 /// Events of several vehicles within this time are merged into one moment.
 const TOGETHER: Duration = Duration::from_millis(1500);
-/// Moments that are kept; a recording with more of them is nothing but moments.
+/// The most moments that are kept.
 const MOST: usize = 10_000;
 
-/// Watches a recording go by.
+/// Finds moments while the recording is read.
 #[derive(Debug, Default)]
 pub(super) struct Lookout {
     found: Vec<Moment>,
-    /// Goes up whenever they change.
+    /// Increases with every change of the moments.
     revision: u64,
     /// The last revision returned.
     given: Option<u64>,
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
     pairs: BTreeMap<Pair, Approach>,
-    /// The objectives that are reached, by place.
+    /// The objectives that have been reached, by index.
     reached: Vec<bool>,
-    /// When the mission was how far.
+    /// Mission times and their times in the recording.
     course: Vec<MissionTime>,
     report: Option<Arc<Report>>,
 }
 
-/// A time of the mission's own clock.
+/// A time of the mission's own clock, with its time in the recording.
 #[derive(Debug, Clone, Copy)]
 struct MissionTime {
     elapsed: Duration,
-    /// When it was that late, from the beginning of the recording.
+    /// The time from the beginning of the recording.
     at: Duration,
 }
 
@@ -180,7 +180,7 @@ impl Lookout {
         });
     }
 
-    /// The alerts that have come up.
+    /// Adds the alerts that have been raised.
     fn alarm(&mut self, at: Duration, state: &State) {
         let open = state.session().alarms().open();
         let mut now = BTreeSet::new();
@@ -251,7 +251,7 @@ impl Lookout {
         self.revision += 1;
     }
 
-    /// How far the vehicles in the air are from each other.
+    /// Measures the distances between the vehicles in the air.
     fn measure(&mut self, now: Duration, state: &State) {
         let vehicles = state.session().vehicles().values();
         let flying: Vec<&Vehicle> = vehicles

@@ -1,4 +1,4 @@
-//! A console without a screen, with the state at that time.
+//! A console without a screen, whose state becomes a key frame.
 
 use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::state::{ReplayPosition, ReplayView};
@@ -10,7 +10,7 @@ use crate::config::Config;
 pub(super) struct Observer(App);
 
 impl Observer {
-    /// One that begins with a recording.
+    /// An observer at the beginning of a recording.
     pub fn new(view: ReplayView, started: &Started, config: &Config) -> Self {
         let setup = Setup {
             config: config.clone(),
@@ -48,7 +48,7 @@ impl Observer {
     }
 
     fn see(&mut self, event: Event) {
-        // What it would have done then was done then.
+        // The effects were carried out in the recorded flight.
         drop(self.0.update(event));
     }
 }

@@ -24,26 +24,26 @@ mod mission;
 use actor::Actor;
 use mission::MissionStage;
 
-/// Where nothing at all was recorded for so long, the recording has a gap: no vehicle was lost.
+/// Without any record for this long, the recording has a gap: vehicles in it do not count as lost.
 const GAP: Duration = Duration::from_secs(2);
 /// Smaller steps back in time only pause the clock.
 const STEP_BACK_US: i64 = 1_000_000;
-/// A longer gap is a clock that was set.
+/// A longer gap means that the clock was set.
 const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
-/// The recording is one link.
+/// The number of the one link of a recording.
 const LINK: u16 = 0;
 const PEER: u32 = 0;
 
-/// Everything that plays, up to one moment.
+/// The vehicles, the mission and the traffic of a recording at one moment.
 #[derive(Debug)]
 pub(super) struct Stage {
     film: Arc<Film>,
     reader: TlogSalvage<File>,
-    /// A record that was read and is not due yet.
+    /// A record that has been read but is not due yet.
     pending: Option<TlogRecord>,
     cast: Cast,
     mission: Option<MissionStage>,
-    /// Frames heard since the stage was built.
+    /// Frames received since the stage was built.
     heard: u64,
 }
 
@@ -54,24 +54,24 @@ pub(super) struct Cast {
     vehicles: BTreeMap<SystemId, Actor>,
     census: Census,
     traffic: Traffic,
-    /// The line of the journal that comes next.
+    /// The index of the journal's next line.
     next_line: usize,
-    /// The line up to which the radio has been changed.
+    /// The index of the line up to which the radio has been changed.
     radio_line: usize,
-    /// How late it was in the mission.
+    /// The mission time so far.
     elapsed: Duration,
-    /// Whether the mission's report has been given.
+    /// Whether the mission's report has been returned.
     is_over: bool,
     last_heard: Duration,
     /// The correction of the file's times, for a clock that was set.
     skew_us: i64,
     /// Whether the file has been read to its end.
     is_at_end: bool,
-    /// How many commands were given, and by their numbers in the journal which.
+    /// The commands so far: the ledger's numbers by those of the journal.
     given: BTreeMap<u32, u32>,
     /// The length of the present gap.
     gap: Option<Duration>,
-    /// Where the next record starts in the file, and the time of the one before.
+    /// The offset of the next record in the file, and the time of the one before.
     offset: u64,
     last_us: Option<u64>,
 }
@@ -81,7 +81,7 @@ pub(super) struct Cast {
 struct Traffic {
     bytes: u64,
     messages: u64,
-    /// The counts and the time of the last look.
+    /// The counts and the time of the last summary.
     before: (u64, u64, Duration),
 }
 
@@ -117,7 +117,7 @@ impl Stage {
         })
     }
 
-    /// How far it has come.
+    /// The time that has been played.
     pub fn now(&self) -> Duration {
         self.cast.now
     }
@@ -137,9 +137,9 @@ impl Stage {
         self.cast.clone()
     }
 
-    /// Goes back, or on, to where a key frame was made.
+    /// Restores the state of a key frame.
     pub fn restore(&mut self, cast: Cast) {
-        // A file that has gone meanwhile is a recording that has ended here.
+        // If the file is gone, the recording ends here.
         if let Ok(reader) = self.film.reader(cast.offset, cast.last_us) {
             self.reader = reader;
         }
@@ -162,7 +162,7 @@ impl Stage {
         events
     }
 
-    /// Has the vehicles hear everything before a time.
+    /// Lets the vehicles receive all frames before a time.
     fn hear(&mut self, until: Duration) {
         loop {
             let before = (self.reader.offset(), self.reader.last_us());
@@ -194,13 +194,13 @@ impl Stage {
         }
     }
 
-    /// Whether there is nothing more to come.
+    /// Whether the recording has ended.
     pub fn is_over(&self) -> bool {
         self.cast.is_at_end && self.cast.next_line >= self.lines().len()
     }
 
-    /// A time stamp as a time of the recording. If the clock of the recorder was set, the next record counts as one
-    /// second later than the last.
+    /// Converts a time stamp to a time of the recording. If the recorder's clock was set, the next record counts as
+    /// one second later than the last.
     fn time_of(&mut self, unix_us: u64) -> Duration {
         let cast = &mut self.cast;
         let since_us = unix_us.saturating_sub(self.film.began_unix_us());
@@ -246,7 +246,7 @@ impl Stage {
         let actors = self.cast.vehicles.values_mut();
         actors
             .flat_map(|actor| {
-                // In a gap no vehicle was silent.
+                // In a gap, vehicles do not count as silent.
                 if !is_gap {
                     actor.session.poll(now);
                 }
@@ -268,7 +268,7 @@ impl Stage {
                     events.push(opened(entry, line.at()));
                 }
                 Happening::Row(row) => {
-                    // What became of a command whose line is lost belongs to none.
+                    // A row whose command is missing belongs to no entry.
                     if let Some(&entry) = self.cast.given.get(&row.id) {
                         let entry = EntryId(entry);
                         let update = RowUpdate {
@@ -287,7 +287,7 @@ impl Stage {
                     let paths = paths.iter().map(PathLine::path).collect();
                     events.push(VehicleEvent::Paths(paths).into());
                 }
-                // No frame came after it in this step.
+                // No frame followed it in this step.
                 Happening::Loss(loss) => self.cast.change_radio(loss),
                 Happening::Speedup { .. } | Happening::Bookmark { .. } | Happening::End => {}
             }
@@ -295,7 +295,7 @@ impl Stage {
         events
     }
 
-    /// Flies the mission up to a time of its own.
+    /// Flies the mission up to a mission time.
     fn fly(&mut self, elapsed: Duration, now: Duration) -> Vec<Event> {
         let Some(mission) = &mut self.mission else {
             return Vec::new();
@@ -317,7 +317,7 @@ impl Stage {
         events
     }
 
-    /// How the recording's link is doing, once a second.
+    /// The state of the recording's link, once a second.
     fn summarise(&mut self, now: Duration) -> Option<Event> {
         let traffic = &mut self.cast.traffic;
         let (bytes, messages, since) = traffic.before;
@@ -339,7 +339,7 @@ impl Stage {
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
-    /// A look at the messages.
+    /// The present traffic for the room of messages.
     pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
         let keys = wanted.watched.iter().map(|(_, key)| *key).collect();
         self.cast.census.watch(&keys);
@@ -353,7 +353,7 @@ impl Stage {
 }
 
 impl Cast {
-    /// Has a frame heard by whom it concerns.
+    /// Passes a frame to its vehicle and to the census.
     fn take_in(&mut self, bytes: &[u8], at: Duration) {
         self.traffic.bytes += bytes.len() as u64;
         self.traffic.messages += 1;
@@ -380,7 +380,7 @@ impl Cast {
         }
     }
 
-    /// Nothing was recorded for so long: no vehicle was silent.
+    /// Handles a gap in the recording, in which no vehicle counts as silent.
     fn rest(&mut self, lasted: Duration) {
         for actor in self.vehicles.values_mut() {
             actor.session.rest(lasted);
@@ -394,7 +394,7 @@ impl Cast {
         }
     }
 
-    /// The time of the recording up to which it has played.
+    /// The time up to which the recording has been played.
     pub fn at(&self) -> Duration {
         self.now
     }

@@ -49,7 +49,7 @@ fn command(command: MavCmd, params: [f32; 3]) -> MavMessage {
     })
 }
 
-/// The ground station's messages at a tick of a tenth of a second.
+/// The ground station's messages in one tick of a tenth of a second.
 fn said(tick: u64) -> Vec<MavMessage> {
     let order = |what, params: [f32; 3]| command(what, params);
     let mut said = Vec::new();
@@ -102,7 +102,7 @@ fn record() -> Recorded {
             world.step();
         }
         for (vehicle, &port) in ports.iter().enumerate() {
-            // After the gap the second one is heard a second later.
+            // After the gap, the second vehicle is heard one second later.
             let is_late = vehicle == 1 && (350..360).contains(&tick);
             let mut output = Vec::new();
             world.take_output(port, &mut output);
@@ -122,7 +122,7 @@ fn record() -> Recorded {
     }
 }
 
-/// A command that was refused, a bookmark.
+/// Writes a journal with a refused command and a bookmark.
 fn write_journal(frames: &std::path::Path) {
     let head = Head::new(Subject::Free, BEGAN_US);
     let verb = crate::language::verb("arm").expect("it is one");
@@ -184,7 +184,7 @@ fn seek(replay: &mut Replay, observer: &mut Observer, to: Duration) {
     observer.see_all(events);
 }
 
-/// The console's state as text: everything a screen can show.
+/// The console's state as text, with everything that a screen can show.
 fn known(state: &State) -> String {
     let session = state.session();
     let trails = state.rooms().map().trails();
@@ -199,7 +199,7 @@ fn known(state: &State) -> String {
     )
 }
 
-/// Every tenth of a second from the beginning on, without going anywhere.
+/// The state at these times when the recording is played without jumps.
 fn straight(recorded: &Recorded, times: &[Duration]) -> Vec<String> {
     let (mut replay, mut observer) = watched(recorded);
     let mut found = Vec::new();
@@ -296,7 +296,7 @@ fn moments_are_found_and_stopped_at() {
         drop(replay.tick(now));
         now += FRAME;
     }
-    // The frame in which the refusal can be seen.
+    // The frame in which the refusal shows.
     assert_eq!(replay.now(), s(7) + FRAME);
 
     drop(replay.steer(ReplayEffect::Moment { forward: true }));

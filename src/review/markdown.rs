@@ -14,18 +14,18 @@ use crate::text::{Locale, Text, clock};
 /// The flight that a review is about.
 #[derive(Debug, Clone, Copy)]
 pub struct ReviewedFlight<'a> {
-    /// What was flown: the title of a mission, or the name of a recording.
+    /// The title of the mission, or the name of a recording.
     pub title: &'a str,
-    /// The time of day when it began, in UTC.
+    /// The time of day of its beginning, in UTC.
     pub began: &'a str,
-    /// The result, where a mission was flown.
+    /// The result, if a mission was flown.
     pub report: Option<&'a Report>,
-    /// What happened, earliest first.
+    /// The moments of the flight, earliest first.
     pub moments: &'a [Moment],
 }
 
-/// A review in the words of a language: the four questions, their answers, and the explanation of the score where the
-/// pilot has answered.
+/// A review in a language: the four questions, their answers, and the explanation of the score if the pilot has
+/// answered.
 pub fn markdown(review: &Review, flight: ReviewedFlight<'_>, locale: &Locale) -> String {
     let mut page = MarkdownPage {
         words: String::new(),

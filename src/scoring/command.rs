@@ -13,8 +13,8 @@ use crate::verb::{CountsAs, Verb};
 /// The same line to the same vehicle within this time is a duplicate.
 const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
 
-/// Counts of a flight's commands, one per command and vehicle: a command to four is four, accepted or refused, by the
-/// vehicle or by the console.
+/// Counts of a flight's commands, one per command and vehicle: a command to four vehicles counts four times, whether it
+/// is accepted or refused, by the vehicle or by the console.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CommandTally {
     /// All commands; no other count is larger.

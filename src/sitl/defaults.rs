@@ -1,7 +1,7 @@
 //! The parameters that a new vehicle lacks before it can be armed.
 //!
-//! Tried on copter, plane, rover and sub of an `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as soon
-//! as it knows where it is. Names that a version does not know are left out by it without a word.
+//! Tested with copter, plane, rover and sub of `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as
+//! soon as it has a position. A version silently ignores names that it does not know.
 
 use super::SitlKind;
 use crate::sim::Airframe;
@@ -12,14 +12,14 @@ const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1
 const CELL_FULL_V: f64 = 4.2;
 /// The cell voltage at which a pack under load counts as low.
 const CELL_LOW_V: f64 = 3.5;
-/// Over which voltages the thrust is kept the same, as shares of the full battery: 9.6 and 12.8 V of three cells.
+/// The voltages over which the thrust is kept constant, as shares of the full battery: 9.6 and 12.8 V of three cells.
 const COMPENSATED: (f64, f64) = (9.6 / 12.6, 12.8 / 12.6);
 
 /// Lever arm times hover throttle of the default quad, whose gains are the autopilot's defaults.
 const USUAL_AUTHORITY: f64 = 0.35 * 0.39;
 
-/// The parameters that every vehicle of a kind is started with: calibrations that are not all zero, and a copter's
-/// settings as the embedded simulator has them.
+/// The start parameters of every vehicle of a kind: calibrations that are not all zero, and for a copter the settings
+/// of the embedded simulator.
 pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     let mut all = vec![("BATT_MONITOR".to_owned(), 4.0)];
     for compass in ["", "2", "3"] {
@@ -52,7 +52,7 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
             ("FS_THR_ENABLE", 1.0),
             ("SIM_BARO_RND", 0.0),
         ],
-        // A throttle's rest is at its lower end.
+        // The trim of a throttle is at its lower end.
         SitlKind::Plane => &[
             ("RC3_TRIM", 1000.0),
             ("SERVO3_MIN", 1000.0),
@@ -68,7 +68,7 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
     }
 }
 
-/// The settings from a multirotor's airframe: its battery, the thrust of its motors, and gains for their torque.
+/// The settings for a multirotor's airframe: its battery, the thrust of its motors, and gains for their torque.
 pub(super) fn of_airframe(airframe: &Airframe) -> Vec<(String, f64)> {
     let full_v = airframe.full_voltage_v();
     let mut all = vec![

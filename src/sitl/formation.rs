@@ -1,4 +1,4 @@
-//! The places of a swarm's vehicles when they are switched on.
+//! The places of a swarm's vehicles at the start.
 
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
@@ -13,16 +13,16 @@ use crate::sim::Start;
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum FormationShape {
-    /// Side by side, the others to the right of the first.
+    /// Side by side: the others to the right of the first.
     #[default]
     Row,
     /// One behind the other.
     Column,
-    /// Rows behind each other, about as many as there are in a row.
+    /// Rows behind each other, about as many as there are vehicles in a row.
     Grid,
-    /// On a circle clockwise from home, its centre behind the first.
+    /// A circle, clockwise from home, with its centre behind the first vehicle.
     Circle,
-    /// The first at the tip, the others behind it to the right and to the left in turns.
+    /// A wedge: the first vehicle at the tip, the others behind it to the right and to the left in turns.
     Wedge,
 }
 
@@ -47,12 +47,12 @@ pub struct Offset {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartFormation {
     pub shape: FormationShape,
-    /// The distance between neighbours in metres, and the least between any two.
+    /// The distance between neighbours in metres, which is also the least between any two.
     pub spacing_m: f64,
 }
 
 impl StartFormation {
-    /// The place of a vehicle, counted from 0, of `of` vehicles.
+    /// The place of vehicle `index`, counted from 0, of `of` vehicles.
     pub fn place(self, index: usize, of: usize) -> Offset {
         let nth = index as f64;
         let (back, right) = match self.shape {

@@ -1,7 +1,7 @@
 //! SITL's models of vehicles, and the parameters that the autopilot needs to fly each.
 //!
-//! SITL takes a model by the beginning of its name and asks nothing about the parameters: with the wrong ones a
-//! vehicle arms, and turns over. The table has the combinations that were flown or armed on an `ArduPilot` 4.6; the
+//! SITL finds a model by the beginning of its name and does not check the parameters: with the wrong ones a vehicle
+//! arms and then turns over. The table has the combinations that were flown or armed with `ArduPilot` 4.6; the
 //! outlines are those of `SIM_Frame.cpp`, the parameters those of `AP_Motors_Class.h`.
 
 use super::{SitlKind, SitlUnfit};
@@ -11,7 +11,7 @@ use super::{SitlKind, SitlUnfit};
 pub(super) struct SitlModel {
     pub name: &'static str,
     pub kind: SitlKind,
-    /// How many motors a multirotor has; 0 for other vehicles.
+    /// The number of motors of a multirotor; 0 for other vehicles.
     pub motors: usize,
     /// Required parameters of the autopilot.
     pub parameters: &'static [(&'static str, f64)],
@@ -28,8 +28,8 @@ macro_rules! multirotors {
     };
 }
 
-/// Multirotors: motors, `FRAME_CLASS`, `FRAME_TYPE`. The first one of a number of motors is what an airframe with so
-/// many gets: the same outline that the embedded simulator gives it. `quad` means plus.
+/// Multirotors: motors, `FRAME_CLASS`, `FRAME_TYPE`. The first model with a number of motors is the one for airframes
+/// with that number: it has the outline of the embedded simulator. `quad` means a plus frame.
 const MULTIROTORS: &[SitlModel] = multirotors! {
     "quad": 4, 1.0, 0.0;
     "+": 4, 1.0, 0.0;
@@ -55,11 +55,11 @@ const MULTIROTORS: &[SitlModel] = multirotors! {
     "tri": 3, 7.0, 0.0;
 };
 
-/// The others; the first one of a kind is its default.
+/// Models of other vehicles; the first one of a kind is its default.
 const OTHERS: &[SitlModel] = &[
     other(SitlKind::Plane, "plane", &[]),
     other(SitlKind::Rover, "rover", &[]),
-    // Left and right throttle instead of steering.
+    // Left and right throttle, instead of steering and throttle.
     other(
         SitlKind::Rover,
         "rover-skid",
@@ -92,7 +92,7 @@ fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
 /// The model with a name, otherwise the first one that matches the number of motors and the requested parameters.
 ///
 /// # Errors
-/// None fits, or the one that is named does not: with what would.
+/// No model fits, or the named one does not; the error lists those that would.
 pub(super) fn choose(
     kind: SitlKind,
     name: Option<&str>,
@@ -138,7 +138,7 @@ pub(super) fn choose(
     }
 }
 
-/// The first model that fits, and of those with four motors if nothing says how many there are, as SITL does.
+/// The first model that fits; without a number of motors, one with four, as in SITL.
 fn likely(
     kind: SitlKind,
     motors: Option<usize>,
@@ -151,7 +151,7 @@ fn likely(
         .or_else(|| of(kind).find(|model| fits(model)))
 }
 
-/// The parameter of a model for which another value is requested: the required value, and the requested one.
+/// The parameter of a model for which another value is requested: its name, the required value, and the requested one.
 fn disagreement(
     model: &SitlModel,
     asked: &impl Fn(&str) -> Option<f64>,

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::CommandLine;
 
-/// A word quoted for a shell.
+/// A word, quoted for a shell if necessary.
 pub fn quoted(word: &str) -> Cow<'_, str> {
     let plain = |c: char| c.is_ascii_alphanumeric() || "_-+./:,=@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
@@ -21,7 +21,7 @@ pub fn line<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 impl CommandLine {
-    /// The command line with its program, for a shell that is in the instance's folder.
+    /// The command line with its program, for a shell in the instance's folder.
     pub fn line(&self, program: &str) -> String {
         line(
             [program]
@@ -48,7 +48,7 @@ impl CommandLine {
     }
 }
 
-/// A line that ends a text and does not occur in it.
+/// A line that ends a here-document and does not occur in its text.
 fn end_of(text: &str) -> String {
     let mut end = "END".to_owned();
     while text.lines().any(|line| line == end) {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantNames};
 
-/// How far an instance has come.
+/// The stage of an instance.
 #[derive(
     Debug,
     Clone,
@@ -20,12 +20,12 @@ use strum::{IntoStaticStr, VariantNames};
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum SitlStage {
-    /// Others are being started before it.
+    /// Other instances are being started before it.
     Queued,
     Process,
-    /// Its autopilot has been heard.
+    /// Its autopilot has sent a heartbeat.
     Heartbeat,
-    /// All its parameters have come.
+    /// All its parameters have been received.
     Parameters,
     /// Its navigation filter has a position.
     Position,
@@ -33,12 +33,12 @@ pub enum SitlStage {
     Ready,
     /// It is being ended.
     Stopping,
-    /// Its process is gone.
+    /// Its process has ended.
     Ended,
 }
 
 impl SitlStage {
-    /// Its name, as JSON has it.
+    /// Its name as in JSON.
     pub fn word(self) -> &'static str {
         self.into()
     }

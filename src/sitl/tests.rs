@@ -139,7 +139,7 @@ fn the_battery_and_the_motors_follow_the_airframe() {
     assert_eq!(value_of(&asked, "BATT_CAPACITY"), Some(1.5));
 }
 
-/// `SIM_BATT_CAP_AH` does nothing: a copter has a battery that ends only by its frame file.
+/// `SIM_BATT_CAP_AH` has no effect: only a frame file gives a copter a battery that runs down.
 #[test]
 fn a_copter_without_a_frame_file_gets_a_battery_that_ends() {
     for model in ["quad", "x", "hexa", "octa-quad"] {
@@ -176,7 +176,7 @@ fn every_kind_has_a_model_and_parameters() {
             .expect("it fits");
         assert_eq!(command.arguments[1].split(':').next(), Some(model));
         assert!(command.files[0].1.contains("COMPASS_OFS_X 5\n"));
-        // A line of a parameter file is read up to 97 characters.
+        // SITL reads a line of a parameter file up to 97 characters.
         assert!(command.files[0].1.lines().all(|line| line.len() < 98));
     }
 }
@@ -310,7 +310,7 @@ fn a_formation_turns_with_its_heading() {
             shape,
             spacing_m: 5.0,
         };
-        // Looking east, ahead is east and right is south.
+        // With a heading of east, ahead is east and right is south.
         let second = formation.starts(2, recipe().start)[1];
         let (north_m, east_m) = recipe().start.at.offset_to(second.at);
         let off = maths::hypot(north_m + right_m, east_m - forward_m);

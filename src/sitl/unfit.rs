@@ -3,7 +3,7 @@
 use super::SitlKind;
 use crate::sim::AirframeError;
 
-/// A fault of a recipe, and what to do.
+/// A fault of a recipe, with advice.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SitlUnfit {
     #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
@@ -17,25 +17,25 @@ pub enum SitlUnfit {
     Home,
     #[error("instance {0} would need a port above 65535: use 0 to 5977")]
     Instance(u16),
-    /// The name of a parameter.
+    /// The name of a parameter is not valid.
     #[error(
         "`{0}` is not the name of a parameter: at most 16 capital letters, digits and underscores"
     )]
     ParameterName(String),
-    /// The value of a parameter: with one that is no number, SITL spins for ever.
+    /// The value of a parameter is not a number: SITL would hang on it.
     #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
     ParameterValue(String, f64),
-    /// A frame file for a vehicle that is no multirotor.
+    /// A frame file is given for a vehicle that is not a multirotor.
     #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
     AirframeOf(SitlKind),
     #[error("the frame file, {0}")]
     Airframe(#[from] AirframeError),
-    /// There is no such model.
+    /// The model is not known.
     #[error("a {} has no model `{name}`: use {}", .kind.name(), .known.join(", "))]
     UnknownModel {
         name: String,
         kind: SitlKind,
-        /// The models that there are.
+        /// The models of this kind.
         known: Vec<&'static str>,
     },
     /// No model agrees with the airframe and the parameters.

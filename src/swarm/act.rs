@@ -31,17 +31,17 @@ pub(super) use work::{Chain, Tail};
 const STANDING_EVERY: Duration = Duration::from_secs(1);
 /// The interval of moving setpoints (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
 const MOVING_EVERY: Duration = Duration::from_millis(200);
-/// A point slower than this is fixed.
+/// A slower point counts as fixed.
 const STANDING_M_S: f64 = 0.05;
-/// A point that has moved by this is a new one.
+/// A point that has moved this far counts as a new one.
 const SAME_POINT_M: f64 = 0.2;
-/// How near to a point a vehicle has reached it, on the ground and in height.
+/// The distance at which a point counts as reached, horizontally and in height.
 const REACHED_ASIDE_M: f64 = 0.8;
 const REACHED_ABOVE_M: f64 = 0.7;
-/// How near to its place a vehicle of a moving formation is in its place.
+/// The distance at which a vehicle of a moving formation counts as in its place.
 const IN_PLACE_M: f64 = 2.0;
 
-/// A manoeuvre's view of the world.
+/// The state of the vehicles for one step of a manoeuvre.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldView<'a> {
     pub now: Duration,
@@ -52,16 +52,16 @@ pub(super) struct WorldView<'a> {
 /// The work once all members are in place.
 #[derive(Debug, Clone)]
 pub(super) enum Work {
-    /// Each flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
+    /// Each member flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
     Courses {
         /// Whether the courses are lanes.
         lanes: bool,
     },
-    /// All keep their places in a formation.
+    /// All members keep their places in a formation.
     Formation(March),
-    /// Each flies behind the one before.
+    /// Each member follows the one ahead.
     Follow(Tail),
-    /// Each keeps its place between home and a vehicle.
+    /// Each member keeps its place between home and a vehicle.
     Chain(Chain),
 }
 
@@ -111,7 +111,7 @@ impl ActiveManoeuvre {
         matches!(self.work, Work::Formation(_))
     }
 
-    /// The first of a formation.
+    /// The first vehicle of a formation; `None` for other manoeuvres.
     pub fn leader(&self) -> Option<VehicleId> {
         let first = self.members.first()?.id;
         self.is_formation().then_some(first)
@@ -203,7 +203,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// A vehicle from outside that is in the way of a member, with the member's position.
+    /// A vehicle outside the manoeuvre that is in a member's way, with the member's position.
     fn obstacle(
         &self,
         id: VehicleId,
@@ -319,7 +319,7 @@ impl ActiveManoeuvre {
         });
         let along = -across.perp();
         for lane in &mut lanes {
-            // All in one direction again, as a survey begins.
+            // All lanes in one direction again, as at the start of a survey.
             if (lane.to - lane.from).dot(along) < 0.0 {
                 (lane.from, lane.to) = (lane.to, lane.from);
             }

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// Between a point and a segment.
+/// The distance between a point and a segment.
 pub(super) fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
     let way = to - from;
     let length_squared = way.length_squared();
@@ -22,7 +22,7 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    /// Between the nearest points of the two.
+    /// The distance between the nearest points of two segments.
     pub fn distance_to(self, other: Self) -> f64 {
         if self.crosses(other) {
             return 0.0;
@@ -73,9 +73,9 @@ pub(super) fn length_m(points: &[DVec3]) -> f64 {
         .sum()
 }
 
-/// Gives each place one of the vehicles so that all together have the shortest way: two ways that cross could be
-/// exchanged for shorter ones, so none do. Returns for each place which vehicle, of which there must be as many at
-/// least, and the length of all ways.
+/// Assigns a vehicle to each place so that the sum of all paths is the shortest. Paths then never cross, since an
+/// exchange would shorten them. Returns the vehicle of each place, and the sum; there must be at least as many
+/// vehicles as places.
 ///
 /// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J. Munkres).
 pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) {
@@ -96,7 +96,7 @@ pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) 
     (chosen, sum)
 }
 
-/// A minimum-cost matching of places (rows) with vehicles (columns). Row and column 0 mean none.
+/// A minimum-cost matching of places (rows) with vehicles (columns). Row and column 0 stand for no match.
 struct Matching<'a> {
     places: &'a [DVec2],
     vehicles: &'a [DVec2],
@@ -122,7 +122,7 @@ impl<'a> Matching<'a> {
         way - self.of_row[row] - self.of_column[column]
     }
 
-    /// Takes in one more row, by the cheapest path of exchanges that ends at a free column.
+    /// Adds one row, by the cheapest path of exchanges that ends at a free column.
     fn add(&mut self, row: usize) {
         let columns = self.vehicles.len();
         let mut before = vec![0; columns + 1];
@@ -159,9 +159,9 @@ impl<'a> Matching<'a> {
     }
 }
 
-/// Moves points apart until no two are nearer than this; each as little as its neighbours allow.
+/// Moves points apart until no two are nearer than `spacing_m`, each as little as its neighbours allow.
 pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
-    /// A factor that ends the last shifts.
+    /// A factor slightly above 1, so that the last shifts come to an end.
     const BEYOND: f64 = 1.001;
     const ROUNDS: usize = 2000;
     let mut points = points.to_vec();
@@ -174,7 +174,7 @@ pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
                 if distance >= spacing_m {
                     continue;
                 }
-                // Two in one place part in a direction of their own.
+                // Two points in one place move apart in a direction that depends on their numbers.
                 let turn = (a * points.len() + b) as f64;
                 let direction = way
                     .try_normalize()

@@ -1,17 +1,17 @@
-//! Vehicles that must wait for another in their way.
+//! Makes a vehicle wait for another one in its way.
 //!
-//! Those of one manoeuvre are kept apart by how it is planned. This is for everybody else: vehicles that hover, that
-//! are flown by hand, or that do something else together.
+//! The plan of a manoeuvre keeps its own members apart. The guard is for all other vehicles: those that hover, are
+//! flown by hand, or are in another manoeuvre.
 
 use glam::DVec3;
 
 use super::geometry::MovingPoint;
 
-/// How far ahead is looked.
+/// How far the guard looks ahead, in seconds.
 const AHEAD_S: f64 = 3.0;
 /// The assumed speed at which a stationary vehicle may start.
 const LEAST_SPEED_M_S: f64 = 2.0;
-/// Nearer than this to its aim a vehicle does not move any more.
+/// A vehicle this near to its target no longer moves.
 const THERE_M: f64 = 1.0;
 
 /// Whether flying on to `aim` would bring a vehicle closer than `separation_m` to the other one. A vehicle that is too

@@ -6,9 +6,9 @@ use glam::DVec2;
 
 use super::site::course;
 
-/// More lines than this are a slip of the keyboard.
+/// More lines than this are a typing error.
 const MOST_LANES: usize = 1000;
-/// Areas narrower than this in every direction are none.
+/// Areas narrower than this in every direction cannot be covered.
 const LEAST_EXTENT_M: f64 = 0.5;
 /// Rounding must not add a line.
 const SLACK: f64 = 1e-6;
@@ -36,13 +36,13 @@ impl Lane {
 /// Why an area cannot be covered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum NoLanes {
-    /// It has no extent.
+    /// The area has no extent.
     Empty,
-    /// It needs too many lines.
+    /// The area needs this many lines, which are too many.
     TooMany(usize),
 }
 
-/// Lines over an area, side by side: every point of it is within half the spacing of one of them.
+/// Parallel lines over an area: every point of it is within half the spacing of one of them.
 ///
 /// The area is cut into strips of equal width, at most `spacing_m`, and each line runs along the middle of its strip
 /// for as long as any part of the strip is in the area. Where a concave area has a gap in a strip, the line goes on
@@ -98,7 +98,7 @@ fn gap_m(lane: &Lane, corners: &[DVec2]) -> f64 {
     });
     let mut crossings: Vec<f64> = crossings.collect();
     crossings.sort_by(f64::total_cmp);
-    // Into the area and out of it in turns: a gap lies behind every second crossing but the last.
+    // The line enters and leaves the area in turns, so a gap lies behind every second crossing except the last.
     let gaps = crossings.get(1..).unwrap_or_default().chunks_exact(2);
     gaps.map(|gap| gap[1] - gap[0]).sum()
 }
@@ -166,7 +166,7 @@ pub(super) fn shares(lanes: &[Lane], count: usize) -> Vec<Vec<Lane>> {
         .collect()
 }
 
-/// From which side and from which end shares are begun.
+/// The side and the end at which the shares begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Start {
     pub last_lane: bool,

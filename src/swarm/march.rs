@@ -1,8 +1,8 @@
 //! The movement of a formation as one rigid body.
 //!
-//! Its first place moves along a straight path, and all other places with it, so that a vehicle in its place keeps its
-//! distance. Unless it has a fixed heading, it first turns in place into the course, no faster than its outermost place
-//! can follow; then it speeds up, moves and slows down. If a member falls behind, it waits.
+//! Its first place moves along a straight path, and all other places with it, so that vehicles in their places keep
+//! their distances. Unless its heading is fixed, the formation first turns into the course, no faster than its
+//! outermost place can follow; then it accelerates, moves and brakes. It waits for a member that falls behind.
 
 use std::f64::consts::PI;
 use std::time::Duration;
@@ -19,7 +19,7 @@ const SPEED_M_S: f64 = 5.0;
 /// Vertical speeds, below the autopilots' default limits (ArduCopter: 2.5 up, 1.5 down).
 const CLIMB_M_S: f64 = 1.2;
 const ACCELERATION_M_S2: f64 = 1.0;
-/// Speed of the outermost place while the formation turns.
+/// The greatest speed of the outermost place while the formation turns.
 const TURN_M_S: f64 = 3.0;
 const TURN_MOST_RAD_S: f64 = 0.5;
 /// A member this far from its place slows the formation down; the same distance further, it stops the formation.
@@ -27,12 +27,12 @@ const LAG_M: f64 = 2.5;
 const LAG_RANGE_M: f64 = 4.0;
 /// A path shorter than this needs no turn.
 const NO_TURN_M: f64 = 2.0;
-/// Courses that agree so well are the same.
+/// Courses with a smaller difference count as the same.
 const SAME_COURSE_RAD: f64 = 0.01;
-/// Longer pauses between two steps are cut, so that no vehicle flies blindly.
+/// Longer intervals between two steps are shortened to this, so that the places do not run away from the vehicles.
 const LONGEST_STEP_S: f64 = 0.5;
 
-/// A formation and its position.
+/// A formation, and its present position.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct March {
     pub shape: Shape,
@@ -108,7 +108,7 @@ impl March {
         self.anchor + arm.extend(0.0)
     }
 
-    /// Moves on; `lag_m` is how far the worst is from its place.
+    /// Advances by one step; `lag_m` is the greatest distance of a member from its place.
     pub fn step(&mut self, now: Duration, lag_m: f64) {
         let before = self.stepped.replace(now).unwrap_or(now);
         let step_s = now.saturating_sub(before).as_secs_f64().min(LONGEST_STEP_S);
@@ -154,7 +154,7 @@ impl March {
         let brakes = (2.0 * ACCELERATION_M_S2 * left_m).sqrt();
         let faster = self.velocity.length() + ACCELERATION_M_S2 * step_s;
         let speed = faster.min(self.speed_m_s.min(climbs) * pace).min(brakes);
-        // Braking never ends by itself: the last centimetres are taken at once.
+        // Braking never ends by itself: the last centimetres are flown at once.
         if left_m <= (speed * step_s).max(0.05) {
             self.anchor = goal;
             self.goal = None;
@@ -176,7 +176,7 @@ mod tests {
         march
     }
 
-    /// Steps ten times a second until it stops; returns the time.
+    /// Steps ten times a second until the formation stops; returns the time.
     fn go(march: &mut March, mut look: impl FnMut(&March)) -> f64 {
         for step in 0..10_000u64 {
             march.step(Duration::from_millis(step * 100), 0.0);

@@ -1,14 +1,14 @@
-//! Ways around a datum on which something is searched for (IAMSAR Manual, volume II, chapter 5).
+//! Search paths around a datum (IAMSAR Manual, volume II, chapter 5).
 
 use glam::DVec2;
 
 use super::site::course;
 
-/// More legs than this are a slip of the keyboard.
+/// More legs than this are a typing error.
 const MOST_LEGS: usize = 400;
 
-/// An expanding square from the datum on, first to the north: two legs of the spacing, two of twice that, and so on,
-/// until the square reaches out to the radius.
+/// An expanding square from the datum, first to the north: two legs of the spacing, two of twice the spacing, and so
+/// on, until the square reaches the radius.
 pub(super) fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO];
     let mut at = DVec2::ZERO;
@@ -16,7 +16,7 @@ pub(super) fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
         let turn = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][leg % 4];
         at += turn * (leg / 2 + 1) as f64 * spacing_m;
         points.push(at);
-        // Four legs on, each side lies half a spacing further out.
+        // After four legs, each side lies half a spacing further out.
         if (leg + 1) as f64 / 4.0 * spacing_m >= radius_m {
             break;
         }
@@ -24,8 +24,8 @@ pub(super) fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
     points
 }
 
-/// A sector search: three triangles of nine legs, each as long as the radius, all turns by 120 degrees to starboard,
-/// so that every triangle begins and ends at the datum.
+/// A sector search: nine legs in three triangles, each leg as long as the radius, all turns by 120 degrees to
+/// starboard, so that every triangle begins and ends at the datum.
 pub(super) fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO];
     let mut at = DVec2::ZERO;
@@ -33,7 +33,7 @@ pub(super) fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     for leg in 0..9 {
         at += course(heading_deg) * radius_m;
         points.push(at);
-        // Through the datum it goes straight on.
+        // Through the datum the path continues straight ahead.
         if leg % 3 != 2 {
             heading_deg += 120.0;
         }
@@ -123,7 +123,7 @@ mod tests {
                 .windows(2)
                 .map(|leg| super::super::geometry::distance_to_segment(point, leg[0], leg[1]))
                 .fold(f64::INFINITY, f64::min);
-            // From one corner to the next it is the diagonal that counts.
+            // Between two corners, the diagonal is the limit.
             let most = 10.0 * 2f64.sqrt();
             prop_assert!(nearest <= most + 1e-9, "{nearest}");
         }

@@ -21,7 +21,7 @@ mod plans;
 const USUAL_SPACING_M: f64 = 20.0;
 /// Sensors with a narrower strip do not set the line spacing.
 const LEAST_SPACING_M: f64 = 1.0;
-/// Between neighbours of a formation.
+/// The default distance between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
 const SECTOR_RADIUS_M: f64 = 100.0;
 /// The default extent of an expanding square, in spacings.
@@ -194,7 +194,7 @@ impl<'a> Planner<'a> {
         found.ok_or_else(|| text!("refused-no-position"))
     }
 
-    /// Between two lines flown at a height.
+    /// The spacing between two lines at a height.
     fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
             let seen = self.rules.swath.map(|swath| swath.width_m(up_m));

@@ -36,7 +36,7 @@ impl Site {
         Some(self.flat(global.at_point).extend(global.altitude_m))
     }
 
-    /// A given place; `reference` is the vehicle whose EKF origin counts.
+    /// A given place in the frame; offsets from an EKF origin refer to that of the vehicle `reference`.
     pub fn spot(&self, spot: Datum, reference: &Vehicle) -> Option<DVec2> {
         match spot {
             Datum::Global(place) => place.is_valid().then(|| self.flat(place)),
@@ -57,7 +57,7 @@ pub(super) fn moving(site: &Site, vehicle: &Vehicle) -> Option<MovingPoint> {
     })
 }
 
-/// How fast a vehicle moves: north, east, up, in m/s.
+/// The velocity of a vehicle: north, east, up, in m/s.
 pub(super) fn velocity(vehicle: &Vehicle) -> DVec3 {
     vehicle.global.map_or(DVec3::ZERO, |global| {
         DVec3::new(

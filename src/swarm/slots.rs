@@ -7,8 +7,8 @@ use glam::DVec2;
 use crate::commands::Shape;
 use crate::geo::maths;
 
-/// The places of so many vehicles: x metres ahead of the first, y to its right. The first is at the origin, and
-/// neighbours are `spacing_m` apart, none nearer.
+/// The places of `count` vehicles: x metres ahead of the first, y to its right. The first is at the origin; neighbours
+/// are `spacing_m` apart, and no two are closer.
 pub(super) fn slots(shape: Shape, count: usize, spacing_m: f64) -> Vec<DVec2> {
     let unit = |index: usize| match shape {
         Shape::Line => DVec2::new(0.0, in_turn(index)),
@@ -19,7 +19,7 @@ pub(super) fn slots(shape: Shape, count: usize, spacing_m: f64) -> Vec<DVec2> {
         }
         Shape::Grid => {
             let across = (1..=count).find(|side| side * side >= count).unwrap_or(1);
-            // In each row from the middle outwards, so that the first has neighbours on both sides.
+            // Each row is filled from the middle outwards, so that its first vehicle has neighbours on both sides.
             DVec2::new(-((index / across) as f64), in_turn(index % across))
         }
         Shape::Circle => {
@@ -35,7 +35,7 @@ pub(super) fn slots(shape: Shape, count: usize, spacing_m: f64) -> Vec<DVec2> {
     (0..count).map(|index| unit(index) * spacing_m).collect()
 }
 
-/// 0, 1, -1, 2, -2 and so on.
+/// The sequence 0, 1, -1, 2, -2 and so on.
 fn in_turn(index: usize) -> f64 {
     let steps = index.div_ceil(2) as f64;
     if index % 2 == 1 { steps } else { -steps }

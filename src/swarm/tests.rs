@@ -40,7 +40,7 @@ struct Stage {
 }
 
 impl Stage {
-    /// So many vehicles in a row to the east.
+    /// A number of vehicles in a row to the east.
     fn new(count: usize, spacing_m: f64) -> Self {
         let start = |place: usize| Start {
             at: HOME.moved(0.0, spacing_m * place as f64),
@@ -71,7 +71,7 @@ impl Stage {
         }
     }
 
-    /// The same, in the air at 20 m.
+    /// A number of vehicles in a row, in the air at 20 m.
     fn flying(count: usize, spacing_m: f64) -> Self {
         let mut stage = Self::new(count, spacing_m);
         stage.run(25.0);
@@ -93,7 +93,7 @@ impl Stage {
         self.watch(seconds, |_| false);
     }
 
-    /// Runs until something is true; false if it never was.
+    /// Runs until a condition is true; false if it did not become true in time.
     fn watch(&mut self, seconds: f64, mut until: impl FnMut(&Self) -> bool) -> bool {
         let end = self.now() + Duration::from_secs_f64(seconds);
         while self.now() < end {
@@ -158,7 +158,7 @@ impl Stage {
         );
     }
 
-    /// North, east and up of home, as it really is.
+    /// The true position north, east and up of home.
     fn place(&self, id: VehicleId) -> [f64; 3] {
         let truth = self.world.truth(usize::from(id) - 1);
         let (north, east) = HOME.offset_to(truth.at);
@@ -183,7 +183,7 @@ impl Stage {
         }
     }
 
-    /// Gives a line as the console would.
+    /// Enters a line as the console would.
     fn say(&mut self, line: &str) {
         let ids: Vec<VehicleId> = (1..=self.seats.len() as VehicleId).collect();
         let context = Context {

@@ -1,9 +1,9 @@
 //! Paths on which no vehicles meet.
 //!
-//! All vehicles first climb (or descend) in place to a height of their own, then all cross, then all descend to where
-//! they work; each part begins when the one before has ended for all. Paths that stay clear of all others share the
-//! height at which they end. Because crossing and changing height never coincide, only paths that come close on the
-//! ground need different heights, and only vehicles that begin or end above one another need an order.
+//! All vehicles first climb (or descend) in place to a height of their own, then all cross, then all go to the height
+//! of their work; each part begins when all vehicles have finished the one before. Paths that stay clear of all others
+//! share the height at which they end. Because crossing and changing height never coincide, only paths that come close
+//! on the ground need different heights, and only vehicles that begin or end above one another need an order.
 
 use glam::DVec3;
 
@@ -16,7 +16,7 @@ const MARGIN_ABOVE_M: f64 = 1.5;
 
 /// The most heights tried for one path.
 const MOST_LAYERS: usize = 40;
-/// Positions are no more exact than this.
+/// The accuracy of positions, in metres.
 const ROUNDING_M: f64 = 0.05;
 
 /// A straight path of one vehicle.
@@ -65,7 +65,7 @@ impl Leg {
     }
 
     /// Whether the paths come closer than the clearance. If both start or end slightly closer than that, as on their
-    /// pads, that distance is the limit.
+    /// pads, their present distance is the limit.
     fn comes_near(&self, other: &Self, clearance: Clearance) -> bool {
         let least = clearance.least_m();
         let wanted = clearance.aside_m;
@@ -79,7 +79,7 @@ impl Leg {
         self.flat().distance_to(other.flat()) < wanted
     }
 
-    /// Whether this one may cross at a height while the other crosses at another.
+    /// Whether this vehicle may cross at a height while the other one crosses at another.
     fn is_clear_at(&self, height_m: f64, other: &Self, other_m: f64, clearance: Clearance) -> bool {
         if !self.comes_near(other, clearance) {
             return true;
@@ -97,7 +97,7 @@ impl Leg {
 /// The heights at which the legs cross; `others` stay in place. `None` if there are not enough heights.
 pub(super) fn heights(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> Option<Vec<f64>> {
     let mut order: Vec<usize> = (0..legs.len()).collect();
-    // Who stays where it is keeps its height, then the lower ones choose before the higher.
+    // Vehicles that stay in place keep their heights; then the lower ones choose before the higher ones.
     order.sort_by(|&a, &b| {
         let key = |index: usize| (!legs[index].is_short(), legs[index].from.z);
         let ((a_moves, a_m), (b_moves, b_m)) = (key(a), key(b));
@@ -149,7 +149,8 @@ mod tests {
         above_m: 6.5,
     };
 
-    /// Flies the three parts with vehicles of very different speed and returns the least distance of two.
+    /// Flies the three parts with vehicles of very different speeds, and returns the least distance between two of
+    /// them.
     fn least_distance(legs: &[Leg], heights: &[f64]) -> f64 {
         let parts: [Vec<(DVec3, DVec3)>; 3] = [
             legs.iter()

@@ -10,14 +10,14 @@ use ratatui::layout::{Position, Size};
 
 use super::writer::FrameWriter;
 
-/// Crossterm's backend, which writes only changes and queries nothing.
+/// Crossterm's backend, which writes only changes and sends no queries.
 ///
-/// The terminal library hides the cursor and resets all styles with every frame, whether or not it differs from the
-/// one before. It asks for the cursor's position whenever it clears the screen, which it does after a resize: the
-/// console does not read that answer and would hang. It does not need the position.
+/// The terminal library hides the cursor and resets all styles with every frame, even if nothing has changed. It
+/// queries the cursor's position whenever it clears the screen, as after a resize, and would wait for an answer that
+/// the console's own input thread reads. The console does not need the position.
 pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
-    /// Whether something of the present frame has been written.
+    /// Whether any part of the present frame has been written.
     begun: bool,
     /// The last cursor sent to the terminal.
     cursor: Cursor,
@@ -32,7 +32,7 @@ enum Cursor {
 }
 
 impl FrameBackend {
-    /// A backend that writes there.
+    /// A backend with this writer.
     pub fn new(writer: FrameWriter) -> Self {
         Self {
             inner: CrosstermBackend::new(writer),
@@ -50,7 +50,7 @@ impl FrameBackend {
         Ok(false)
     }
 
-    /// The cursor's place is not known any more.
+    /// Marks the cursor's position as unknown.
     pub fn forget_cursor(&mut self) {
         self.cursor = Cursor::Unknown;
     }
@@ -85,7 +85,7 @@ impl Backend for FrameBackend {
             return Ok(());
         }
         self.begin()?;
-        // Drawing moves the cursor; a hidden one stays hidden.
+        // Drawing moves the cursor, but a hidden one stays hidden.
         if self.cursor != Cursor::Hidden {
             self.cursor = Cursor::Unknown;
         }
@@ -102,7 +102,7 @@ impl Backend for FrameBackend {
     }
 
     fn show_cursor(&mut self) -> io::Result<()> {
-        // The position follows, and with it the cursor.
+        // The position is set later, and the cursor is shown with it.
         Ok(())
     }
 
@@ -140,7 +140,7 @@ impl Backend for FrameBackend {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        // A frame goes out as a whole, at its end.
+        // A frame is sent as a whole, at its end.
         Ok(())
     }
 }

@@ -10,12 +10,12 @@ pub struct Environment {
     pub term: String,
     pub colorterm: String,
     pub no_color: String,
-    /// The locale of characters: the first that is set of `LC_ALL`, `LC_CTYPE` and `LANG`.
+    /// The locale of characters: the first one set of `LC_ALL`, `LC_CTYPE` and `LANG`.
     pub locale: String,
 }
 
 impl Environment {
-    /// That of this process.
+    /// The environment of this process.
     pub fn of_process() -> Self {
         let variable = |name: &str| std::env::var(name).unwrap_or_default();
         let locales = ["LC_ALL", "LC_CTYPE", "LANG"].map(variable);
@@ -64,14 +64,13 @@ impl Environment {
         }
     }
 
-    /// Whether the window has a title that a program may set: others would show it as garbage.
+    /// Whether the window has a title that a program may set: other terminals would show the sequence as garbage.
     pub fn has_window_title(&self) -> bool {
         let is_plain = matches!(self.term.as_str(), "" | "dumb" | "linux");
         !is_plain && !["vt1", "vt2"].iter().any(|old| self.term.starts_with(old))
     }
 
-    /// The symbols for curves and maps. A locale without a name comes from a shell without one, as under `su` or
-    /// `cron`: then only ASCII is safe.
+    /// The symbols for curves and maps. If no locale is set, as under `su` or `cron`, only ASCII is safe.
     pub fn symbols(&self) -> Symbols {
         if !self.speaks_utf8() {
             Symbols::Ascii
@@ -88,7 +87,7 @@ impl Environment {
         locale.contains("utf-8") || locale.contains("utf8")
     }
 
-    /// Why the console cannot be shown on a terminal of this kind, if it cannot.
+    /// Why the console cannot be shown on this terminal, if it cannot.
     pub fn fault(&self) -> Option<Text> {
         match self.term.as_str() {
             "" => Some(text!("terminal-unnamed")),

@@ -1,7 +1,7 @@
 //! The sixteen basic colours in the codes that every terminal supports.
 //!
-//! The terminal library names them like those of the 256 (`38;5;1`), which terminals with sixteen take for something
-//! else, and ends every frame with resets that the last of them includes.
+//! The terminal library writes them as colours of the 256 (`38;5;1`), which terminals with sixteen colours misread,
+//! and ends every frame with resets of which the last one includes the others.
 
 /// The library's code at the end of a frame, and its basic equivalent.
 const RESETS: (&[u8], &[u8]) = (b"\x1b[39m\x1b[49m\x1b[59m\x1b[0m", b"\x1b[0m");
@@ -29,7 +29,7 @@ pub fn basic(frame: &[u8]) -> Vec<u8> {
     written
 }
 
-/// Bytes of the style sequence (`ESC [ parameters m`) that some bytes begin with; 0 if they begin with none.
+/// The length of the style sequence (`ESC [ parameters m`) at the beginning of `bytes`; 0 if they begin with none.
 fn style_length(bytes: &[u8]) -> usize {
     if !bytes.starts_with(b"\x1b[") {
         return 0;

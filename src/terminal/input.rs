@@ -1,8 +1,7 @@
 //! From the bytes of a terminal to keys, pastes and answers.
 //!
-//! The terminal library keeps answers to itself, and they are what tells how fast the line is (see
-//! `pace`). Only what terminals in use send is understood; everything else is skipped, never taken for
-//! keys.
+//! The terminal library does not pass answers on, but they show the speed of the line (see `pace`). Only sequences
+//! that real terminals send are understood; all others are skipped and never taken for keys.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -17,17 +16,17 @@ pub enum Input {
         column: u16,
         row: u16,
     },
-    /// The terminal has read everything up to the question.
+    /// The terminal has read everything before the query.
     Answer,
 }
 
-/// The longest control sequence that is waited for.
+/// The longest control sequence that is accepted.
 const LONGEST_SEQUENCE: usize = 64;
 /// The longest paste that is kept; a line takes far less.
 const LONGEST_PASTE: usize = 64 * 1024;
 const PASTE_END: &[u8] = b"\x1b[201~";
 
-/// Bytes in, inputs out.
+/// A parser from bytes to inputs.
 #[derive(Debug, Default)]
 pub struct Parser {
     bytes: Vec<u8>,
@@ -40,17 +39,17 @@ enum Found {
     Whole(Option<Input>, usize),
     /// The start of a paste, with its length.
     Paste(usize),
-    /// Something that has not come to its end.
+    /// An incomplete input.
     Partial,
 }
 
 impl Parser {
-    /// Takes in bytes that the terminal has sent.
+    /// Adds bytes that the terminal has sent.
     pub fn push(&mut self, bytes: &[u8]) {
         self.bytes.extend_from_slice(bytes);
     }
 
-    /// The next input, if there is a whole one.
+    /// The next input, if one is complete.
     pub fn next_input(&mut self) -> Option<Input> {
         loop {
             if self.paste.is_some() {
@@ -72,7 +71,7 @@ impl Parser {
         }
     }
 
-    /// Whether the beginning of something waits for its end.
+    /// Whether an incomplete input waits for its end.
     pub fn is_waiting(&self) -> bool {
         !self.bytes.is_empty() && self.paste.is_none()
     }
@@ -91,7 +90,7 @@ impl Parser {
             .bytes
             .windows(PASTE_END.len())
             .position(|window| window == PASTE_END);
-        // The end may be cut in two.
+        // The end marker may be split between two reads.
         let taken = end.unwrap_or(self.bytes.len().saturating_sub(PASTE_END.len() - 1));
         let room = LONGEST_PASTE.saturating_sub(paste.len());
         paste.extend(self.bytes.drain(..taken).take(room));
@@ -191,7 +190,7 @@ fn sequence(bytes: &[u8]) -> Found {
     };
     let last = inner[end];
     if !matches!(last, 0x40..=0x7e) {
-        // Broken off: what breaks it off is read on its own.
+        // An interrupted sequence: the character that interrupts it is read separately.
         return Found::Whole(None, 2 + end);
     }
     let parameters = std::str::from_utf8(&inner[..end]).unwrap_or_default();
@@ -207,7 +206,7 @@ fn meaning(parameters: &str, last: u8) -> Option<Input> {
     }
     let mut numbers = parameters
         .split(';')
-        // Kitty puts details behind colons.
+        // Kitty appends details after colons.
         .map(|part| {
             part.split(':')
                 .next()
@@ -276,7 +275,8 @@ fn numbered_key(number: u32) -> Option<KeyCode> {
     })
 }
 
-/// The wheel moves as the arrows do, the left button points, the others do nothing. `button;column;row`, counted from 1.
+/// The wheel acts as the arrow keys, the left button as a click; other buttons are ignored. Parameters are
+/// `button;column;row`, counted from 1.
 fn mouse_input(parameters: &str) -> Option<Input> {
     let mut parts = parameters.split(';');
     let button = parts.next()?;

@@ -1,4 +1,4 @@
-//! Input from the terminal, without ever waiting for it.
+//! Input from the terminal, read by a separate thread.
 
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -12,19 +12,19 @@ use super::input::{Input, Parser};
 
 /// How long the rest of a sequence may take; after that its beginning was the Esc key.
 const SEQUENCE_PATIENCE: Duration = Duration::from_millis(50);
-/// Pieces of input that may wait; faster input is held back.
+/// The most pieces of input in the queue; faster input is held back.
 const PIECES: usize = 16;
 
 /// The input of the terminal. Dropping it leaves its thread in its last read, which ends with the program.
 pub struct Keyboard {
     pieces: mpsc::Receiver<Vec<u8>>,
     parser: Parser,
-    /// When the beginning of a sequence that waits for its end was heard.
+    /// Since when an incomplete sequence has been waiting for its end.
     waiting_since: Option<Instant>,
 }
 
 impl Keyboard {
-    /// Listens to standard input.
+    /// Starts reading standard input.
     ///
     /// # Errors
     /// Standard input is closed.
@@ -53,7 +53,7 @@ impl Keyboard {
         })
     }
 
-    /// The next input; `None` when the terminal is gone. Nothing is lost when it is not waited for to its end.
+    /// The next input; `None` when the terminal is gone. A cancelled wait loses no input.
     pub async fn next(&mut self) -> Option<Input> {
         loop {
             if let Some(input) = self.ready() {
@@ -77,7 +77,7 @@ impl Keyboard {
         }
     }
 
-    /// The next input, if it is there already.
+    /// The next input, if one is available already.
     pub fn ready(&mut self) -> Option<Input> {
         loop {
             if let Some(input) = self.parser.next_input() {

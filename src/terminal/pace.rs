@@ -1,9 +1,9 @@
-//! When a frame may be drawn: not more often than wanted, and not faster than the line takes them.
+//! Decides when a frame may be drawn: no more often than configured, and no faster than the line carries.
 //!
-//! Buffers between here and the eyes (the kernel's, those of SSH) swallow far more than a slow line can carry, so a
-//! write that goes through says little. Frames therefore carry a question that every terminal answers
-//! (DSR, "are you well?"): the answer proves that the frame has been read. While it is outstanding for long, next to
-//! nothing is sent, so that what comes next is the newest state and not a backlog.
+//! Buffers on the way to the terminal (the kernel's, those of SSH) accept far more than a slow line can carry, so a
+//! completed write proves little. Frames therefore end with a query that every terminal answers (DSR, device status):
+//! the answer proves that the frame has been read. While an answer is late, almost nothing is sent, so that the next
+//! frame shows the newest state and not a backlog.
 
 use std::time::Duration;
 
@@ -13,24 +13,24 @@ const PATIENCE: Duration = Duration::from_millis(500);
 const SLOW: Duration = Duration::from_secs(1);
 /// How long a line is reported as slow afterwards.
 const SLOW_FOR: Duration = Duration::from_secs(10);
-/// A terminal that has not answered its first question by now never will; frames go out without.
+/// A terminal that has not answered its first query by now never will; frames are then sent without queries.
 const DEAF_AFTER: Duration = Duration::from_secs(5);
 /// Bytes that may be unread while the first answer is outstanding; the frame that exceeds it is the last one.
 const TRIAL_BYTES: u64 = 4000;
 /// Frames while the first answer is outstanding.
 const TRIAL_INTERVAL: Duration = Duration::from_secs(1);
-/// An answer can be lost, as when a multiplexer changes its terminal: the question is repeated after this time.
+/// An answer can be lost, as when a multiplexer changes its terminal: the query is repeated after this time.
 const REPEAT_AFTER: Duration = Duration::from_secs(5);
 /// A write that takes longer has met a full buffer.
 const BLOCKED: Duration = Duration::from_millis(200);
-/// The longest rest after a write that met one.
+/// The longest pause after a write to a full buffer.
 const LONGEST_REST: Duration = Duration::from_secs(2);
-/// The least interval of frames caused by keys, so that a flood of keys does not cause a flood of frames.
+/// The least interval of frames caused by keys, so that fast typing does not cause too many frames.
 const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
 /// A write that takes longer than this has met a terminal that did not read, not a slow line.
 const STALLED: Duration = Duration::from_secs(5);
 
-/// The pace of the frames. Times are on any one clock.
+/// The pace of the frames. All times are of one clock.
 #[derive(Debug, Clone)]
 pub struct Pace {
     interval: Duration,
@@ -46,9 +46,9 @@ pub struct Pace {
     catches_up: bool,
     /// Whether the last write met a full buffer.
     blocked: bool,
-    /// Bytes sent since the last question, without its frame.
+    /// Bytes sent since the last query, without its frame.
     unasked_bytes: u64,
-    /// Whether a key has been pressed that no frame has shown.
+    /// Whether a key press has not been shown by a frame yet.
     has_key: bool,
 }
 
@@ -57,11 +57,11 @@ struct Question {
     at: Duration,
     /// The time of the first unanswered query.
     unanswered_since: Duration,
-    /// The bytes that its answer proves read.
+    /// The number of bytes that its answer confirms as read.
     bytes: u64,
 }
 
-/// Whether the terminal answers questions.
+/// Whether the terminal answers queries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Hearing {
     Unknown,
@@ -101,7 +101,7 @@ impl Pace {
         }
     }
 
-    /// A key has been pressed: where the line keeps up, the next frame does not wait for its turn.
+    /// Notes a key press: if the line keeps up, the next frame is drawn without its usual interval.
     pub fn pressed(&mut self) {
         self.has_key = true;
     }
@@ -120,7 +120,7 @@ impl Pace {
         due.max(rest).saturating_sub(now)
     }
 
-    /// Whether the next frame shall carry a question.
+    /// Whether the next frame should end with a query.
     pub fn asks(&self, now: Duration) -> bool {
         match (self.question, self.hearing) {
             (None, hearing) => hearing != Hearing::Deaf,
@@ -150,7 +150,7 @@ impl Pace {
         }
     }
 
-    /// The terminal has answered.
+    /// Notes an answer of the terminal.
     pub fn answered(&mut self, now: Duration) {
         self.hearing = Hearing::Answers;
         let Some(question) = self.question.take() else {
@@ -165,9 +165,9 @@ impl Pace {
         }
     }
 
-    /// Notes that the operating system has accepted a frame, after a time. After a full buffer the line rests for as
-    /// long, which halves the load. Where it was the first, or the terminal did not read at all, the newest state goes
-    /// first.
+    /// Notes that the operating system has accepted a frame, and how long that took. After a full buffer the line
+    /// rests for the same time, which halves the load. After the first one, or if the terminal did not read at all,
+    /// the newest state is sent first.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {
@@ -188,7 +188,7 @@ impl Pace {
         self.slow.map(|(_, rate)| rate)
     }
 
-    /// Whether an answer is outstanding that will probably come.
+    /// Whether an answer is outstanding that will probably arrive.
     pub fn expects_answer(&self) -> bool {
         self.question.is_some() && self.hearing == Hearing::Answers
     }

@@ -1,4 +1,4 @@
-//! Stopping and going on, as shells do with their jobs.
+//! Suspends and resumes the console, as shells do with their jobs.
 
 use std::io;
 
@@ -6,15 +6,15 @@ use nix::sys::signal::{Signal, kill};
 use nix::sys::termios::{FlushArg, tcflush};
 use nix::unistd::{Pid, getpid, getppid, getsid};
 
-/// Whether a shell can resume the console. Started by `ssh HOST sortie` or as a login shell it would stay stopped for
+/// Whether a shell can resume the console. Started by `ssh HOST sortie` or as a login shell, it would stay stopped for
 /// ever.
 pub fn can_be_suspended() -> bool {
     let ours = session(getpid());
     ours.is_some() && ours == session(getppid())
 }
 
-/// The session of a process. `None` if it is not visible, like processes outside a container, which have the id 0
-/// (which would mean this process).
+/// The session of a process. `None` if the process is not visible: processes outside a container have the id 0, which
+/// would mean this process.
 fn session(process: Pid) -> Option<Pid> {
     let visible = |id: &Pid| id.as_raw() > 0;
     let process = Some(process).filter(visible)?;
@@ -23,7 +23,7 @@ fn session(process: Pid) -> Option<Pid> {
 
 /// Stops every process of the job, including this one, as Ctrl-Z does where it is not a key.
 pub fn suspend_group() {
-    // A group of id 0 is the own one.
+    // Group id 0 means the own group.
     let _ = kill(Pid::from_raw(0), Signal::SIGTSTP);
 }
 

@@ -1,4 +1,4 @@
-//! Bytes for the terminal, written by a thread of their own.
+//! Output to the terminal, written by a separate thread.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -21,13 +21,13 @@ pub struct Traffic {
 
 #[derive(Debug, Default)]
 struct Writing {
-    /// Pieces of frames that the thread has yet to write.
+    /// Pieces of frames that the thread has not written yet.
     waiting: usize,
     /// Writes completed since the last call.
     done: Vec<Written>,
 }
 
-/// A write that has gone through.
+/// A completed write to the terminal.
 #[derive(Debug, Clone, Copy)]
 pub struct Written {
     /// How long the operating system took.
@@ -55,7 +55,7 @@ impl Traffic {
         std::mem::take(&mut self.state().done)
     }
 
-    /// Waits until everything has been written, or for the given time; whether it has been.
+    /// Waits until everything has been written, at most for the given time; returns whether it has been.
     pub fn wait_until_written(&self, patience: Duration) -> bool {
         let waited = self
             .written
@@ -73,7 +73,7 @@ pub struct FrameWriter {
 }
 
 impl FrameWriter {
-    /// A writer that leads nowhere and only counts.
+    /// A writer that only counts the bytes.
     pub fn nowhere(traffic: Arc<Traffic>) -> Self {
         Self {
             frame: Vec::new(),
@@ -94,8 +94,8 @@ impl FrameWriter {
         std::thread::spawn(move || {
             for frame in frames_out {
                 let began = Instant::now();
-                // A write error means that the terminal is gone; the signal or the end of input that comes
-                // with it ends the console.
+                // A write error means that the terminal is gone; the signal or the end of input that follows ends the
+                // console.
                 drop(terminal.write_all(&frame));
                 let mut writing = shared.state();
                 writing.waiting -= 1;

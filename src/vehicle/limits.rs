@@ -1,15 +1,15 @@
-//! How good a reading is, by the limits at which `ArduPilot` itself refuses, acts or warns.
+//! Grades of readings, by the limits at which `ArduPilot` itself refuses, acts or warns.
 
 use super::{Ekf, EkfFlags, FixType, Gps, GpsAccuracy};
 
 /// A reading against its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
-    /// As it should be.
+    /// Well within the limit.
     Good,
-    /// So near the limit that it deserves a look.
+    /// Close to the limit.
     Poor,
-    /// Beyond the limit, or no number at all.
+    /// Beyond the limit, or not a number.
     Bad,
 }
 
@@ -19,7 +19,7 @@ const EKF_BAD: f32 = 0.8;
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
 const HDOP_POOR: f32 = 1.4;
-/// Ours: far enough above it that the position wanders by metres.
+/// Our own limit: far enough above that the position drifts by metres.
 const HDOP_BAD: f32 = 2.0;
 /// Fewer satellites than EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0).
 const SATELLITES_BAD: u8 = 6;
@@ -44,13 +44,13 @@ impl Grade {
         }
     }
 
-    /// Of an EKF test ratio.
+    /// The grade of an EKF test ratio.
     pub fn of_variance(ratio: f32) -> Self {
         Self::rising(ratio, EKF_POOR, EKF_BAD)
     }
 
-    /// Of the filter: bad without a position on the earth, else of the worst of its test ratios; the vertical one
-    /// does not count for the failsafe.
+    /// The grade of the filter: bad without a position on the earth, otherwise that of its worst test ratio; the
+    /// vertical one does not count for the failsafe.
     pub fn of_ekf(ekf: &Ekf) -> Self {
         if !ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE) {
             return Self::Bad;
@@ -64,7 +64,7 @@ impl Grade {
         grades.max().unwrap_or(Self::Bad)
     }
 
-    /// Of a kind of fix.
+    /// The grade of a kind of fix.
     pub fn of_fix(fix: FixType) -> Self {
         if fix >= FixType::Fix3d {
             Self::Good
@@ -73,7 +73,7 @@ impl Grade {
         }
     }
 
-    /// Of a number of satellites.
+    /// The grade of a number of satellites.
     pub fn of_satellites(count: u8) -> Self {
         if count < SATELLITES_BAD {
             Self::Bad
@@ -82,7 +82,7 @@ impl Grade {
         }
     }
 
-    /// Of a horizontal dilution of precision.
+    /// The grade of a horizontal dilution of precision.
     pub fn of_hdop(hdop: f32) -> Self {
         Self::rising(hdop, HDOP_POOR, HDOP_BAD)
     }
@@ -94,19 +94,19 @@ impl Grade {
         horizontal.max(vertical)
     }
 
-    /// Of the receiver as a whole.
+    /// The grade of the receiver as a whole.
     pub fn of_gps(gps: &Gps) -> Self {
         let satellites = gps.satellites.map_or(Self::Good, Self::of_satellites);
         let hdop = gps.hdop.map_or(Self::Good, Self::of_hdop);
         Self::of_fix(gps.fix).max(satellites).max(hdop)
     }
 
-    /// Of vibration along one axis.
+    /// The grade of the vibration along one axis.
     pub fn of_vibration(level_m_s2: f32) -> Self {
         Self::rising(level_m_s2, VIBRATION_POOR_M_S2, VIBRATION_BAD_M_S2)
     }
 
-    /// Of a count of clipped samples.
+    /// The grade of a count of clipped samples.
     pub fn of_clipping(count: u32) -> Self {
         match count {
             0 => Self::Good,

@@ -6,7 +6,7 @@ use std::fmt;
 use mavlink::dialects::ardupilotmega::MavType;
 use serde::{Deserialize, Serialize};
 
-/// Which mode table a vehicle uses.
+/// The class of a vehicle, which has its own mode table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum VehicleClass {
     Copter,
@@ -15,14 +15,14 @@ pub enum VehicleClass {
     /// Ground vehicles and boats.
     Rover,
     Sub,
-    /// Anything else: modes are shown by number.
+    /// Any other vehicle: its modes are shown by number.
     Other,
 }
 
 /// A flight mode: HEARTBEAT's `custom_mode` and the class that gives it its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Mode {
-    /// Which table the number belongs to.
+    /// The class whose table the number belongs to.
     pub class: VehicleClass,
     /// The number on the wire (`custom_mode`).
     pub number: u32,
@@ -175,7 +175,7 @@ impl VehicleClass {
         }
     }
 
-    /// The mode of that name, upper or lower case, underscores optional.
+    /// The mode with a name; case does not matter and underscores are optional.
     pub fn mode(self, name: &str) -> Option<Mode> {
         let plain = |text: &str| text.replace('_', "").to_ascii_uppercase();
         self.modes()
@@ -198,11 +198,11 @@ impl Mode {
             .map(|&(_, name)| name)
     }
 
-    /// Whether the vehicle comes home or lands by itself, so that it ends on the ground.
+    /// Whether the vehicle returns or lands by itself, so that it ends on the ground.
     pub fn comes_down(self) -> bool {
         let names: &[&str] = match self.class {
             VehicleClass::Copter => &["LAND", "RTL", "SMART_RTL", "AUTO_RTL"],
-            // In RTL it circles above its home.
+            // In RTL a plane circles above its home.
             VehicleClass::Plane => &["QLAND", "QRTL", "LOITER_ALT_QLAND", "AUTOLAND"],
             VehicleClass::Rover => &["RTL", "SMART_RTL"],
             VehicleClass::Sub | VehicleClass::Other => &[],

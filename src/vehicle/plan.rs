@@ -22,7 +22,7 @@ mod command {
 const WITH_PLACE: &[u16] = &[
     16, 17, 18, 19, 21, 22, 25, 31, 36, 80, 82, 84, 85, 94, 179, 189, 195, 201,
 ];
-/// The last command number that the vehicle flies to; higher ones only name a place.
+/// The last command number that the vehicle flies to; higher numbers only name a place.
 const LAST_FLOWN: u16 = 94;
 
 /// Which of the three lists.
@@ -30,9 +30,9 @@ const LAST_FLOWN: u16 = 94;
 pub enum PlanKind {
     /// The plan that the mode AUTO flies.
     Plan,
-    /// Where it may be.
+    /// The areas in which the vehicle may or may not fly.
     Fence,
-    /// Where RTL may end instead of at home.
+    /// Places other than home where RTL may end.
     Rally,
 }
 
@@ -46,33 +46,33 @@ impl PlanKind {
 pub struct Plans {
     /// The plan that the mode AUTO flies.
     pub plan: Stored<Plan>,
-    /// Where it may be.
+    /// The areas in which the vehicle may or may not fly.
     pub fence: Stored<FencePlan>,
-    /// Where RTL may end.
+    /// Places other than home where RTL may end.
     pub rally: Stored<RallyPlan>,
 }
 
 /// One list, as far as it has been read.
 #[derive(Debug, Clone, Default)]
 pub struct Stored<T> {
-    /// The content read last; it stays while a newer version is being read.
+    /// The last content that was read; it stays while a newer version is being read.
     pub content: Option<Arc<T>>,
-    /// How far reading it is.
+    /// The state of the download.
     pub transfer: Transfer,
 }
 
-/// How far reading a list is.
+/// The state of the download of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Transfer {
     #[default]
     Unasked,
     Coming {
-        /// Items that are here.
+        /// The number of items received so far.
         received: u16,
         /// The number of items, once known.
         total: Option<u16>,
     },
-    /// Here as a whole.
+    /// The list is complete.
     Done,
     /// The vehicle has no such list.
     Unsupported,
@@ -80,7 +80,7 @@ pub enum Transfer {
     Failed,
 }
 
-/// Parameters may be NaN ("not set"), which is unequal to itself: here a list is always equal to itself.
+/// Parameters may be NaN ("not set"), which is not equal to itself; here a list is always equal to itself.
 impl<T: PartialEq> PartialEq for Stored<T> {
     fn eq(&self, other: &Self) -> bool {
         let same = match (&self.content, &other.content) {
@@ -100,12 +100,12 @@ pub enum HeightFrame {
     Home,
     /// Heights above the ground below.
     Terrain,
-    /// Something else, or the item has no place at all (`MAV_FRAME_MISSION`, local frames).
+    /// Another reference, or an item without a place (`MAV_FRAME_MISSION`, local frames).
     Other,
 }
 
 impl HeightFrame {
-    /// From the number of a `MAV_FRAME`.
+    /// The reference of a `MAV_FRAME` by its number.
     #[expect(
         deprecated,
         reason = "older autopilots name the _INT spelling of a frame"
@@ -135,15 +135,15 @@ impl HeightFrame {
 pub struct PlanItem {
     /// Its number, from 0.
     pub seq: u16,
-    /// `MAV_CMD`, known to this program or not.
+    /// The number of a `MAV_CMD`, even if this program does not know it.
     pub command: u16,
     /// The reference of its height.
     pub frame: HeightFrame,
     /// Its first four parameters, whose meaning depends on the command.
     pub params: [f32; 4],
-    /// x and y as a place; `None` for commands without one, and where both are 0 ("here").
+    /// x and y as a place; `None` for commands without a place, and if both are 0 ("here").
     pub at_point: Option<LatLon>,
-    /// z in metres, if it is a number.
+    /// z in metres, if it is a finite number.
     pub altitude_m: Option<f32>,
 }
 
@@ -153,7 +153,7 @@ impl PlanItem {
         self.at_point.is_some() && self.command <= LAST_FLOWN && self.command != 80
     }
 
-    /// Whether it is a takeoff, which has a height even where it has no place.
+    /// Whether it is a takeoff, which has a height even without a place.
     pub fn is_takeoff(&self) -> bool {
         matches!(self.command, 22 | 84)
     }
@@ -168,7 +168,7 @@ impl PlanItem {
 /// The plan that the mode AUTO flies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plan {
-    /// The items in order; item numbers are their places.
+    /// The items in order; the number of an item is its index.
     pub items: Vec<PlanItem>,
     /// Whether item 0 is home and not part of the flight, as with ArduPilot.
     pub home_first: bool,
@@ -181,7 +181,7 @@ impl Plan {
         &self.items[skip..]
     }
 
-    /// The places that the vehicle flies to, in order of the items, home left out.
+    /// The places that the vehicle flies to, in order, without home.
     pub fn path(&self) -> impl Iterator<Item = (&PlanItem, LatLon)> {
         let waypoints = self.flown().iter().filter(|item| item.is_waypoint());
         waypoints.filter_map(|item| Some((item, item.at_point?)))
@@ -210,13 +210,13 @@ pub struct FenceArea {
 pub enum FenceShape {
     /// Corners in order; the last is joined to the first.
     Polygon(Vec<LatLon>),
-    /// All points at a distance.
+    /// A circle: all points at a distance from its centre.
     Circle { center: LatLon, radius_m: f32 },
 }
 
 impl FencePlan {
     /// The fence of these items. Items without a place, circles without a radius, and commands that belong to no fence
-    /// are left out. Each corner says how many its polygon has (parameter 1).
+    /// are left out. Parameter 1 of each corner is the number of the polygon's corners.
     pub fn from_items(items: &[PlanItem]) -> Self {
         let mut fence = Self::default();
         let mut corners: Vec<LatLon> = Vec::new();

@@ -15,7 +15,7 @@ pub struct Heartbeat {
     pub mav_type: u8,
     /// `MAV_AUTOPILOT` as sent; 3 is ArduPilot.
     pub autopilot: u8,
-    /// Which mode table applies.
+    /// The class that decides the mode table.
     pub class: VehicleClass,
     pub mode: Mode,
     /// Whether the motors are armed.
@@ -25,19 +25,19 @@ pub struct Heartbeat {
     pub at: Duration,
 }
 
-/// How the vehicle lies in the air (ATTITUDE).
+/// The attitude of the vehicle (ATTITUDE).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude {
-    /// Right wing down positive, in degrees.
+    /// Roll in degrees, positive with the right wing down.
     pub roll_deg: f32,
-    /// Nose up positive, in degrees.
+    /// Pitch in degrees, positive with the nose up.
     pub pitch_deg: f32,
-    /// Nose clockwise from north, 0 to 360 degrees.
+    /// Yaw clockwise from north, 0 to 360 degrees.
     pub yaw_deg: f32,
     pub at: Duration,
 }
 
-/// Where on the earth the vehicle believes to be (`GLOBAL_POSITION_INT`).
+/// The estimated position on the earth (`GLOBAL_POSITION_INT`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalPosition {
     pub at_point: LatLon,
@@ -81,7 +81,7 @@ pub struct Place {
     pub altitude_amsl_m: f64,
 }
 
-/// Where the autopilot is heading. Parts that its type mask ignores are `None`.
+/// The autopilot's target. Parts that the type mask ignores are `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     pub at_point: Option<LatLon>,
@@ -112,7 +112,7 @@ pub struct GpsAccuracy {
     pub vertical_m: f32,
 }
 
-/// Speeds and throttle as a pilot reads them (`VFR_HUD`).
+/// Speeds and throttle for a pilot's display (`VFR_HUD`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hud {
     /// Indicated airspeed in m/s.
@@ -199,7 +199,7 @@ impl Ekf {
     }
 }
 
-/// How much the sensors are shaken (VIBRATION).
+/// The vibration of the sensors (VIBRATION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {
     /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). Not a
@@ -225,7 +225,7 @@ pub struct PlanProgress {
 pub struct Fence {
     /// Whether the vehicle is outside.
     pub breached: bool,
-    /// How often it has been outside.
+    /// The number of breaches so far.
     pub breaches: u16,
     /// `FENCE_BREACH` kind of the last breach.
     pub breach_type: u8,
@@ -234,7 +234,7 @@ pub struct Fence {
 /// The wind as the vehicle estimates it (WIND).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wind {
-    /// Where it comes from, degrees clockwise from north.
+    /// The direction that it comes from, degrees clockwise from north.
     pub from_deg: f32,
     /// Horizontal speed in m/s.
     pub speed_m_s: f32,
@@ -243,9 +243,9 @@ pub struct Wind {
 /// The output of the radio receiver (`RC_CHANNELS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RcChannels {
-    /// Pulse widths in microseconds, channel 1 first; 0 where unused.
+    /// Pulse widths in microseconds, channel 1 first; 0 for unused channels.
     pub channels_us: [u16; 18],
-    /// Signal strength, 0 to 254; `None` where unknown.
+    /// Signal strength, 0 to 254; `None` if unknown.
     pub rssi: Option<u8>,
 }
 
@@ -262,7 +262,7 @@ pub struct AutopilotVersion {
     pub hash: [u8; 8],
 }
 
-/// How well a vehicle is heard.
+/// The quality of reception from a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LinkQuality {
     /// The time of the last message.
@@ -271,7 +271,7 @@ pub struct LinkQuality {
     pub lost: bool,
     /// Frames received from it.
     pub received: u64,
-    /// Frames missing by gaps in its sequence numbers.
+    /// Frames missing by the gaps in its sequence numbers.
     pub missing: u64,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,
@@ -299,8 +299,8 @@ pub struct StatusText {
     pub at: Duration,
 }
 
-/// The position of a vehicle out of radio contact: known to the mission, which moves it through jamming and shadows,
-/// but not to its operator.
+/// The position of a vehicle out of radio contact: the mission needs it for jamming and shadows, but the operator does
+/// not see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unheard {
     pub at: LatLon,

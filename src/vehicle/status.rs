@@ -1,5 +1,5 @@
-//! Small enumerations of the vehicle model. Wire numbers that this program has no name for keep a
-//! variant of their own: a newer autopilot must never become invisible.
+//! Small enumerations of the vehicle model. Unknown wire numbers have a variant of their own, so that a newer
+//! autopilot is still shown.
 
 use std::fmt;
 
@@ -132,7 +132,7 @@ impl fmt::Display for LandedState {
     }
 }
 
-/// `MAV_SEVERITY`, most serious first.
+/// `MAV_SEVERITY`, the most serious one first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The whole system is unusable.
@@ -143,9 +143,9 @@ pub enum Severity {
     Critical,
     /// A secondary system fails.
     Error,
-    /// May become an error.
+    /// A condition that may become an error.
     Warning,
-    /// Unusual, but no fault.
+    /// Unusual, but not a fault.
     Notice,
     Info,
     Debug,

@@ -1,4 +1,4 @@
-//! The battery needed for the way home, compared with the rest.
+//! The battery needed for the way home, compared with the remaining charge.
 
 use std::time::Duration;
 
@@ -8,9 +8,9 @@ use crate::geo::maths;
 
 /// The mean current follows the measured one with this time constant: a climb of a few seconds does not count for long.
 const LOAD_TIME_S: f32 = 15.0;
-/// The current below which the motors stand still, in amperes.
+/// Below this current the motors count as stopped, in amperes.
 const IDLE_A: f32 = 1.0;
-/// Charge is reported in whole percent: until this much is used, the capacity cannot be estimated from it.
+/// Charge is reported in whole percent: before this much is used, the capacity cannot be estimated from it.
 const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
@@ -23,18 +23,18 @@ const CLIMB_M_S: f64 = 2.5;
 const DESCENT_M_S: f64 = 1.5;
 const LANDING_HEIGHT_M: f64 = 10.0;
 const LANDING_M_S: f64 = 0.5;
-/// Gaining speed and losing it, `RTL_LOIT_TIME`, and until the motors stop.
+/// The time for acceleration and braking, `RTL_LOIT_TIME`, and the stop of the motors.
 const PAUSES_S: f64 = 12.0;
-/// The fastest that a return flies through the air: a headwind above this less `RETURN_SPEED_M_S` slows it.
+/// The highest airspeed of a return: a headwind above this less `RETURN_SPEED_M_S` slows it.
 const FASTEST_M_S: f64 = 15.0;
-/// The slowest ground speed that is assumed, however strong the wind.
+/// The least ground speed that is assumed in any wind.
 const SLOWEST_M_S: f64 = 1.0;
-/// Current by speed: 12 % more at 10 m/s through the air, as was measured, and rising with the square.
+/// The growth of current with the square of the airspeed: measured 12 % more at 10 m/s.
 const DRAG_PER_SPEED2: f64 = 0.0012;
-/// Current in a climb, of that in the hover.
+/// Current in a climb, relative to the hover.
 const CLIMBING: f64 = 1.3;
 
-/// The current that a vehicle has drawn of late.
+/// The mean current of a vehicle over the last seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanCurrent {
     /// Its mean, in amperes.
@@ -49,23 +49,23 @@ pub struct WayHome {
     pub needed_percent: f64,
     pub needed: Duration,
     pub left_percent: f64,
-    /// How long that lasts at the mean current.
+    /// How long the remaining charge lasts at the mean current.
     pub left: Duration,
 }
 
 /// The result of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeReach {
-    /// More is left than the way home and the reserve need.
+    /// More charge remains than the way home and the reserve need.
     Ample,
-    /// After the landing there would be less than the reserve.
+    /// After the landing, less than the reserve would remain.
     TurnBack,
-    /// The rest is not enough for the way home.
+    /// The remaining charge is not enough for the way home.
     OutOfReach,
 }
 
 impl MeanCurrent {
-    /// The mean after another measurement; `None` while the motors stand still.
+    /// The mean after another measurement; `None` while the motors are stopped.
     pub fn after(before: Option<Self>, current_a: f32, now: Duration) -> Option<Self> {
         let mean_a = before.map_or(current_a, |before| {
             let passed_s = now.saturating_sub(before.at).as_secs_f32();
@@ -77,7 +77,7 @@ impl MeanCurrent {
 }
 
 impl WayHome {
-    /// The result for a vehicle that has not turned home yet.
+    /// The result for a vehicle that is not on its way home yet.
     pub fn reach(&self) -> HomeReach {
         if self.left_percent < self.needed_percent {
             HomeReach::OutOfReach
@@ -90,7 +90,7 @@ impl WayHome {
 }
 
 impl Vehicle {
-    /// The way home, compared with the battery left; `None` on the ground, or without the necessary data.
+    /// The way home, compared with the remaining charge; `None` on the ground, or without the necessary data.
     pub fn way_home(&self) -> Option<WayHome> {
         let class = self.heartbeat?.class;
         let (global, home, load) = (self.global?, self.home?, self.load?);
@@ -118,7 +118,7 @@ impl Vehicle {
 /// The duration of the way home.
 struct ReturnFlight {
     time_s: f64,
-    /// How long a hover lasts that takes as much of the battery.
+    /// The duration of a hover that draws the same charge.
     hover_s: f64,
 }
 

@@ -1,4 +1,4 @@
-//! A design as both simulators fly it: a frame file of SITL, and the parameters that go with it.
+//! A design as an airframe for both simulators: a SITL frame file, and the matching parameters.
 
 use serde_json::{Value, json};
 
@@ -13,7 +13,7 @@ const GRAVITY_M_S2: f64 = 9.806_65;
 const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The lean of the reference flight in the frame file.
 const REFERENCE_LEAN_DEG: f64 = 30.0;
-/// Thrust over command, as a share of the square; the autopilot has the same value.
+/// The share of the squared term in thrust over command; the autopilot has the same value.
 const EXPO: f64 = 0.65;
 /// Rate gains of the default quad, and its control authority: thrust over weight per metre of diagonal.
 const RATE_GAIN: f64 = 0.135;
@@ -52,7 +52,7 @@ fn model(motors: u8) -> &'static str {
     }
 }
 
-/// The reference flight is the hover that was computed, and a drag that follows from the frame's area.
+/// The frame file: its reference flight is the computed hover, with a drag from the frame's area.
 fn frame(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Value {
     let lean = REFERENCE_LEAN_DEG.to_radians();
     let weight_n = figures.mass_kg * GRAVITY_M_S2;
@@ -105,7 +105,7 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
                 _ => 1.0,
             },
         ),
-        // X; of an octo the outline that its model has: motors are numbered clockwise.
+        // An X frame; for an octocopter the outline of its model, since motors are numbered clockwise.
         (
             "FRAME_TYPE",
             if drive.frame.motors == 8 { 14.0 } else { 1.0 },
@@ -129,7 +129,7 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
             "WPNAV_SPEED",
             (70.0 * figures.top_speed_m_s).min(1000.0).round(),
         ),
-        // Hundredths of a degree; autopilots take 10 degrees at least.
+        // In hundredths of a degree; autopilots accept no less than 10 degrees.
         (
             "ANGLE_MAX",
             (figures.most_lean_deg.max(10.0) * 100.0).floor(),

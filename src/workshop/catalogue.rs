@@ -1,4 +1,4 @@
-//! The parts that there are.
+//! The parts that a drone can be built from.
 
 use super::part::{Part, PartSlot};
 

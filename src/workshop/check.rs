@@ -6,9 +6,9 @@ use super::part::{PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
 
-/// A speed controller should bear this much more than the motor's peak.
+/// The required margin of a speed controller over the motor's peak current.
 const ESC_ROOM: f64 = 1.2;
-/// The largest share of the battery's current that a hover should take.
+/// The largest share of the battery's current that a hover should draw.
 const HOVER_SHARE: f64 = 0.5;
 
 /// The subject of a finding.
@@ -18,32 +18,32 @@ pub enum FindingKind {
     Missing,
     /// The propellers have no room to turn.
     Propeller,
-    /// The motor is not made for the battery's voltage.
+    /// The motor is not rated for the battery's voltage.
     MotorCells,
-    /// The speed controller does not bear the battery's voltage.
+    /// The speed controller is not rated for the battery's voltage.
     EscCells,
-    /// The speed controller does not bear the motor's peak.
+    /// The speed controller is not rated for the motor's peak current.
     EscCurrent,
-    /// The power module does not tolerate the battery's voltage.
+    /// The power module is not rated for the battery's voltage.
     PowerCells,
-    /// The power module does not bear the current of a hover.
+    /// The power module is not rated for the current of a hover.
     PowerCurrent,
-    /// Too heavy: there is too little thrust to hold a place in wind.
+    /// Too heavy: the thrust cannot hold a position in wind.
     Thrust,
-    /// There is too little thrust for wind.
+    /// The thrust leaves little margin in wind.
     Weak,
     /// The battery's voltage collapses in a hover.
     Collapse,
-    /// A hover takes more current than the battery can supply.
+    /// A hover draws more current than the battery can supply.
     HoverCurrent,
-    /// A hover takes more current than is good for the battery.
+    /// A hover draws more current than the battery should supply for long.
     HoverShare,
     /// The voltage sags before the battery is empty.
     Sag,
 }
 
 impl FindingKind {
-    /// How bad it is.
+    /// The severity of this kind.
     pub fn severity(self) -> FindingSeverity {
         match self {
             Self::Missing
@@ -62,12 +62,12 @@ impl FindingKind {
     }
 }
 
-/// How bad a finding is.
+/// The severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FindingSeverity {
-    /// It may be flown, knowing this.
+    /// The design can be flown with this risk.
     Warning,
-    /// It cannot be flown.
+    /// The design cannot be flown.
     Fault,
 }
 
@@ -75,14 +75,14 @@ pub enum FindingSeverity {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignFinding {
     pub kind: FindingKind,
-    /// The slot in which it can be mended.
+    /// The slot in which it can be fixed.
     pub slot: PartSlot,
     /// The problem and its reason, as text.
     pub text: Text,
 }
 
 impl DesignFinding {
-    /// How bad it is.
+    /// The severity of the finding's kind.
     pub fn severity(&self) -> FindingSeverity {
         self.kind.severity()
     }
@@ -94,7 +94,7 @@ impl Design {
         self.findings_with(self.figures(air).as_ref())
     }
 
-    /// The same from known figures.
+    /// All problems of the design, with figures computed before.
     pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
         let mut found = Found::default();
         for slot in PartSlot::ALL {
@@ -118,7 +118,7 @@ impl Design {
         found.0
     }
 
-    /// Whether it flies at all.
+    /// Whether the design can fly at all.
     pub fn is_airworthy(&self, air: Air) -> bool {
         self.findings(air)
             .iter()
@@ -134,7 +134,7 @@ impl Found {
         self.0.push(DesignFinding { kind, slot, text });
     }
 
-    /// Whether the propellers have the room to turn.
+    /// Checks that the propellers have room to turn.
     fn turns(&mut self, design: &Design) {
         let (Some(Spec::Frame(frame)), Some(Spec::Propeller(propeller))) = (
             design.spec(PartSlot::Frame),
@@ -143,7 +143,7 @@ impl Found {
             return;
         };
         let clearance = frame.clearance_in();
-        // Both are stated in tenths of an inch.
+        // Both sizes are stated in tenths of an inch.
         if propeller.diameter_in > clearance + 0.05 {
             let text = text!(
                 "finding-propeller",
@@ -154,7 +154,7 @@ impl Found {
         }
     }
 
-    /// Whether motors, speed controllers and battery match; two of them are enough for a check.
+    /// Checks that motors, speed controllers and battery match; any two of them can be checked.
     fn bears(&mut self, design: &Design) {
         let motor = match design.spec(PartSlot::Motor) {
             Some(Spec::Motor(motor)) => Some(motor),
@@ -209,7 +209,7 @@ impl Found {
         }
     }
 
-    /// Whether it lifts itself, and for how long.
+    /// Checks that the thrust carries the drone, and the battery lasts.
     fn flies(&mut self, figures: &Figures) {
         let ratio = figures.thrust_to_weight;
         let mass = format!("{:.2}", figures.mass_kg);
@@ -270,7 +270,7 @@ impl Found {
         }
     }
 
-    /// Whether the power module supports the hover.
+    /// Checks that the power module supports the hover.
     fn feeds(&mut self, design: &Design, figures: &Figures) {
         let Some(Spec::PowerModule(module)) = design.spec(PartSlot::Power) else {
             return;

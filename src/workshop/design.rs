@@ -1,4 +1,4 @@
-//! A drone on paper: which part is in which slot. Designs are TOML files that can be shared.
+//! The choice of parts for each slot. Designs are TOML files that can be shared.
 
 mod file;
 
@@ -9,24 +9,24 @@ use crate::text::Text;
 
 pub use file::DesignError;
 
-/// The mass of wiring, connectors and mounts of any drone, and their share of every other gram.
+/// The mass of wiring, connectors and mounts: a base in grams, and a share of the mass of all parts.
 const WIRING_G: f64 = 60.0;
 const WIRING_SHARE: f64 = 0.03;
 const WIRING_CREDITS: u32 = 15;
-/// The part whose antenna has this much more gain than the radio's own.
+/// The part that raises the antenna gain beyond the radio's own.
 const RELAY: &str = "s_relay";
 const RELAY_DBI: f64 = 6.0;
-/// Receivers, lights and losses of any drone, in watts.
+/// The power of receivers, lights and losses of any drone, in watts.
 const OTHER_POWER_W: f64 = 1.0;
 
-/// A choice of parts. It may be incomplete: [`super::DesignFinding`]s list what is missing.
+/// A choice of parts. It may be incomplete: [`super::DesignFinding`]s list the missing parts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
     pub name: String,
     slots: BTreeMap<PartSlot, Vec<&'static Part>>,
 }
 
-/// The parts that turn a battery's charge into thrust, once they are all there.
+/// The parts that turn a battery's charge into thrust, if the design has all of them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drive<'a> {
     pub frame: &'a Frame,
@@ -38,7 +38,7 @@ pub(super) struct Drive<'a> {
 }
 
 impl Design {
-    /// Nothing built in yet.
+    /// A design without any part.
     pub fn new(name: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -46,10 +46,10 @@ impl Design {
         }
     }
 
-    /// The same under another name.
+    /// The same design with another name.
     ///
     /// # Errors
-    /// It is no name: nothing, too long, or more than one line.
+    /// The name is empty, too long, or longer than one line.
     pub fn named(&self, name: &str) -> Result<Self, Text> {
         let name = name.trim();
         file::checked_name(name)?;
@@ -59,7 +59,7 @@ impl Design {
         })
     }
 
-    /// Whether nothing is built in.
+    /// Whether the design has no part.
     pub fn is_empty(&self) -> bool {
         self.slots.is_empty()
     }
@@ -69,7 +69,7 @@ impl Design {
         self.slots.get(&slot).map_or(&[], Vec::as_slice)
     }
 
-    /// All parts, slot by slot, each with how many pieces of it the drone has.
+    /// All parts, slot by slot, with the number of pieces of each.
     pub fn pieces(&self) -> impl Iterator<Item = (&'static Part, u32)> {
         let motors = u32::from(self.motors());
         self.slots.iter().flat_map(move |(slot, parts)| {
@@ -83,8 +83,8 @@ impl Design {
         self.slots.values().flatten().any(|part| part.id == id)
     }
 
-    /// This design with a part more. In a slot with room for one it takes the place of what is there; so does a battery
-    /// of another kind; any other part that is there already is not added again, unless it is a load.
+    /// This design with one more part. In a slot for one part it replaces the present one, and so does a battery of
+    /// another kind. Any other part that is already on board is not added again, unless it is a load.
     #[must_use]
     pub fn with(&self, part: &'static Part) -> Self {
         let slot = part.slot();
@@ -113,7 +113,7 @@ impl Design {
         changed
     }
 
-    /// This design with one piece of a part less.
+    /// This design with one piece of a part removed.
     #[must_use]
     pub fn without(&self, part: &Part) -> Self {
         let mut changed = self.clone();
@@ -128,7 +128,7 @@ impl Design {
         changed
     }
 
-    /// How many motors its frame has room for; none without a frame.
+    /// The number of motors of its frame; 0 without a frame.
     pub fn motors(&self) -> u8 {
         self.in_slot(PartSlot::Frame)
             .first()
@@ -175,12 +175,12 @@ impl Design {
         }
     }
 
-    /// The gain of its antenna beyond that of its radio, in dBi: a relay on board has a better one.
+    /// The gain of its antenna beyond that of its radio, in dBi: a relay on board has a better antenna.
     pub fn antenna_gain_dbi(&self) -> f64 {
         if self.has(RELAY) { RELAY_DBI } else { 0.0 }
     }
 
-    /// Its drive, if it has a part in each of those slots.
+    /// The drive; `None` if one of its slots is empty.
     pub(super) fn drive(&self) -> Option<Drive<'static>> {
         match (
             self.spec(PartSlot::Frame)?,

@@ -6,29 +6,29 @@ use crate::geo::maths;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 const INCH_M: f64 = 0.0254;
-/// Copper gets warm: its resistance at work over that of the data sheet.
+/// The resistance of warm copper, relative to the data sheet.
 const WARM_COPPER: f64 = 1.10;
-/// No-load current is stated at about this voltage; of it, this part was found at work (fit to bench tests).
+/// The voltage at which the no-load current is stated, and the share of that current at work (fitted to bench tests).
 const NO_LOAD_V: f64 = 20.0;
 const NO_LOAD_SHARE: f64 = 0.5;
 /// A motor at full throttle gets no more than this share of the battery's voltage (mean of bench tables, 0.76 to 0.88).
 pub(super) const VOLTAGE_SHARE: f64 = 0.83;
-/// A motor bears this much of its rated power for as long as a climb takes.
+/// The factor on its rated power that a motor can give for the time of a climb.
 const SHORT_POWER: f64 = 1.25;
 /// The factor on hover power for interacting rotors and control, compared with single rotors on a test bench.
 const INTERACTION: f64 = 1.03;
-/// Rounds of halving the interval in which the largest thrust lies: 400 N to less than a micronewton.
+/// Steps of the bisection for the largest thrust: from 400 N to less than a micronewton.
 const ROUNDS: u32 = 32;
 const MOST_THRUST_N: f64 = 400.0;
 
-/// One motor with its propeller at a thrust.
+/// One motor with its propeller at a given thrust.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turning {
     pub rpm: f64,
     /// Mechanical power, in watts.
     pub shaft_w: f64,
     pub volts: f64,
-    /// Taken from the battery, in watts.
+    /// Power from the battery, in watts.
     pub electric_w: f64,
 }
 
@@ -47,8 +47,8 @@ impl Drive<'_> {
         f64::from(self.frame.motors)
     }
 
-    /// One motor giving a thrust in air of a density: the propeller's coefficients give speed and torque, the torque
-    /// constant `30 / (pi Kv)` the current, resistance and back-EMF the voltage.
+    /// One motor that gives a thrust in air of a density: the propeller's coefficients give speed and torque, the
+    /// torque constant `30 / (pi Kv)` the current, and resistance and back-EMF the voltage.
     pub fn turning(&self, thrust_n: f64, density: f64) -> Turning {
         let propeller = self.propeller;
         let diameter_m = self.diameter_m();
@@ -71,7 +71,7 @@ impl Drive<'_> {
         }
     }
 
-    /// One motor in the hover of a mass. The arms block a part of the downwash, which costs thrust.
+    /// One motor in the hover of a drone with a given mass. The arms block a part of the downwash, which costs thrust.
     pub fn hovering(&self, mass_kg: f64, density: f64) -> Turning {
         let thrust_n = mass_kg * GRAVITY_M_S2 * (1.0 + self.frame.download) / self.motors();
         self.turning(thrust_n, density)
@@ -82,8 +82,8 @@ impl Drive<'_> {
         self.motors() * hover.electric_w * INTERACTION + electronics_w
     }
 
-    /// The largest thrust of all motors together, in newtons, at a charge in percent: the first of these limits. The motor's
-    /// voltage, its power, the speed controller's current, the propeller's speed, the battery's current.
+    /// The largest thrust of all motors together, in newtons, at a charge in percent: the lowest of the limits by the
+    /// motor's voltage and power, the speed controller's current, the propeller's speed, and the battery's current.
     pub fn max_thrust_n(&self, pack: &Pack, charge: f64, electronics_w: f64, density: f64) -> f64 {
         let bears = |thrust_n: f64| {
             let one = self.turning(thrust_n, density);

@@ -16,23 +16,23 @@ pub const LEAST_THRUST: f64 = 1.3;
 pub const GOOD_THRUST: f64 = 1.8;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
-/// Thrust is stated at this charge, in percent: the middle of a flight.
+/// Thrust is stated at this charge in percent, as in the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
-/// The greatest lean; a drone with little thrust less, for a tenth of it is kept for control.
+/// The greatest lean of any drone, in degrees; little thrust reduces it, since a tenth is kept for control.
 const MOST_LEAN_DEG: f64 = 35.0;
 const CONTROL_SHARE: f64 = 0.9;
-/// Speeds that are tried, in steps of half a metre per second.
+/// The step between the computed speeds.
 const SPEED_STEP_M_S: f64 = 0.5;
 const SPEED_STEPS: u32 = 70;
-/// A link is planned with this much to spare, in decibels.
+/// The planned margin of a link, in decibels.
 const FADE_MARGIN_DB: f64 = 20.0;
 
 /// The air that a drone flies in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Air {
-    /// Metres above sea level.
+    /// Altitude above sea level, in metres.
     pub altitude_m: f64,
-    /// Of the air, in degrees Celsius.
+    /// The temperature of the air in degrees Celsius.
     pub temperature_c: f64,
     /// The battery's temperature in degrees Celsius: packs are warm at launch, unless a mission sets another value.
     pub battery_c: f64,
@@ -60,43 +60,43 @@ impl Air {
 /// The figures of a complete design.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Figures {
-    /// Ready to fly, in kilograms.
+    /// The mass ready to fly, in kilograms.
     pub mass_kg: f64,
-    /// The price of all parts.
+    /// The price of all parts, in credits.
     pub credits: u32,
-    /// Of all motors, at 60 % charge, in newtons.
+    /// Thrust of all motors at 60 % charge, in newtons.
     pub max_thrust_n: f64,
     /// Thrust over weight at 60 % charge.
     pub thrust_to_weight: f64,
     /// The same ratio with a full battery.
     pub thrust_to_weight_full: f64,
-    /// From the battery, with electronics, in watts.
+    /// Power of the hover from the battery, with electronics, in watts.
     pub hover_power_w: f64,
-    /// In the hover at 60 % charge.
+    /// Current of the hover at 60 % charge, in amperes.
     pub hover_current_a: f64,
-    /// Of the pack while it gives that current.
+    /// Voltage of the pack at that current.
     pub hover_voltage_v: f64,
     /// Revolutions of the propellers per minute.
     pub hover_rpm: f64,
     /// Share of the thrust that the hover needs, with a full battery.
     pub hover_throttle: f64,
-    /// In the hover with the part of the charge that a flight may use, in seconds.
+    /// Hover time with the usable part of the charge, in seconds.
     pub hover_time_s: f64,
-    /// In the hover until 80 % of the charge is used, in seconds.
+    /// Hover time until 80 % of the charge is used, in seconds.
     pub hover_80_s: f64,
-    /// The charge below which the motors no longer get the voltage for the hover, if it is above the reserve; percent.
+    /// The charge in percent below which the voltage is too low for the hover; `None` if that is within the reserve.
     pub sags_at: Option<f64>,
     /// The speed of least power and so of the longest flight time.
     pub endurance_speed_m_s: f64,
-    /// At that speed, in seconds.
+    /// The flight time at that speed, in seconds.
     pub longest_s: f64,
-    /// Where the most metres are made.
+    /// The speed of the longest range.
     pub range_speed_m_s: f64,
-    /// At that speed without wind, in metres.
+    /// The range at that speed without wind, in metres.
     pub range_m: f64,
-    /// Level, as far as lean and thrust allow.
+    /// The highest speed in level flight, limited by lean and thrust.
     pub top_speed_m_s: f64,
-    /// How far it may lean for that, in degrees.
+    /// The greatest lean in level flight, in degrees.
     pub most_lean_deg: f64,
     /// Battery capacity, in ampere hours.
     pub capacity_ah: f64,
@@ -104,15 +104,15 @@ pub struct Figures {
     pub energy_wh: f64,
     /// The largest current of a climb at full thrust, and the battery's continuous limit, in amperes.
     pub max_current_a: f64,
-    /// The mass that could be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative if
-    /// too heavy already.
+    /// The mass that can be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative if the
+    /// drone is too heavy.
     pub spare_kg: f64,
 }
 
-/// How far a radio reaches.
+/// The reach of a design's radio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
-    /// With 20 dB to spare, from an antenna 2 m high to a drone at a height, in metres.
+    /// The range with a margin of 20 dB, from an antenna 2 m high to a drone at a height, in metres.
     pub range_m: f64,
 }
 
@@ -138,7 +138,7 @@ impl Design {
             .collect()
     }
 
-    /// Hover time in seconds over payload added, in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight.
+    /// Hover time in seconds by added payload in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight.
     pub fn endurance_by_payload(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
             return Vec::new();
@@ -153,7 +153,7 @@ impl Design {
             .collect()
     }
 
-    /// How far the radio reaches to a drone at a height; `None` without one.
+    /// The reach of the radio to a drone at a height; `None` without a radio.
     pub fn link(&self, height_m: f64) -> Option<Link> {
         self.radio().map(|radio| Link {
             range_m: radio.range_m(height_m, self.antenna_gain_dbi()),
@@ -161,7 +161,7 @@ impl Design {
     }
 }
 
-/// Everything that is computed from, once.
+/// The inputs of all figures, computed once.
 struct Bench<'a> {
     drive: &'a Drive<'a>,
     pack: Pack,
@@ -198,7 +198,7 @@ impl<'a> Bench<'a> {
             .max_thrust_n(&self.pack, charge, forward.electronics_w, forward.density)
     }
 
-    /// In the hover with more mass than the drone has.
+    /// The hover time in seconds with a given mass.
     fn hover_time_s(&self, mass_kg: f64) -> f64 {
         let hover = self.drive.hovering(mass_kg, self.forward.density);
         let power_w = self.drive.hover_power_w(&hover, self.forward.electronics_w);
@@ -206,7 +206,7 @@ impl<'a> Bench<'a> {
         self.pack.lasts(power_w, self.pack.usable, needed_v).0
     }
 
-    /// As far as its thrust still holds it up; none where it cannot.
+    /// The greatest lean at which the thrust still carries the weight, in degrees; zero if it does not.
     fn most_lean_deg(&self) -> f64 {
         let weight_n = self.mass_kg() * GRAVITY_M_S2;
         let thrust_n = CONTROL_SHARE * self.max_thrust_n(MIDDLE_CHARGE);
@@ -222,7 +222,7 @@ impl<'a> Bench<'a> {
             .unwrap_or_default()
     }
 
-    /// The speed with the most of something.
+    /// The speed with the largest value of `worth`.
     fn best(&self, worth: impl Fn(f64, f64) -> f64) -> (f64, f64) {
         let top = self.top_speed_m_s().max(SPEED_STEP_M_S);
         speeds()
@@ -279,8 +279,8 @@ impl<'a> Bench<'a> {
 }
 
 impl Figures {
-    /// How far out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest range; zero
-    /// where the wind is as fast.
+    /// The greatest distance out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest
+    /// range; zero if the wind is as fast.
     pub fn radius_m(&self, wind_m_s: f64) -> f64 {
         let speed = self.range_speed_m_s;
         let time_s = self.range_m / speed.max(SPEED_STEP_M_S);

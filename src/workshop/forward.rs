@@ -5,23 +5,23 @@ use super::drive::Turning;
 use crate::geo::maths;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
-/// Induced power of a real rotor over the ideal one.
+/// The induced power of a real rotor relative to the ideal one.
 const INDUCED: f64 = 1.15;
-/// The share of the theoretical saving at speed that is granted: with half, the best endurance of a known folding
-/// drone is at 9 m/s with 0.87 of its hover power, as its maker states.
+/// The share of the theoretical saving at speed that is assumed: one half gives a known folding drone its best
+/// endurance at 9 m/s with 0.87 of its hover power, as its maker states.
 const SAVED: f64 = 0.5;
 /// Profile power grows with the square of the advance ratio (Glauert).
 const PROFILE: f64 = 4.65;
-/// The arms block less of the stream, the faster the drone is; beyond this speed nothing.
+/// The speed above which the arms no longer block the air stream; below, they block less the faster the drone is.
 const CLEAN_M_S: f64 = 15.0;
 const ROUNDS: u32 = 40;
 
-/// A drone at one speed through the air.
+/// Level flight at one speed through the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Level {
-    /// Taken from the battery, in watts.
+    /// Power from the battery, in watts.
     pub power_w: f64,
-    /// How far it leans, in degrees.
+    /// The lean in degrees.
     pub lean_deg: f64,
 }
 
@@ -37,7 +37,8 @@ pub(super) struct Forward<'a> {
 }
 
 impl Forward<'_> {
-    /// Level flight: drag leans the thrust, speed carries fresh air to the rotors (momentum theory), blades meet it.
+    /// The level flight at a speed: drag determines the lean, the airspeed reduces the induced power (momentum
+    /// theory), and the blades' drag rises.
     pub fn at(&self, speed_m_s: f64) -> Level {
         let drive = self.drive;
         let weight_n = self.mass_kg * GRAVITY_M_S2;
@@ -61,7 +62,7 @@ impl Forward<'_> {
         let rotor_w = INDUCED * thrust_n * ((1.0 - SAVED) * hover_m_s + SAVED * induced_m_s)
             + profile_w * (1.0 + PROFILE * advance * advance)
             + drag_n * speed_m_s;
-        // Motors and controllers are as good as in the hover.
+        // Motors and controllers have the efficiency of the hover.
         let efficiency =
             self.hover.shaft_w * drive.motors() / (self.hover_power_w - self.electronics_w);
         Level {

@@ -3,11 +3,11 @@
 use super::part::Radio;
 use crate::geo::maths;
 
-/// Antennas are never lower than this, in metres.
+/// The least height of an antenna in the formulas, in metres.
 pub(crate) const LOWEST_ANTENNA_M: f64 = 0.3;
 /// The height of the ground antenna in metres, unless a mission sets another.
 pub(crate) const GROUND_ANTENNA_M: f64 = 2.0;
-/// Nearer than this, in metres, nothing gets stronger.
+/// Within this distance, in metres, the signal gets no stronger.
 const NEAREST_M: f64 = 1.0;
 /// The loss in free space over 1 km at 1 MHz, in dB (ITU-R P.525).
 const FREE_SPACE_DB: f64 = 32.44;
@@ -19,7 +19,7 @@ pub(crate) fn free_space_db(distance_m: f64, frequency_mhz: f64) -> f64 {
         + 20.0 * maths::log10(frequency_mhz)
 }
 
-/// Loss with the wave that the ground reflects, far from the transmitter, in dB: `40 lg(m) - 20 lg(h h')`.
+/// Loss with the ground reflection, far from the transmitter, in dB: `40 lg(m) - 20 lg(h h')`.
 pub(crate) fn two_ray_db(distance_m: f64, height_m: f64, other_m: f64) -> f64 {
     40.0 * maths::log10(distance_m.max(NEAREST_M)) - 20.0 * maths::log10(height_m * other_m)
 }

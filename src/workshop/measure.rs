@@ -8,26 +8,26 @@ use crate::text::Text;
 /// The height at which the reach of the radio is stated, in metres.
 const RADIO_HEIGHT_M: f64 = 50.0;
 
-/// A figure of a design.
+/// A figure of a design for display.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// Of the drone that is ready to fly, in kilograms.
+    /// The mass ready to fly, in kilograms.
     Mass,
-    /// The price of all parts.
+    /// The price of all parts, in credits.
     Cost,
-    /// Of all motors, in newtons.
+    /// The thrust of all motors, in newtons.
     Thrust,
     /// The thrust as a multiple of the weight.
     Ratio,
-    /// Power of the hover.
+    /// The power of the hover.
     HoverPower,
-    /// Current of the hover.
+    /// The current of the hover.
     HoverCurrent,
-    /// On the usable part of the charge.
+    /// The hover time with the usable part of the charge.
     HoverTime,
     /// Nominal energy of the battery.
     Energy,
-    /// Speed of the longest time in the air.
+    /// The speed of the longest flight time.
     EnduranceSpeed,
     Longest,
     /// The speed of the longest range.
@@ -35,23 +35,23 @@ pub enum Measure {
     Range,
     /// The fastest level flight.
     TopSpeed,
-    /// With a fade margin of 20 dB, to 50 m of height.
+    /// The reach of the radio with a fade margin of 20 dB, at 50 m of height.
     RadioReach,
-    /// The mass that could be added.
+    /// The mass that can be added.
     Spare,
 }
 
-/// Which change of a figure an owner likes.
+/// The direction of change that improves a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Better {
     More,
     Less,
-    /// Neither is better in itself.
+    /// Neither direction is better in general.
     Neither,
 }
 
 impl Measure {
-    /// All, in the order of a sheet.
+    /// All measures, in the order of a sheet.
     pub const ALL: [Self; 15] = [
         Self::Mass,
         Self::Cost,
@@ -107,7 +107,7 @@ impl Measure {
         }
     }
 
-    /// How many decimals are worth showing.
+    /// The number of decimals to show.
     pub fn decimals(self) -> usize {
         match self {
             Self::Cost | Self::HoverPower | Self::Energy | Self::Thrust => 0,
@@ -174,7 +174,7 @@ impl Measure {
         with_unit(self.figure(value), self.unit())
     }
 
-    /// A change with its sign, without its unit; `None` where it rounds to nothing.
+    /// A change with its sign, without its unit; `None` if it rounds to zero.
     pub fn difference(self, before: f64, after: f64) -> Option<String> {
         let decimals = self.decimals();
         let change = format!("{:+.decimals$}", after - before);
@@ -182,13 +182,13 @@ impl Measure {
         (!is_nothing).then_some(change)
     }
 
-    /// A change with its sign and unit; `None` where it rounds to nothing.
+    /// A change with its sign and unit; `None` if it rounds to zero.
     pub fn change(self, before: f64, after: f64) -> Option<String> {
         let change = self.difference(before, after)?;
         Some(with_unit(change, self.unit()))
     }
 
-    /// Whether a change is for the better; `None` where that depends, or nothing changes.
+    /// Whether a change is an improvement; `None` if that depends, or nothing changes.
     pub fn is_gain(self, before: f64, after: f64) -> Option<bool> {
         self.change(before, after)?;
         match self.better() {
@@ -199,18 +199,18 @@ impl Measure {
     }
 }
 
-/// Everything that is shown of a design, computed once.
+/// All displayed figures of a design, computed once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     mass_kg: f64,
     credits: u32,
-    /// `None` while parts of the drive are missing.
+    /// The figures; `None` while parts of the drive are missing.
     pub figures: Option<Figures>,
     reach_m: Option<f64>,
 }
 
 impl Sheet {
-    /// That of a design in some air.
+    /// The sheet of a design in given air.
     pub fn of(design: &Design, air: Air) -> Self {
         Self {
             mass_kg: design.mass_kg(),

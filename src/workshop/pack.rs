@@ -20,8 +20,9 @@ const POLYMER: [(f64, f64); 14] = [
     (95.0, 4.13),
     (100.0, 4.2),
 ];
-/// The same of lithium ion. `ArduPilot`'s `SIM_Battery` has one curve for all, so that the simulators' voltage differs a
-/// little from this on the way; the energy, which makes the endurance, does so by less than 4 %.
+/// Resting volts of a lithium ion cell, by percent of charge. `ArduPilot`'s `SIM_Battery` has one curve for all cells,
+/// so the simulators' voltage differs slightly between the ends; the energy, which decides the endurance, differs by
+/// less than 4 %.
 const ION: [(f64, f64); 12] = [
     (0.0, 2.5),
     (5.0, 3.0),
@@ -36,7 +37,7 @@ const ION: [(f64, f64); 12] = [
     (90.0, 4.02),
     (100.0, 4.15),
 ];
-/// Capacity by temperature, in degrees and shares of the nominal one: the order of magnitude of lithium polymer packs.
+/// Capacity by temperature: degrees, and shares of the nominal capacity; typical of lithium polymer packs.
 const CAPACITY: [(f64, f64); 5] = [
     (-20.0, 0.60),
     (-10.0, 0.75),
@@ -44,7 +45,7 @@ const CAPACITY: [(f64, f64); 5] = [
     (10.0, 0.95),
     (25.0, 1.0),
 ];
-/// How much the resistance grows with each degree below 25.
+/// The growth of the resistance with each degree below 25 °C.
 const COLD_RESISTANCE: f64 = 0.03;
 const ROOM_TEMPERATURE_C: f64 = 25.0;
 /// A step of the discharge, in percent.
@@ -62,7 +63,7 @@ pub(super) struct Pack {
     pub usable: f64,
 }
 
-/// A pack's output at some charge and power.
+/// Voltage and current of a pack at a charge and a power.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Loaded {
     pub volts: f64,
@@ -98,7 +99,8 @@ impl Pack {
         self.cells * 3.7 * self.capacity_ah
     }
 
-    /// Under a power at a charge in percent; `None` where the voltage breaks down: no current gives that power.
+    /// The state under a power at a charge in percent; `None` if the voltage breaks down, so that no current gives
+    /// this power.
     pub fn loaded(&self, charge: f64, power_w: f64) -> Option<Loaded> {
         let resting = self.resting_v(charge);
         let root = resting * resting - 4.0 * self.resistance_ohm * power_w;
@@ -112,8 +114,8 @@ impl Pack {
         })
     }
 
-    /// How long a full pack supplies a power, in seconds: until a share of the charge is used, or the voltage is below
-    /// what the motors need. Also the charge at the end, in percent.
+    /// How long a full pack supplies a power, in seconds: until a share of the charge is used, or the voltage is too
+    /// low for the motors. Also the charge at the end, in percent.
     pub fn lasts(&self, power_w: f64, share: f64, needed_v: f64) -> (f64, f64) {
         let (mut charge, mut time_s) = (100.0, 0.0);
         while charge > 100.0 * (1.0 - share) {
@@ -136,7 +138,7 @@ impl Pack {
     }
 }
 
-/// Between the points of a rising table; outside, its ends.
+/// A value between the points of a table with rising arguments; outside the table, the value at its end.
 fn interpolated(table: &[(f64, f64)], at: f64) -> f64 {
     let (Some(first), Some(last)) = (table.first(), table.last()) else {
         return 0.0;

@@ -6,7 +6,7 @@ use crate::text::Text;
 
 const INCH_M: f64 = 0.0254;
 
-/// A place of a drone that parts go into. The order is that of building.
+/// A slot of a drone for parts, in the order of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PartSlot {
     /// The frame: arms, hubs, legs.
@@ -17,14 +17,14 @@ pub enum PartSlot {
     Propeller,
     /// Speed controllers, one per motor.
     Esc,
-    /// One or several of one kind, in parallel.
+    /// The battery packs: one or several of one kind, in parallel.
     Battery,
     Autopilot,
     /// Satellite navigation and compass.
     Navigation,
-    /// Feeds the electronics and measures the battery.
+    /// The power module: feeds the electronics and measures the battery.
     Power,
-    /// The link to the ground.
+    /// The radio link to the ground.
     Radio,
     /// Sensors, droppers, and loads.
     Payload,
@@ -44,7 +44,7 @@ impl PartSlot {
         Self::Payload,
     ];
 
-    /// Its key in a design file.
+    /// The key of the slot in a design file.
     pub fn key(self) -> &'static str {
         match self {
             Self::Frame => "frame",
@@ -76,7 +76,7 @@ impl PartSlot {
         }
     }
 
-    /// How many parts it takes.
+    /// The most parts in the slot.
     pub fn room(self) -> usize {
         match self {
             Self::Battery => 4,
@@ -97,7 +97,7 @@ impl PartSlot {
         matches!(self, Self::Motor | Self::Propeller | Self::Esc)
     }
 
-    /// Whether no drone flies without it.
+    /// Whether every drone needs a part in it.
     pub fn is_required(self) -> bool {
         self != Self::Payload
     }
@@ -110,7 +110,7 @@ pub struct Part {
     pub id: &'static str,
     pub mass_g: f64,
     pub credits: u32,
-    /// Its power in operation, in watts, without motors.
+    /// The power that it draws in operation, in watts, without motors.
     pub power_w: f64,
     pub(super) spec: Spec,
 }
@@ -129,7 +129,7 @@ pub(super) enum Spec {
     Radio(Radio),
     /// A sensor, a dropper or a light.
     Payload,
-    /// Something to drop; several may be carried.
+    /// A load to drop; several may be carried.
     Load,
 }
 
@@ -140,7 +140,7 @@ pub(super) struct Frame {
     pub largest_propeller_in: f64,
     /// Drag coefficient times area.
     pub drag_area_m2: f64,
-    /// The share of the thrust that the air pushing on the arms takes.
+    /// The share of the thrust lost to the air stream on the arms.
     pub download: f64,
 }
 
@@ -184,7 +184,7 @@ pub(super) struct Battery {
     pub chemistry: Chemistry,
     pub cells: u8,
     pub capacity_ah: f64,
-    /// The largest current that it can give for long, as a multiple of its capacity.
+    /// The greatest continuous current, as a multiple of the capacity.
     pub c_rate: f64,
     /// The resistance of one cell in series.
     pub cell_resistance_mohm: f64,
@@ -200,9 +200,9 @@ pub(super) struct PowerModule {
 #[derive(Debug, PartialEq)]
 pub struct Radio {
     pub power_dbm: f64,
-    /// Its frequency within the band.
+    /// Its frequency in megahertz.
     pub frequency_mhz: f64,
-    /// The weakest signal that it can read.
+    /// The weakest signal that it can decode.
     pub sensitivity_dbm: f64,
     /// Gain of the antenna on the drone.
     pub air_dbi: f64,
@@ -210,7 +210,7 @@ pub struct Radio {
     pub ground_dbi: f64,
     /// Losses in cables, by obstructions, and by antenna alignment.
     pub losses_db: f64,
-    /// Whether it always relays others of its kind.
+    /// Whether it always relays the signals of other radios of its kind.
     pub relays: bool,
 }
 
@@ -231,7 +231,7 @@ impl Part {
         }
     }
 
-    /// Whether it is used up: several of it may be on board.
+    /// Whether it is used up in flight, so that several of it may be on board.
     pub fn is_load(&self) -> bool {
         matches!(self.spec, Spec::Load)
     }
@@ -285,7 +285,8 @@ impl Part {
 }
 
 impl Frame {
-    /// The largest propellers that turn without touching each other, in inches (5 % apart), or that the frame allows.
+    /// The largest propellers that turn without touching each other (with a gap of 5 %) or that the frame allows, in
+    /// inches.
     pub(super) fn clearance_in(&self) -> f64 {
         let between_m =
             self.wheelbase_m * maths::sin(std::f64::consts::PI / f64::from(self.motors));

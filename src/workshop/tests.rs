@@ -37,7 +37,7 @@ fn cold_takes_time_away_and_height_thrust() {
 
 #[test]
 fn radios_reach_as_far_as_their_budget() {
-    // Ranges with 20 dB to spare, worked out by hand from P.525 and the two-ray model.
+    // Ranges with a margin of 20 dB, computed by hand from P.525 and the two-ray model.
     for (radio, low_m, high_m) in [
         ("r_wifi24", 300.0, 300.0),
         ("r_sik915", 1800.0, 4000.0),
@@ -48,7 +48,7 @@ fn radios_reach_as_far_as_their_budget() {
         for (height_m, wanted_m) in [(10.0, low_m), (50.0, high_m)] {
             let found_m = drone.link(height_m).expect("a radio").range_m;
             let error_m: f64 = found_m - wanted_m;
-            // Worked out to a hundred metres.
+            // Computed by hand, to a hundred metres.
             assert!(
                 error_m.abs() < 75.0,
                 "{radio} at {height_m} m: {found_m:.0} m"

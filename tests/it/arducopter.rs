@@ -1,4 +1,4 @@
-//! The console's fleet against a real ArduCopter, which `SORTIE_ARDUCOPTER` names.
+//! The console's fleet against a real ArduCopter, named by `SORTIE_ARDUCOPTER`.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 
 use crate::fleet::Console;
 
-/// SITL's TCP port is 5760 and ten more per instance; this instance is out of everybody's way.
+/// SITL's TCP port is 5760 and ten more per instance; this number avoids ports that other programs usually use.
 const INSTANCE: u16 = 83;
 
-/// What a new vehicle lacks before it lets itself be armed: a frame, and calibrations that are not all zero.
+/// The parameters that a new vehicle needs before it can be armed: a frame, and calibrations that are not all zero.
 pub(crate) fn parameters() -> String {
     let mut text = String::from("FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\n");
     for compass in ["", "2", "3"] {
@@ -41,13 +41,13 @@ struct Sitl(Child);
 
 impl Drop for Sitl {
     fn drop(&mut self) {
-        // Errors mean that it has ended already.
+        // An error means that it has ended already.
         drop(self.0.kill());
         drop(self.0.wait());
     }
 }
 
-/// The program that `SORTIE_ARDUCOPTER` names. Tests that use it are `#[ignore]`d and have `real_arducopter` in their
+/// The program named by `SORTIE_ARDUCOPTER`. Tests that use it are `#[ignore]`d and have `real_arducopter` in their
 /// names: `SORTIE_ARDUCOPTER=FILE cargo test -- --ignored real_arducopter` runs them.
 pub(crate) fn program() -> PathBuf {
     std::env::var_os("SORTIE_ARDUCOPTER")

@@ -1,4 +1,4 @@
-//! `sortie bench scale` with the embedded simulator: that it measures what it says; not how fast it is.
+//! `sortie bench scale` with the embedded simulator: whether its figures are right, not how fast it is.
 
 use std::process::Command;
 
@@ -46,7 +46,7 @@ fn vehicles_that_fly_are_measured_in_one_document_and_drawn() {
             .is_some_and(|(each, all)| (2.0 * each / all - 1.0).abs() < 1e-6),
         "{two}"
     );
-    // Nobody may have stood still.
+    // No vehicle may have stood still.
     assert_eq!(two["void"], serde_json::json!([]));
     assert!(
         said.contains("2 vehicles, repeat 1 of 1: measuring"),
@@ -68,7 +68,7 @@ fn what_cannot_be_measured_is_said_before_anything_is() {
             &["nowhere/arducopter"],
         ),
         (&["--svg", "nowhere/at/all.svg"], &["nowhere/at/all.svg"]),
-        // A program that is no autopilot is told before the vehicles' turn comes.
+        // A program that is not an autopilot is reported before any vehicle is started.
         (
             &["--arducopter", "/bin/cat", "--svg", drawing],
             &["/bin/cat"],

@@ -1,4 +1,4 @@
-//! The embedded missions' budgets: every mission can be flown with drones that somebody builds for it.
+//! The embedded missions' budgets: every mission can be flown with drones that its budget pays for.
 
 use sortie::mission::{Mission, Need};
 use sortie::store;
@@ -12,7 +12,7 @@ fn stock() -> Vec<Design> {
         .collect()
 }
 
-/// A design without what it carries, and with what is needed instead.
+/// A design without its payload, and with the required parts instead.
 fn equipped(design: &Design, need: &Need) -> Option<Design> {
     let carried: Vec<_> = design
         .pieces()
@@ -32,7 +32,7 @@ fn equipped(design: &Design, need: &Need) -> Option<Design> {
         })
 }
 
-/// The cheapest drone of the stock that does what is needed.
+/// The cheapest stock drone that has the required parts.
 fn cheapest(need: &Need) -> Option<Design> {
     let equipped = stock().into_iter().filter_map(|it| equipped(&it, need));
     equipped

@@ -1,4 +1,5 @@
-//! The shipped missions: the reference pilot passes each, the naive pilot fails it, and idling never pays.
+//! The shipped missions: the reference pilot passes each, the naive pilot earns no medal, and doing nothing never
+//! passes.
 //!
 //! The drills and the missions of [`QUICK`] are flown here with one seed, in every build. `sortie check --fly`, in
 //! `.ci/run`, flies all of them over several seeds.
@@ -14,10 +15,10 @@ use sortie::mission::record::{Occasion, Stored};
 use sortie::mission::{Mission, Report};
 use sortie::scoring::{FlightBackend, Medal};
 
-/// The score that doing nothing must not exceed.
+/// The most points for a flight without any command.
 const IDLE_AT_MOST: u16 = 250;
 
-/// Missions that a program that is not optimised flies in a second or two.
+/// Missions that an unoptimised program flies within a second or two.
 const QUICK: [&str; 4] = ["00", "01", "02", "03"];
 
 /// A mission with its pilots.
@@ -68,7 +69,7 @@ impl Course {
         report
     }
 
-    /// Every flight of these tests is scored again from its record, to the last letter.
+    /// Every flight of these tests is scored again from its record, with an identical result.
     fn rescore(&self, report: &Report, record: &str) {
         let again = Stored::read(record).and_then(|stored| stored.rescore());
         let again = again.unwrap_or_else(|fault| panic!("{}: {fault}", self.name));
@@ -97,7 +98,7 @@ fn files(folder: &str, ending: &str) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// All of them, in the order of their numbers.
+/// All missions, in the order of their numbers.
 fn courses() -> Vec<Course> {
     let pilots = files("missions/pilots", "pilot");
     let mut courses = Vec::new();
@@ -116,13 +117,13 @@ fn courses() -> Vec<Course> {
     courses
 }
 
-/// Those that are flown here.
+/// The missions that are flown here.
 fn flown() -> Vec<Course> {
     let is_flown = |course: &Course| course.is_drill || QUICK.contains(&number(&course.name));
     courses().into_iter().filter(is_flown).collect()
 }
 
-/// Does it for all, on all processors.
+/// Runs a check for all missions, on all processors.
 fn for_each(courses: Vec<Course>, check: impl Fn(&Course) + Sync) {
     let left = Mutex::new(courses);
     let threads = thread::available_parallelism().map_or(1, usize::from);
@@ -224,7 +225,7 @@ fn doing_nothing_pays_nothing() {
     });
 }
 
-/// What a seed decides before anybody takes off: hazards, gates, zones.
+/// The layout that a seed decides before the takeoff: hazards, gates, zones.
 fn layout(course: &Course, seed: u64) -> String {
     let mission = Arc::clone(&course.mission);
     let mut exercise = Exercise::new(mission, seed, course.script(""), Vec::new());

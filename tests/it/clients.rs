@@ -1,14 +1,14 @@
-//! Other people's software against `sortie sim`: scripts as their users write them (tests/clients/README.md).
+//! Other programs as clients of `sortie sim`: scripts in the style of their users (tests/clients/README.md).
 //!
-//! `SORTIE_PYTHON` names the Python that has the clients' modules: `SORTIE_PYTHON=FILE cargo test --test it -- --ignored
-//! clients::` runs them.
+//! `SORTIE_PYTHON` names the Python that has the clients' modules:
+//! `SORTIE_PYTHON=FILE cargo test --test it -- --ignored clients::` runs them.
 
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// No script may take longer.
+/// The longest time that a script may take.
 const LIMIT: Duration = Duration::from_secs(180);
 
 /// A process that ends with the test.
@@ -16,7 +16,7 @@ struct Running(Child);
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // Errors mean that it has ended already.
+        // An error means that it has ended already.
         drop(self.0.kill());
         drop(self.0.wait());
     }
@@ -35,8 +35,8 @@ fn has_modules(python: &Path, modules: &[&str]) -> bool {
         .success()
 }
 
-/// A relative path counts from here, not from the folder in which the scripts run; a bare name is looked for on PATH.
-/// Links are not followed: by its link an interpreter knows its virtual environment.
+/// The path of the interpreter. A relative path counts from here, not from the folder of the scripts; a bare name is
+/// searched on PATH. Links are not followed, since an interpreter finds its virtual environment by its link.
 fn interpreter() -> PathBuf {
     let named = std::env::var_os("SORTIE_PYTHON").expect("SORTIE_PYTHON names a Python");
     let path = PathBuf::from(named);
@@ -66,7 +66,7 @@ fn simulator(speedup: u8) -> (Running, String) {
     (Running(child), address)
 }
 
-/// How a process ended, if it did in time.
+/// The exit status of a process, if it ends in time.
 fn end_of(process: &mut Child) -> Option<ExitStatus> {
     let started = Instant::now();
     while started.elapsed() < LIMIT {
@@ -78,7 +78,7 @@ fn end_of(process: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// Runs a script against a vehicle of its own. `prefix` makes an address of HOST:PORT as the client spells it.
+/// Runs a script against its own vehicle. `prefix` makes an address of HOST:PORT as the client spells it.
 fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
     let python = interpreter();
     assert!(
@@ -166,11 +166,11 @@ fn mavproxy_flies_from_its_command_line() {
 #[test]
 #[ignore = "needs SORTIE_PYTHON"]
 fn dronekit_flies() {
-    // DroneKit needs `past`, of the package future, without saying so.
+    // DroneKit needs `past`, of the package future, without declaring it.
     run("dronekit_flight.py", &["dronekit", "past"], "tcp:", 5);
 }
 
-/// Runs a script of MAVSDK's users. Until its version 3, the package mavsdk was what `mavsdk_grpc` is now.
+/// Runs a script for MAVSDK. Until version 3, the package mavsdk was what `mavsdk_grpc` is now.
 fn run_mavsdk(script: &str) {
     let modules: &[&str] = if has_modules(&interpreter(), &["mavsdk_grpc"]) {
         &["mavsdk_grpc"]

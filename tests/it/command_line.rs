@@ -21,7 +21,7 @@ fn sortie(arguments: &[&str]) -> Output {
         .expect("the program runs")
 }
 
-/// The program in a folder that is its user's folder for settings and records as well.
+/// The program in a folder that is also its user's folder for settings and records.
 fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
     let program = program();
     Command::new(&program[0])
@@ -40,7 +40,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Files in a folder of their own.
+/// A temporary folder with these files.
 fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, content) in files {
@@ -177,7 +177,7 @@ fn a_drill_is_flown_by_its_number() {
     let flown = sortie_in(folder.path(), &["fly", "d03", "--plain", "--seed", "1"]);
     let said = text(&flown.stdout);
     assert!(said.starts_with("Drill: upwind\n"), "{said}");
-    // Nobody says anything to it, so that it is not passed.
+    // The mission gets no messages, so it is not passed.
     assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
 }
 
@@ -363,7 +363,7 @@ fn what_holds_for_missions_of_the_home_screen_goes_with_no_command() {
         assert!(text(&output.stderr).contains("after the command"));
     }
     assert_eq!(sortie(&["--speedup", "0"]).status.code(), Some(2));
-    // There is no terminal here, and that is all that is wrong.
+    // The only fault is the missing terminal.
     assert_eq!(
         sortie(&["--speedup", "4", "--seed", "7"]).status.code(),
         Some(1)

@@ -1,4 +1,4 @@
-//! Two flights of a mission beside each other.
+//! The comparison of two flights of a mission.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,7 +18,7 @@ fn first_mission() -> Arc<Mission> {
     Arc::new(store::mission("00").expect("it is shipped"))
 }
 
-/// A flight of mission 00 by lines of a pilot script.
+/// A flight of mission 00 with the lines of a pilot script.
 pub fn flown(lines: &str, name: &str) -> ComparedFlight {
     let mission = first_mission();
     let script = read_script(lines, &mission).expect("it is good");
@@ -81,7 +81,7 @@ fn a_flight_is_the_same_from_its_record() {
         assert_eq!(one.len(), other.len(), "{second}");
         for ((_, one), (_, other)) in one.iter().zip(&other) {
             let apart_m = one.place.distance_m(other.place);
-            // Positions of a record are those of the messages, rounded to a centimetre.
+            // Positions of a record come from messages, which are rounded to a centimetre.
             assert!(apart_m < 0.1, "{second}: {apart_m}");
         }
     }

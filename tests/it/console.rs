@@ -1,4 +1,4 @@
-//! What the console does with keys and lines, told as scripts.
+//! The console's reactions to keys and lines, as scripts.
 
 use std::sync::Arc;
 
@@ -276,7 +276,7 @@ proptest::proptest! {
     }
 }
 
-/// No digit among them, so that no question about a kill can be answered.
+/// Keys without digits, so that no question about a kill can be answered.
 const KEYS: &[&str] = &[
     ":",
     "?",

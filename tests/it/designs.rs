@@ -1,4 +1,4 @@
-//! Drones of the workshop: what was computed of them against what they do in the air, at sea level and without wind.
+//! Drones of the workshop: computed figures against measured flights, at sea level and without wind.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use sortie::workshop::{Air, Design, Figures};
 
 const ALT_HOLD: f32 = 2.0;
 const GUIDED: f32 = 4.0;
-/// The part of the charge that the endurance is compared over.
+/// The share of the charge over which the endurance is compared.
 const USED: f64 = 0.8;
 
 /// A quad, a hexa, one with lithium ion cells, a heavy one and a racer.
@@ -34,7 +34,7 @@ struct Flight {
 }
 
 impl Flight {
-    /// Hovers at 20 m. Nothing brings the vehicle home before its battery is empty.
+    /// Hovers at 20 m. No failsafe brings the vehicle home before its battery is empty.
     fn hovering(airframe: Airframe) -> Self {
         let start = Start {
             at: LatLon::new(-35.363_262, 149.165_237),
@@ -102,7 +102,7 @@ impl Flight {
     }
 }
 
-/// A design, what was computed of it, and it in the air.
+/// A design, its computed figures, and its vehicle in the air.
 fn flown(source: &str) -> (Design, Figures, Flight) {
     let design = Design::from_toml(source).expect("a good design");
     let figures = design.figures(Air::default()).expect("complete");
@@ -122,7 +122,7 @@ fn compare(name: &str, what: &str, computed: f64, found: f64, within: f64) {
     );
 }
 
-/// Seconds in the hover from a full battery until a share of its charge is used. What take-off took counts as hover.
+/// Seconds in the hover from a full battery until a share of its charge is used. The takeoff counts as hover.
 fn endurance_s(flight: &mut Flight, capacity_ah: f64, share: f64) -> f64 {
     let begun = flight.truth();
     let before_s = begun.battery_consumed_mah * 3.6 / begun.battery_current_a;
@@ -171,7 +171,7 @@ fn a_design_flies_as_fast_as_computed() {
         let (design, figures, mut flight) = flown(source);
         let name = design.name.as_str();
         flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, ALT_HOLD], 0.0);
-        // The nose is held down until it gets no faster.
+        // The nose is held down until the speed no longer rises.
         for _ in 0..600 {
             flight.say(MavMessage::RC_CHANNELS_OVERRIDE(
                 RC_CHANNELS_OVERRIDE_DATA {

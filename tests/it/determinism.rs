@@ -1,5 +1,5 @@
-//! The same seed and the same messages at the same simulated times make the vehicles say the same bytes: whatever
-//! the pace, however many threads step them, and in a bare world as behind the server.
+//! The same seed and the same messages at the same simulated times make the vehicles send the same bytes: at any pace,
+//! with any number of threads, in a bare world and behind the server.
 
 use std::time::Duration;
 
@@ -16,18 +16,18 @@ use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream};
 use tokio::task::JoinSet;
 use tokio_util::sync::CancellationToken;
 
-/// Enough for the server to share its steps between threads at its highest speed.
+/// Enough vehicles for the server to share its steps between threads at its highest speed.
 const VEHICLES: usize = 21;
-/// Simulated milliseconds that are compared.
+/// The simulated time that is compared, in milliseconds.
 const COMPARED_MS: u64 = 36_000;
-/// A server at speed serves its ground stations in steps of this.
+/// The interval in which a server at full speed serves its ground stations, in milliseconds.
 const ROUND_MS: u64 = 100;
 const HOME: LatLon = LatLon {
     lat_deg: 50.0,
     lon_deg: 30.0,
 };
 
-/// What a vehicle is told, with the simulated time in milliseconds, in order.
+/// Messages to a vehicle in order, with the simulated time in milliseconds.
 type Script = Vec<(u64, MavMessage)>;
 
 fn config(seed: u64) -> WorldConfig {
@@ -62,7 +62,7 @@ fn set(name: &str, value: f32) -> MavMessage {
     })
 }
 
-/// The items of a list, each at metres north and east of home, sent without waiting for the questions.
+/// The items of a list, each at metres north and east of home, sent without waiting for requests.
 fn list(from_ms: u64, kind: MavMissionType, items: &[(MavCmd, f32, [f64; 2])]) -> Script {
     let count = MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
         count: items.len() as u16,
@@ -91,7 +91,7 @@ fn list(from_ms: u64, kind: MavMissionType, items: &[(MavCmd, f32, [f64; 2])]) -
     std::iter::once((from_ms, count)).chain(told).collect()
 }
 
-/// Two vehicles each have the same mission: they meet.
+/// Two vehicles share each mission, so that they meet.
 fn mission(vehicle: usize) -> Script {
     let aside_m = (vehicle / 6 * 6) as f64 * 5.0;
     let items = [
@@ -127,7 +127,7 @@ fn goto(p: [f32; 3]) -> MavMessage {
     })
 }
 
-/// Every third vehicle flies a mission, every fourth one within a fence; those without a mission are sent somewhere,
+/// Every third vehicle flies a mission, every fourth one within a fence; those without a mission are sent to a place,
 /// each with another fault.
 fn script(vehicle: usize) -> Script {
     let interval = |id| command(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [id, 1e5, 0.0]);
@@ -182,7 +182,8 @@ fn encoded(encoder: &mut Encoder, message: &MavMessage) -> Vec<u8> {
     bytes
 }
 
-/// What each vehicle says in a bare world that is stepped on some threads and listened to every few steps.
+/// The bytes that each vehicle of a bare world sends; the world is stepped on several threads and read every few
+/// steps.
 fn bare(seed: u64, threads: usize, steps_per_look: u64) -> (World, Vec<Vec<u8>>) {
     let mut world = World::new(&config(seed));
     let ports: Vec<_> = (0..VEHICLES)
@@ -238,7 +239,7 @@ fn pace_and_threads_change_no_byte_and_the_seed_does() {
     assert!(other != said, "the seed changes nothing");
 }
 
-/// A ground station that says what is due when the vehicle's clock says so; what it heard.
+/// A ground station that sends each message when the vehicle's clock reaches its time; returns the received bytes.
 async fn station(mut pipe: DuplexStream, mut script: Script) -> Vec<u8> {
     let (mut encoder, mut decoder) = (Encoder::new(255, 190), Decoder::new());
     let (mut heard, mut now_ms) = (Vec::new(), 0);

@@ -1,6 +1,6 @@
-//! The link doctor against real links that have exactly the fault that it is to name.
+//! The link doctor on real links, each with exactly one fault that it should name.
 //!
-//! The clock is paused: a second passes when a test says so, once the link has taken in what was sent.
+//! The clock is paused: a test advances it by a second once the link has read everything that was sent.
 
 use std::time::Duration;
 
@@ -44,7 +44,7 @@ impl Patient {
         }
     }
 
-    /// A link over a pipe, whose clock is exact, and its other end.
+    /// A link over a pipe with a simulated clock, and its other end.
     fn piped(way: Way) -> (Self, DuplexStream) {
         let (ours, theirs) = tokio::io::duplex(1 << 20);
         (Self::over(Transport::Pipe(ours), way), theirs)
@@ -71,7 +71,7 @@ impl Patient {
         }
     }
 
-    /// Waits until the link has taken in all that it was given, lets a second pass, and notes what it shows.
+    /// Waits until the link has read everything, advances by a second, and notes the link's state.
     async fn second(&mut self) {
         let given = self.given;
         self.until(|status| status.decoder.bytes >= given).await;
@@ -92,19 +92,19 @@ impl Patient {
         self.chart.note(observation, self.started.elapsed());
     }
 
-    /// What the doctor says, worst first.
+    /// The doctor's findings, worst first.
     fn causes(&self) -> Vec<Cause> {
         let findings = diagnose(std::slice::from_ref(&self.chart));
         findings.into_iter().map(|finding| finding.cause).collect()
     }
 
-    /// Asks for something, as the session with a vehicle does.
+    /// Sends a request, as the session with a vehicle does.
     fn ask(&self) {
         let question = MavMessage::TIMESYNC(TIMESYNC_DATA::default());
         self.link.send(To::Everyone, question.into());
     }
 
-    /// Gives it bytes, a share every second.
+    /// Feeds bytes to the link, a share every second.
     async fn feed<W: tokio::io::AsyncWrite + Unpin>(
         &mut self,
         to: &mut W,
@@ -133,7 +133,7 @@ impl Voice {
         bytes
     }
 
-    /// A heartbeat and ten attitudes.
+    /// The frames of one second: a heartbeat and ten attitudes.
     fn second(&mut self) -> Vec<u8> {
         let mut bytes = self.say(heartbeat());
         for _ in 0..10 {
@@ -158,7 +158,7 @@ fn heartbeat() -> MavMessage {
     })
 }
 
-/// The frames of a recording, one behind the other.
+/// The frames of a recording, without their times.
 fn recording(name: &str) -> Vec<u8> {
     let path = format!(
         "{}/tests/data/recordings/{name}",

@@ -1,5 +1,5 @@
-//! README and the documents name only what there is: files, headings, rooms, subcommands, options, verbs, settings and
-//! variables, by the tables that the program itself reads.
+//! README and documents name only existing things: files, headings, rooms, subcommands, options, verbs, settings and
+//! variables, checked against the program's own tables.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -35,7 +35,7 @@ fn document(name: &str) -> Document {
     Document::read(root().join(name))
 }
 
-/// Collects what is wrong in every document, and fails with all of it.
+/// Collects the faults of all documents, and fails with all of them.
 fn all_are_right(check: impl Fn(&Document) -> Vec<String>) {
     let wrong: Vec<String> = documents()
         .iter()
@@ -47,7 +47,7 @@ fn all_are_right(check: impl Fn(&Document) -> Vec<String>) {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Why a link leads nowhere, if it does.
+/// Why a link is broken, if it is.
 fn broken(document: &Document, link: &str) -> Option<String> {
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let folder = document.path.parent().unwrap_or(Path::new(""));
@@ -71,8 +71,8 @@ fn links_lead_to_files_and_headings() {
     });
 }
 
-/// What is wrong with a command line that begins with `sortie`: a subcommand, an option or a choice that there is not.
-/// Values that stand for others, and what may follow in the shell, are not looked at.
+/// The fault of a command line that begins with `sortie`: an unknown subcommand, option or choice. Placeholders, and
+/// what may follow in the shell, are not checked.
 fn unknown_to_the_program(line: &str) -> Option<String> {
     let words = line
         .split_whitespace()
@@ -124,7 +124,7 @@ fn options_exist() {
     });
 }
 
-/// Whether a line of the console begins with a verb or with a mode's name, after targets that there may be.
+/// Whether a line of the console begins with a verb or a mode's name, with or without targets before it.
 fn begins_with_a_verb(line: &str) -> bool {
     let mut words = language::words(line).into_iter();
     let word = words.find(|word| !word.is_targets());
@@ -135,7 +135,7 @@ fn begins_with_a_verb(line: &str) -> bool {
     })
 }
 
-/// The lines of the console in a document: those of its tables of commands, and those that begin with a colon.
+/// The console's lines in a document: those in its tables of commands, and those that begin with a colon.
 fn console_lines(document: &Document) -> Vec<String> {
     let rows = document.rows_below("command").into_iter();
     let lines = rows.filter(|row| !row[0].starts_with("sortie"));
@@ -205,7 +205,7 @@ fn variables_exist() {
     });
 }
 
-/// The examples of settings, keys and themes pass `sortie check`, which knows every name.
+/// The examples of settings, keys and themes pass `sortie check`, which checks every name.
 #[test]
 fn examples_of_the_configuration_are_valid() {
     let folder = tempfile::tempdir().expect("a folder");

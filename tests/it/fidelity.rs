@@ -1,49 +1,51 @@
-//! The embedded simulator beside flights of the real `ArduCopter` (tests/data/fidelity/README.md).
+//! The embedded simulator compared with flights of the real `ArduCopter` (tests/data/fidelity/README.md).
 
 use std::path::Path;
 
 use sortie::fidelity::{self, Comparison, Flight, Recording};
 
-/// Position may differ by this much, root-mean-square, at up to [`FAST_M_S`].
+/// The greatest root-mean-square difference of positions, at speeds up to [`FAST_M_S`].
 const POSITION_RMS_M: f64 = 1.5;
 const FAST_M_S: f64 = 10.4;
-/// Arrivals may differ by this share, or by this many seconds if they are near.
+/// The greatest difference of arrival times: a share, or a number of seconds for short flights.
 const ARRIVAL_PERCENT: f64 = 5.0;
 const ARRIVAL_S: f64 = 0.25;
 
-/// What misses an aim: the recording, the manoeuvre, its second in the recording, and the most that is measured of
-/// the difference in position (metres) and in arrival (percent). The aims hold for everything else.
+/// Manoeuvres that miss a limit: the recording, the manoeuvre, its second in the recording, and the greatest measured
+/// difference in position (metres) and in arrival (percent). All others keep the limits.
 const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
-    // 20 m/s were asked and drag allows 10.3: the real path runs a little ahead of the vehicle, and stops later.
+    // The command is 20 m/s and drag allows 10.3: the real path runs a little ahead of the vehicle, and stops later.
     ("b_classic", "velocity 0 0 0", 156.0, 1.8, 5.0),
-    // From 8 m/s downwards: 0.4 s later.
+    // From 8 m/s downwards, it stops 0.4 s later.
     ("b_classic", "velocity 0 0 0", 216.2, 1.5, 25.0),
-    // The nose follows the course and the course the nose: what is a few degrees at first grows to 16.
+    // Heading and course follow each other: a few degrees at the beginning grow to 16.
     ("b_classic", "velocity 5 0 0 of the body", 228.2, 2.0, 5.0),
     ("b_classic", "velocity 0 0 0", 234.2, 1.7, 5.0),
     ("b_classic", "to 0 0 -30", 294.2, 4.2, 5.0),
-    // After 0.7 s of DRIFT without thrust, at 8 m/s downwards.
+    // It follows 0.7 s of DRIFT without thrust, at 8 m/s downwards.
     ("b_classic", "GUIDED", 534.4, 1.5, 75.0),
-    // The end of a movement that lasts hardly longer than what is measured.
+    // The end of a movement that lasts hardly longer than the difference.
     ("c2_refusals_air", "GUIDED", 175.7, 1.5, 5.0),
-    // A mission's corners are cut a little differently; the item after a corner begins up to a second sooner.
+    // The mission's corners are cut slightly differently; the item after a corner begins up to a second earlier.
     ("d_mission", "continue", 98.6, 2.5, 5.0),
     ("d_mission", "AUTO", 121.4, 2.3, 5.0),
-    // At a corner of the fence it never comes to rest: both go to and fro by a metre, and end at different times.
+    // At a corner of the fence it never comes to rest: both vehicles move to and fro by a metre, and end at different
+    // times.
     ("e_fence_rally", "velocity 5 0 0", 71.9, 1.5, 21.0),
-    // The recorded simulator stood still for 1.5 s at the moment of lifting.
+    // The recorded simulator was stopped for 1.5 s at the moment of lift-off.
     ("e_fence_rally", "takeoff 20 m", 172.0, 2.1, 14.0),
     // It begins up to 2 m lower, where the climb through the ceiling has ended.
     ("e_fence_rally", "LAND", 213.9, 1.5, 6.0),
     // Without GPS the estimate drifts at random.
     ("g_gps", "takeoff 20 m", 43.4, 3.2, 5.0),
-    // The estimate jumps by the 111 m of a glitch that is over: before the command in one, after it in the other.
+    // The estimate jumps back by the 111 m of a glitch that has ended: before the command in one flight, after it in
+    // the other.
     ("g_gps", "LAND", 225.4, 111.0, 5.0),
 ];
 
-/// What is said or done in another order: the recording, and what.
+/// Answers and events in another order: the recording, and the kind.
 const NOT_IN_ORDER: &[(&str, &str)] = &[
-    // A climb at 2 m/s creeps through the ceiling after 19.0 s instead of 17.8: too late for this recording.
+    // A climb at 2 m/s slowly passes the ceiling after 19.0 s instead of 17.8: too late for this recording.
     ("e_fence_rally", "modes"),
     ("e_fence_rally", "texts"),
 ];
@@ -62,7 +64,7 @@ fn arrival_is_off(flight: &Flight) -> bool {
     late > ARRIVAL_S && late > real * ARRIVAL_PERCENT / 100.0
 }
 
-/// What misses the aims, in words.
+/// The missed limits, in words.
 fn faults(name: &str, comparison: &Comparison) -> Vec<String> {
     let mut faults = Vec::new();
     let mut excused: Vec<_> = EXCEPTIONS

@@ -1,4 +1,4 @@
-//! Vehicles, missions and results to show.
+//! Vehicles, missions and results as test data.
 
 use std::time::Duration;
 
@@ -65,7 +65,7 @@ pub fn parked(id: u16) -> Vehicle {
     vehicle
 }
 
-/// Attitude, GPS, health, battery and filter of a vehicle in order.
+/// Adds attitude, GPS, health, battery and filter of a healthy vehicle.
 fn add_instruments(vehicle: &mut Vehicle, at: Duration) {
     vehicle.attitude = Some(Attitude {
         roll_deg: 0.2,
@@ -105,7 +105,7 @@ fn add_instruments(vehicle: &mut Vehicle, at: Duration) {
     });
 }
 
-/// The same in the air in GUIDED.
+/// A copter in the air in GUIDED.
 pub fn airborne(id: u16, north_m: f64, altitude_m: f64) -> Vehicle {
     let mut vehicle = parked(id);
     vehicle.landed = LandedState::InAir;
@@ -129,7 +129,7 @@ pub fn airborne(id: u16, north_m: f64, altitude_m: f64) -> Vehicle {
     vehicle
 }
 
-/// The mission that ships, under another name.
+/// The shipped mission, under another name.
 pub fn listing() -> Listing {
     let source = include_str!("../../missions/01-air-sample.toml");
     Listing {
@@ -211,7 +211,7 @@ pub fn progress() -> Progress {
     }
 }
 
-/// A result.
+/// The report of a finished mission.
 pub fn report() -> Report {
     Report {
         mission: "m01".to_owned(),

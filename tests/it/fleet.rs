@@ -26,7 +26,7 @@ use tokio_util::sync::CancellationToken;
 mod logs;
 mod parameters;
 
-/// How long anything may take before a test gives up.
+/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
 
 fn world(vehicles: usize) -> World {
@@ -38,14 +38,14 @@ fn world(vehicles: usize) -> World {
     World::new(&WorldConfig::row(vehicles, start))
 }
 
-/// Waits for a change of what is watched; for ever where there will be none.
+/// Waits for a change of a watched value; for ever if its sender is gone.
 async fn changed<T>(state: &mut watch::Receiver<T>) {
     if state.changed().await.is_err() {
         pending::<()>().await;
     }
 }
 
-/// A fleet and everything that it has said.
+/// A fleet, and all events that it has sent.
 pub struct Console {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
@@ -85,7 +85,7 @@ impl Console {
         connected.expect("the fleet runs");
     }
 
-    /// Lets the fleet run until something is true.
+    /// Runs the fleet until a condition is true.
     pub async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
         let waiting = async {
             while !is_true(self) {
@@ -142,7 +142,7 @@ impl Console {
             .map(|vehicle| Arc::clone(&vehicle.borrow()))
     }
 
-    /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
+    /// Gives a line of the grammar to vehicles, and returns its entry in the ledger.
     pub fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
         let context = Context {
             vehicles: targets,
@@ -346,7 +346,7 @@ fn heartbeat() -> Vec<u8> {
     bytes
 }
 
-/// A console that listens for UDP and has heard vehicle 5, the vehicle's socket, and where it sends to.
+/// A console that has heard vehicle 5 over UDP, the vehicle's socket, and the console's address.
 async fn hearing_by_udp() -> (Console, UdpSocket, SocketAddr) {
     let mut console = Console::start();
     console.connect("udpin:127.0.0.1:0");

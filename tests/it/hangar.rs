@@ -1,4 +1,4 @@
-//! The hangar against a stand-in for `arducopter`, and against a real one, which `SORTIE_ARDUCOPTER` names.
+//! The hangar against a stand-in for `arducopter`, and against a real one, named by `SORTIE_ARDUCOPTER`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ mod owner;
 mod real;
 mod restarts;
 
-/// How long anything may take before a test gives up.
+/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(120);
 /// MAVLink id of `HEARTBEAT`.
 const HEARTBEAT: u32 = 0;
@@ -43,7 +43,7 @@ fn config(folder: &Path, program: PathBuf) -> HangarSetup {
     }
 }
 
-/// A hangar of a test, with what its instances run.
+/// A hangar for a test, with the program of its instances.
 struct Stand {
     hangar: Hangar,
     _folder: tempfile::TempDir,
@@ -84,7 +84,7 @@ impl Stand {
         launched.expect("it can be launched")
     }
 
-    /// Waits until something is true of all instances together.
+    /// Waits until a condition is true of all instances together.
     async fn until(&self, what: &str, is_true: impl FnMut(&Instances) -> bool) -> Instances {
         let mut instances = self.hangar.instances();
         let waited = timeout(PATIENCE, instances.wait_for(is_true)).await;
@@ -97,7 +97,7 @@ impl Stand {
         all.expect("it is open").clone()
     }
 
-    /// Waits until something is true of one instance, and returns it.
+    /// Waits until a condition is true of one instance, and returns it.
     async fn until_one(
         &self,
         id: InstanceId,
@@ -127,7 +127,7 @@ impl Stand {
     }
 }
 
-/// Somebody who is attached to an instance.
+/// A client attached to an instance.
 struct Attached {
     pipe: DuplexStream,
     decoder: Decoder,
@@ -135,7 +135,7 @@ struct Attached {
 }
 
 impl Attached {
-    /// Waits for the next heartbeat, and returns whose it is.
+    /// Waits for the next heartbeat, and returns its system id.
     async fn heartbeat(&mut self) -> u8 {
         let heard = async {
             loop {
@@ -153,7 +153,7 @@ impl Attached {
         timeout(PATIENCE, heard).await.expect("a heartbeat comes")
     }
 
-    /// Forgets all that has come so far.
+    /// Drops all bytes received so far.
     async fn forget(&mut self) {
         let mut bytes = vec![0; 65536];
         let read = timeout(Duration::from_millis(1), self.pipe.read(&mut bytes));
@@ -176,8 +176,8 @@ impl Attached {
 }
 
 impl Attached {
-    /// Heartbeats come once a simulated second: three pauses between them are long where that is one of ours. Until
-    /// it is ready an instance runs ten times as fast.
+    /// Heartbeats come once a simulated second: in real time, three intervals between them take that long. An instance
+    /// runs ten times as fast until it is ready.
     async fn assert_real_time(&mut self) {
         self.forget().await;
         self.heartbeat().await;
@@ -189,7 +189,7 @@ impl Attached {
     }
 }
 
-/// A console loses a vehicle whose process is killed, has it back when it was started again, and can command it.
+/// A console loses a vehicle whose process is killed, finds it again after the restart, and can command it.
 async fn assert_a_console_has_it_back(stand: &Stand) {
     let id = stand.launch().await;
     let mut console = Console::start();
@@ -220,7 +220,7 @@ fn signal(pid: u32, signal: Signal) {
     kill(Pid::from_raw(pid as i32), signal).expect("it is ours");
 }
 
-/// Whether a process is gone, or has ended and only waits to be asked how.
+/// Whether a process has ended, including one whose exit status has not been read.
 fn is_gone(pid: u32) -> bool {
     let is_zombie = || {
         let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
@@ -328,10 +328,10 @@ async fn one_to_whom_nobody_is_attached_is_ended_where_that_was_asked_for() {
     assert!(is_gone(one.pid.expect("it ran")));
 }
 
-/// Nobody's ports matter, as an instance listens on none: it connects to one that the system has chosen.
+/// Instances listen on no port: each connects to one that the system has chosen.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn ports_that_others_have_taken_do_not_matter() {
-    // Taken by us, or else by somebody else.
+    // The ports are taken by this test or by another program.
     let _taken: Vec<_> = [5760, 5762, 5763, 5770, 5501]
         .into_iter()
         .map(|port| std::net::TcpListener::bind(("127.0.0.1", port)))

@@ -21,7 +21,7 @@ impl Place {
         path
     }
 
-    /// The program in a home of its own, without anything that is set here.
+    /// The program with its own home folder, without any settings of this machine.
     fn sortie(&self, arguments: &[&str]) -> Output {
         Command::new(env!("CARGO_BIN_EXE_sortie"))
             .args(arguments)
@@ -44,7 +44,7 @@ fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("it is text")
 }
 
-/// A stand-in for SITL: says in its folder how it was started, and ends.
+/// A stand-in for SITL: writes its arguments to a file in its folder, and ends.
 const STAND_IN: &str = "#!/bin/sh\nfor word; do echo \"$word\"; done > arguments\necho started\n";
 
 #[test]
@@ -108,7 +108,7 @@ fn the_script_makes_the_files_and_starts_the_program_in_its_folder() {
         assert!(read("vehicle.parm").contains("WPNAV_SPEED 500\n"));
         assert_eq!(read("output.log"), "started\n");
     }
-    // The second one stands 5 m south of the first.
+    // The second vehicle stands 5 m south of the first.
     let home = orders[1]["arguments"][9].as_str().expect("a home");
     assert!(home.starts_with("49.999955"), "{home}");
 }
@@ -160,7 +160,7 @@ fn what_cannot_be_started_is_wrong_usage() {
         let said = place.sortie(&[&["hangar", "command"], options].concat());
         let told = text(&said.stderr);
         assert_eq!(said.status.code(), Some(2), "{options:?}: {told}");
-        // That there is no model at all is right as well.
+        // A command without a model is right as well.
         assert!(
             told.contains(expected) || expected == "use the model y6",
             "{told}"
@@ -214,7 +214,7 @@ fn a_program_that_is_no_sitl_is_a_fault_of_identify_and_of_the_doctor() {
     ] {
         assert_eq!(about(name)["verdict"], "ok", "{name}");
     }
-    // One that is named in the configuration lies beside it.
+    // A relative path in the configuration is relative to the configuration file.
     let config = place.file(
         "config.toml",
         "hangar.arducopter = \"nowhere/arducopter\"\n",

@@ -25,10 +25,10 @@ mod limits;
 mod program;
 mod requests;
 
-/// How long anything may take before a test gives up.
+/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
 
-/// A connection of this user's.
+/// A connection from this user.
 #[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn ours(_: SocketAddr, _: SocketAddr) -> Option<u32> {
     Some(nix::unistd::geteuid().as_raw())
@@ -45,7 +45,7 @@ struct Served {
 }
 
 impl Served {
-    /// With room for so many stand-ins.
+    /// A service with room for this many stand-ins.
     async fn start(instances: u16) -> Self {
         Self::with(instances, Some(Behaviour::Normal), |_| ()).await
     }
@@ -157,15 +157,15 @@ impl Served {
         self.raw(format!("{head}\r\n{body}").as_bytes()).await
     }
 
-    /// Sends bytes and takes in all that is answered.
+    /// Sends bytes and reads the whole answer.
     async fn raw(&self, bytes: &[u8]) -> Answer {
         let mut stream = self.connect().await;
-        // One that refuses early may have closed before all is sent.
+        // A service that refuses early may close before everything is sent.
         let _ = stream.write_all(bytes).await;
         Answer::read(&mut stream).await
     }
 
-    /// Ends the service and everything in it.
+    /// Ends the service and its instances.
     async fn end(self) {
         self.cancel.cancel();
         let over = tokio::time::timeout(PATIENCE, self.task).await;
@@ -173,7 +173,7 @@ impl Served {
     }
 }
 
-/// What was answered.
+/// The answer of the service.
 #[derive(Debug)]
 struct Answer {
     status: u16,
@@ -184,7 +184,7 @@ struct Answer {
 impl Answer {
     async fn read(stream: &mut TcpStream) -> Self {
         let mut bytes = Vec::new();
-        // A connection that is reset after the answer is one that has ended.
+        // A connection that is reset after the answer counts as closed.
         let _ = tokio::time::timeout(PATIENCE, stream.read_to_end(&mut bytes))
             .await
             .expect("it answers");
@@ -202,7 +202,7 @@ impl Answer {
         serde_json::from_str(&self.body).unwrap_or_else(|error| panic!("{error}: {self:?}"))
     }
 
-    /// What a refusal says: what is wrong, and what to do.
+    /// The text of a refusal: the fault and the advice.
     fn problem(&self) -> String {
         let json = self.json();
         let error = json["error"].as_str().expect("every refusal has an error");

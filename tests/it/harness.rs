@@ -21,7 +21,7 @@ use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
 
-/// The console and what it asked the shell to do last.
+/// The console, and its last requests to the shell.
 #[derive(Clone)]
 pub struct Console {
     app: App,
@@ -29,12 +29,12 @@ pub struct Console {
 }
 
 impl Console {
-    /// On the home screen, with one mission on offer.
+    /// On the home screen, with one mission.
     pub fn new() -> Self {
         Self::set_up(|_| {})
     }
 
-    /// The same with another setup.
+    /// On the home screen, with another setup.
     pub fn set_up(change: impl FnOnce(&mut Setup)) -> Self {
         let mut setup = Setup {
             missions: vec![fixtures::listing()],
@@ -50,7 +50,7 @@ impl Console {
         console
     }
 
-    /// The words of a language on the screen from the start.
+    /// On the home screen, with the texts of a language.
     pub fn in_language(language: Language) -> Self {
         Self::set_up(|setup| setup.locale = Arc::new(Locale::new(language)))
     }
@@ -69,7 +69,7 @@ impl Console {
         self
     }
 
-    /// What the console shows.
+    /// The state of the console, for reading.
     pub fn state(&self) -> &State {
         self.app.state()
     }
@@ -146,12 +146,12 @@ impl Console {
         self.press(":").write(line).press("enter")
     }
 
-    /// The newest command's row of a vehicle changes.
+    /// Changes a vehicle's row of the newest command.
     pub fn row(&mut self, vehicle: u16, state: RowState, explanation: Option<&str>) -> &mut Self {
         self.explained_row(vehicle, state, explanation.map(Text::from))
     }
 
-    /// The same with an explanation in whichever language.
+    /// Changes a vehicle's row of the newest command, with a translated explanation.
     pub fn explained_row(
         &mut self,
         vehicle: u16,
@@ -179,7 +179,7 @@ impl Console {
         }))
     }
 
-    /// The targets of the one command that the last event sent out.
+    /// The targets of the only command that the last event has sent.
     pub fn sent_to(&self) -> Vec<u16> {
         match self.effects.as_slice() {
             [Effect::Order { order, .. }] => order.targets.clone(),
@@ -192,7 +192,7 @@ impl Console {
         self.drawn(width, height).0
     }
 
-    /// Clicks on the first place at which a text stands; whether that means anything.
+    /// Clicks on the first place that shows a text; returns whether the click has an effect.
     pub fn click(&mut self, text: &str) -> bool {
         let (screen, hits) = self.drawn(120, 40);
         let lines = screen.lines().enumerate();

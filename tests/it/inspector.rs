@@ -1,4 +1,4 @@
-//! The inspector's reading of real frames, against the dialect's.
+//! The inspector's reading of real frames, compared with the dialect's.
 
 use std::io::BufReader;
 
@@ -13,7 +13,7 @@ fn field(reading: &MessageReading, name: &str) -> f64 {
     value.elements[0].number()
 }
 
-/// Some fields of a message as the dialect read them.
+/// Some fields of a message as decoded by the dialect.
 fn expected(message: &MavMessage) -> Vec<(&'static str, f64)> {
     match message {
         MavMessage::ATTITUDE(it) => {

@@ -42,7 +42,7 @@ const SHELL: &[&[&str]] = &[
     &["cli"],
 ];
 
-/// What pure modules must not touch: time and randomness are arguments, files and sockets are elsewhere.
+/// Items that pure modules must not use: time and randomness are arguments, files and sockets belong elsewhere.
 const IMPURE: &[&str] = &[
     "tokio",
     "ratatui",
@@ -68,7 +68,7 @@ fn top_level() -> BTreeMap<String, Vec<ModuleSource>> {
         };
         found.entry(top.to_owned()).or_default().push(module);
     }
-    // What is left under the program's own name is the list of modules in `lib.rs`.
+    // The rest under the program's own name is the list of modules in `lib.rs`.
     found.remove("sortie");
     found
 }
@@ -97,7 +97,7 @@ fn is_pure(module: &str) -> bool {
 
 fn allowed(user: &str, used: &str) -> bool {
     let is_downwards = level(&all(), user) >= level(&all(), used);
-    // A screen sees state, not the machinery behind it; state knows nothing of its looks.
+    // A screen uses the state, not the layers behind it; the state does not use its display.
     let is_bypass = ["app", "ui"].contains(&user) && level(IO, used).is_some();
     is_downwards && !is_bypass
 }
@@ -106,7 +106,7 @@ fn allowed(user: &str, used: &str) -> bool {
 fn dependencies_point_down() {
     let mut faults = Vec::new();
     for (name, modules) in top_level() {
-        // What a library uses is in its manifest: the compiler enforces that.
+        // The dependencies of a library are in its manifest, and the compiler enforces them.
         if level(LIBRARIES, &name).is_some() {
             continue;
         }
@@ -143,7 +143,7 @@ fn the_parts_of_a_module_depend_on_each_other_one_way_only() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Whether one part uses another, or uses a part that does, and so on.
+/// Whether one part uses another, directly or through other parts.
 fn reaches(uses: &BTreeMap<(String, String), String>, from: &str, to: &str) -> bool {
     let mut seen = BTreeSet::from([from]);
     let mut left = vec![from];
@@ -227,7 +227,7 @@ fn screens_see_only_the_state_of_the_app() {
     }
 }
 
-/// What the state consists of: its own parts, and what each room remembers.
+/// The parts of the state: its own, and those of each room.
 const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/state.rs", "State"),
     ("src/app/state/flight_view.rs", "FlightView"),
@@ -254,7 +254,7 @@ const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/room/workshop.rs", "Workshop"),
 ];
 
-/// With private fields the compiler sees to it that nothing outside of `app` changes the state.
+/// With private fields, the compiler ensures that only `app` changes the state.
 #[test]
 fn the_fields_of_the_state_are_private_to_the_app() {
     let app = top_level().remove("app").unwrap_or_default();
@@ -275,10 +275,10 @@ fn the_fields_of_the_state_are_private_to_the_app() {
     assert_eq!(of_rooms.count(), Room::ALL.len(), "a room is not listed");
 }
 
-/// [`sortie::app::App`] owns the state; what its update returns must not get lost.
+/// [`sortie::app::App`] owns the state; the effects that its update returns must not get lost.
 #[test]
 fn only_the_queue_of_the_console_updates_the_state() {
-    // The benchmark of drawing has nothing to carry out.
+    // The benchmark of drawing carries out no effects.
     let known = ["src/cli/bench/frame.rs", "src/shell/effects.rs"];
     let of_program = modules().into_iter().filter(|it| it.package == "sortie");
     let callers = of_program.filter(|it| it.code.contains("app.update("));

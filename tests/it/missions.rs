@@ -1,4 +1,4 @@
-//! Mission files: the shipped ones are good, bad ones are refused with the place and the reason.
+//! Mission files: the shipped ones are valid, faulty ones are refused with position and reason.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ mod faults;
 mod guide;
 mod mutants;
 
-/// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
+/// The refusal of each file of `tests/data/bad_missions`: one fault each, without faults that only follow from it.
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 small letters, digits and `-`",
     "duplicate-id.toml:41:6: the id `cells` is used twice",
@@ -73,7 +73,7 @@ fn faults(path: &Path) -> Vec<String> {
     }
 }
 
-/// A line without the names that are known: those of kinds grow.
+/// A line without the list of known names, which grows with the kinds.
 fn without_list(line: &str) -> String {
     let Some((start, list)) = line.split_once("; known: ") else {
         return line.to_owned();
@@ -194,7 +194,7 @@ fn shipped_missions_are_good_and_named_like_their_files() {
     }
 }
 
-/// Every fault on its own does not hide the others.
+/// Independent faults do not hide each other.
 #[test]
 fn all_faults_of_a_file_are_reported_at_once() {
     let source =
@@ -211,7 +211,7 @@ fn all_faults_of_a_file_are_reported_at_once() {
     assert_eq!(lines, [8, 21, 34]);
 }
 
-/// The shipped missions and drills, by their files' names.
+/// The shipped missions and drills, by file name.
 fn shipped() -> Vec<(String, String)> {
     let paths = toml_files(&folder("missions")).into_iter();
     let paths = paths.chain(toml_files(&folder("missions/drills")));

@@ -1,11 +1,11 @@
-//! The pictures of the documents show the program as it is.
+//! The pictures in the documents match the program's screens.
 
 #[path = "../../examples/screenshot/film.rs"]
 mod film;
 #[path = "../../examples/screenshot/svg.rs"]
 mod svg;
 
-/// Elsewhere the last digits of a flight may differ, as the mathematics of the platform do.
+/// On other platforms, the last digits of a flight may differ with the mathematics library.
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 #[test]
 fn the_pictures_are_current() {

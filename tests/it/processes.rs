@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crate::stand_in::{Behaviour, StandIn};
 use crate::terminal::{Terminal, home_variables, program};
 
-/// How long a process may take to be gone.
+/// How long the end of a process may take.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// The processes of the console's vehicles: its children that are not zombies.
@@ -21,7 +21,7 @@ fn children(console: u32) -> Vec<u32> {
         else {
             continue;
         };
-        // A process may end while we look.
+        // A process may end during this check.
         let stat = fs::read_to_string(entry.path().join("stat")).unwrap_or_default();
         let mut fields = stat
             .rsplit(')')
@@ -54,7 +54,7 @@ fn wait_until_gone(pids: &[u32]) {
     }
 }
 
-/// The processes of a console, once it has so many: they are started one after the other.
+/// The processes of a console, once this many exist: they are started one after the other.
 fn all_children(console: u32, count: usize) -> Vec<u32> {
     let deadline = Instant::now() + PATIENCE;
     loop {
@@ -149,11 +149,11 @@ fn a_start_that_never_ends_can_be_looked_at_and_cancelled() {
 fn a_mission_is_flown_and_begun_again_with_new_processes() {
     let stand_in = StandIn::new(Behaviour::Normal);
     let mut terminal = fly(&stand_in, &["01"], (80, 24));
-    // What the mission asks for is read first; who begins again has read it.
+    // The brief comes first; a restart skips it.
     terminal.see("MISSION").see("before launch");
     terminal.press("\r").see("FLY").see("ready");
     let pids = children(terminal.process_id());
-    // Nothing was tried yet, so nothing is asked.
+    // No attempt was made yet, so no question is asked.
     terminal.command("restart");
     terminal.see("HANGAR").see("FLY").see("ready");
     wait_until_gone(&pids);
@@ -164,7 +164,7 @@ fn a_mission_is_flown_and_begun_again_with_new_processes() {
     wait_until_gone(&again);
 }
 
-/// The program without a terminal; its exit code and what it said.
+/// Runs the program without a terminal; returns its exit code and its output.
 fn plain(arguments: &[&str], input: &str) -> (Option<i32>, String, String) {
     use std::io::Write as _;
     let home = tempfile::tempdir().expect("a temporary folder");
@@ -181,7 +181,7 @@ fn plain(arguments: &[&str], input: &str) -> (Option<i32>, String, String) {
         .spawn()
         .expect("it starts");
     let mut stdin = child.stdin.take().expect("a pipe");
-    // A program that refuses its arguments reads nothing.
+    // A program that refuses its arguments reads no input.
     drop(stdin.write_all(input.as_bytes()));
     drop(stdin);
     let output = child.wait_with_output().expect("it ends");
@@ -252,7 +252,7 @@ fn without_a_screen_the_stages_are_lines_and_the_flight_waits_for_them() {
         "--arducopter",
         program,
     ];
-    // The stand-in's script needs its shell by an absolute path only.
+    // The stand-in's script needs its shell only by an absolute path.
     let (code, said, wrong) = plain(&arguments, "all guided\nall arm\nhangar\nall disarm\n");
     assert_eq!(code, Some(0), "{said}{wrong}");
     for words in ["2 vehicles are ready to arm", "all arm", "1-2 ready"] {

@@ -1,4 +1,4 @@
-//! Profiles on the command line, and what becomes of them when programs are killed, disks are full and files are damaged.
+//! Profiles on the command line, with killed programs, full disks and damaged files.
 
 mod kills;
 
@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::terminal::program;
 
-/// A mission of two minutes that the reference pilot passes: nobody has to wait long for it.
+/// A mission of two minutes that the reference pilot passes, so that tests are short.
 const SHORT: [&str; 4] = ["run", "d00-arm-and-hover", "--pilot", "d00-arm-and-hover"];
 
 /// The program with a data folder, as a command that is still to be run.
@@ -38,7 +38,7 @@ fn sortie(data: &Path, arguments: &[&str]) -> Output {
     command(data, arguments).output().expect("the program runs")
 }
 
-/// What a command prints that does well.
+/// The output of a successful command.
 fn said(data: &Path, arguments: &[&str]) -> String {
     let output = sortie(data, arguments);
     let (out, err) = (text(&output.stdout), text(&output.stderr));
@@ -46,7 +46,7 @@ fn said(data: &Path, arguments: &[&str]) -> String {
     out
 }
 
-/// What a command complains of that ends with a code.
+/// The error output of a command that ends with an exit code.
 fn refused(data: &Path, arguments: &[&str], code: i32) -> String {
     let output = sortie(data, arguments);
     let (out, err) = (text(&output.stdout), text(&output.stderr));
@@ -66,14 +66,14 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("one document")
 }
 
-/// A data folder in which Anna trains.
+/// A data folder with the profile of Anna.
 fn folder_of_anna() -> tempfile::TempDir {
     let data = tempfile::tempdir().expect("a folder");
     said(data.path(), &["profile", "create", "Anna"]);
     data
 }
 
-/// How many flights of Anna's are stored.
+/// The number of stored flights of Anna.
 fn flights(data: &Path) -> u64 {
     let shown = json(&said(data, &["profile", "show", "Anna", "--json"]));
     shown["flights"].as_u64().expect("a number")
@@ -90,7 +90,7 @@ fn a_run_of_a_script_is_stored_as_practice() {
     let run = with(&SHORT, &["--profile", "anna"]);
     let told = said(data, &run);
     assert!(told.contains("Career") && told.contains("script"), "{told}");
-    // A chosen layout is practice.
+    // A flight with a chosen seed is practice.
     let practice = said(data, &with(&run, &["--seed", "1", "--json", "--no-timing"]));
     let practice = json(&practice);
     assert_eq!(practice["career"]["stake"], "practice");
@@ -229,7 +229,7 @@ fn a_folder_that_cannot_be_written_is_named_and_nothing_is_flown() {
     let file = tempfile::NamedTempFile::new().expect("a file");
     let refusal = refused(file.path(), &with(&SHORT, &["--profile", "Anna"]), 1);
     assert!(refusal.contains("profiles.sqlite"), "{refusal}");
-    // Permissions mean nothing to the superuser.
+    // Permissions do not restrict the superuser.
     if !Uid::effective().is_root() {
         use std::os::unix::fs::PermissionsExt as _;
         let data = tempfile::tempdir().expect("a folder");
@@ -260,7 +260,7 @@ fn a_truncated_file_is_told_set_aside_and_restored_with_all_that_was_recorded() 
     let data = data.path();
     said(data, &with(&SHORT, &["--profile", "Anna"]));
     said(data, &with(&SHORT, &["--profile", "Anna"]));
-    // The copy is that of the first flight; the second one is made up for from its record.
+    // The copy is of the first flight; the second one is recovered from its record.
     let copies =
         ["backup", "backup-before"].map(|name| data.join(format!("profiles.sqlite.{name}")));
     fs::rename(&copies[1], &copies[0]).expect("there are two");
@@ -292,7 +292,7 @@ fn what_a_hand_has_written_into_the_database_is_told() {
     drop(database);
     let refusal = refused(data, &["profile", "show", "Anna"], 1);
     assert!(refusal.contains("did not write"), "{refusal}");
-    // Nobody else suffers.
+    // Other profiles are not affected.
     said(data, &["profile", "create", "Olha"]);
     let listed = sortie(data, &["profile", "list"]);
     assert_eq!(listed.status.code(), Some(1));
@@ -313,14 +313,14 @@ fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
         .chain(run.get_args())
         .map(|word| format!("'{}'", word.to_string_lossy()))
         .collect::<Vec<_>>();
-    // Another console is at the database, whose log is nearly as long as a file may be. That has room for the record.
+    // Another console has the database open, and its log has nearly reached the size limit. The record still has room.
     let other = Connection::open(data.join("profiles.sqlite")).expect("it is one");
     let filled = other.execute_batch(
         "PRAGMA wal_autocheckpoint = 0; CREATE TABLE filler (x);
          INSERT INTO filler VALUES (zeroblob(8000)); BEGIN; SELECT count(*) FROM filler;",
     );
     filled.expect("writable");
-    // In blocks of 512 bytes.
+    // The limit is in blocks of 512 bytes.
     let script = format!("trap '' XFSZ; ulimit -f 66; exec {}", quoted.join(" "));
     let output = Command::new("sh")
         .args(["-c", &script])

@@ -6,7 +6,7 @@ use crate::terminal::Terminal;
 
 mod workshop;
 
-/// Free flight from the home screen, with everybody ready to arm.
+/// Free flight from the home screen, with all vehicles ready to arm.
 fn free_flight(columns: u16, rows: u16) -> Terminal {
     let mut terminal = Terminal::start(&["fly", "--speedup", "5"], columns, rows);
     terminal
@@ -23,7 +23,7 @@ fn signal(terminal: &Terminal, name: &str) {
     assert!(sent.expect("kill is there").success());
 }
 
-/// The terminal is as it was: the shell's screen, its cursor, no bracketed paste.
+/// The terminal is restored: the shell's screen, its cursor, no bracketed paste.
 fn is_given_back(terminal: &Terminal) {
     assert!(!terminal.in_alternate_screen());
     assert!(!terminal.cursor_is_hidden());
@@ -61,7 +61,7 @@ fn four_drones_take_off_move_and_come_home() {
 fn free_flight_is_reached_from_the_home_screen() {
     let mut terminal = Terminal::start(&[], 80, 24);
     terminal.see("HOME").see("Air sample");
-    // The list is longer than the screen: what comes after the missions is seen from there.
+    // The list is longer than the screen: the entries after the missions are reached from its end.
     terminal.press("\u{1b}[F").see("Free flight").press("kk\r");
     terminal.see("FLY").see("4 vehicles");
     terminal.command("leave").see("HOME");
@@ -150,7 +150,7 @@ fn ranges_select_and_commands_go_to_the_selection() {
 fn a_mission_that_is_abandoned_ends_in_its_debrief() {
     let mut terminal = Terminal::start(&["fly", "01", "--speedup", "5"], 80, 24);
     terminal.see("1 vehicle").see("8 of 9");
-    // Before its clock has started there is nothing to judge.
+    // Before its clock has started there is nothing to score.
     terminal.press("\r").see("FLY").see("ready");
     terminal.command("1 guided").see("GUIDED");
     terminal
@@ -160,7 +160,7 @@ fn a_mission_that_is_abandoned_ends_in_its_debrief() {
         .see("DEBRIEF")
         .see("ABANDONED")
         .see("OBJECTIVES");
-    // The debrief takes no key for a second, so that nobody types it away unread.
+    // The debrief ignores keys for a second, so that it is not closed unread.
     signal(&terminal, "-TERM");
     terminal.end();
     is_given_back(&terminal);
@@ -228,7 +228,7 @@ fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
 fn keys_pressed_blindly_on_a_small_terminal_do_nothing_but_leave() {
     let mut terminal = free_flight(80, 24);
     terminal.resize(60, 15).see("sortie needs 80x24");
-    // Keys come in order: those before Ctrl-C, which leaves, have been looked at by then.
+    // Keys are handled in order: those before Ctrl-C, which ends the program, come first.
     terminal.press("*tq:all arm\r\u{3}");
     assert_eq!(terminal.end(), 0);
     is_given_back(&terminal);
@@ -246,7 +246,7 @@ fn being_terminated_gives_the_terminal_back() {
 
 #[test]
 fn an_address_where_nobody_listens_is_explained_on_the_screen() {
-    // Port 1 needs privileges to listen on and nobody does.
+    // Only root can listen on port 1, and no program does.
     let mut terminal = Terminal::start(&["connect", "tcp:127.0.0.1:1"], 120, 40);
     terminal.see("tcp:127.0.0.1:1").see("refused");
     terminal.command("quit");

@@ -1,5 +1,5 @@
-//! Recordings of the real `ArduCopter`, cut down, against facts that another implementation read
-//! from them (tests/data/recordings/README.md).
+//! Recordings of the real `ArduCopter`, shortened, compared with facts that another implementation read from them
+//! (tests/data/recordings/README.md).
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,7 +15,7 @@ mod observed;
 
 use observed::observed;
 
-/// What this program made of a recording.
+/// This program's reading of a recording.
 struct Reading {
     counters: Counters,
     frame_bytes: u64,
@@ -26,7 +26,7 @@ struct Reading {
     seen: Seen,
 }
 
-/// What the model said on the way, repeats left out.
+/// The states of the model during the recording, without repeats.
 #[derive(Default)]
 struct Seen {
     modes: Vec<String>,
@@ -67,8 +67,8 @@ impl Seen {
     }
 }
 
-/// The pieces of a recording with the time at which each came: tlog records (8 bytes of big-endian
-/// microseconds before each frame), or a bare byte stream in pieces of 1 kB.
+/// The pieces of a recording, each with its time: tlog records (8 bytes of big-endian microseconds before each frame),
+/// or a bare byte stream in pieces of 1 kB.
 fn pieces(path: &Path) -> Vec<(Duration, Vec<u8>)> {
     let bytes = std::fs::read(path).expect("the recording is there");
     if path.extension().is_some_and(|extension| extension == "raw") {
@@ -153,7 +153,7 @@ fn recordings() -> Vec<PathBuf> {
     found
 }
 
-/// Equal, floats as far as the facts write them out.
+/// Whether two values are equal; floats as far as the facts state their digits.
 fn same(fact: &Value, ours: &Value) -> bool {
     match (fact, ours) {
         (Value::Float(fact), Value::Float(ours)) => (fact - ours).abs() < 2e-3,

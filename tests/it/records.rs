@@ -1,4 +1,4 @@
-//! Recorded runs as files: foreign, damaged, on a full disk, of a console that was killed.
+//! Recorded runs as files: of other programs, damaged, on a full disk, of a killed console.
 
 use std::fs::{self, File};
 use std::io::Write as _;
@@ -13,7 +13,7 @@ use crate::terminal::program;
 /// How long the console may take to record something.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The program, with its data in a folder; under a shell's words before it, if there are any.
+/// The program with its data in a folder; `before` are words of a shell in front of it, if any.
 fn sortie(data: &Path, before: &str, arguments: &[&str]) -> Command {
     let mut command = Command::new("bash");
     let program = program();
@@ -159,7 +159,7 @@ fn a_signature_is_part_of_what_is_verified() {
 fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = run(folder.path(), "", &FLIGHT);
-    // Each row: how many kB there is room for, and how many files are left.
+    // Each row: the room in kB, and the number of files that remain.
     for (room_kb, left) in [(40, 1), (0, 0)] {
         let into = folder.path().join(format!("room-{room_kb}"));
         let name = into.to_string_lossy().into_owned();
@@ -169,10 +169,10 @@ fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
             &limit,
             &[&FLIGHT[..], &["--record", &name]].concat(),
         );
-        // Its document goes to a pipe, which has no limit.
+        // The program's document is written to a pipe, which has no limit.
         assert_eq!(output.status.code(), Some(0), "{}", said(&output));
         assert_eq!(output.stdout, whole.stdout);
-        // The frames and the run's own record grow beside each other; each file that is full is named once.
+        // The frames and the run's record grow at the same time; each full file is reported once.
         assert!(said(&output).lines().count() <= 2, "{}", said(&output));
         assert!(said(&output).lines().all(|line| line.contains(&name)));
         let files = runs(&into);
@@ -334,7 +334,7 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
         (&good["recorded_score"], &"bundled".into())
     );
     let record = fs::read_to_string(&file).expect("there");
-    // Each row: what is edited, and the verdict.
+    // Each row: the edited text, its replacement, and the verdict.
     for (from, to, verdict) in [
         ("weights = {", "weights = { ", "other_mission"),
         ("\"seed\":1,", "\"seed\":2,", "differs"),

@@ -11,7 +11,7 @@ fn records(data: &Path) -> Records {
     Records::within(data, RecordLimits::default())
 }
 
-/// Flies a little in a terminal, until a bookmark is set; returns it with the folder of its data.
+/// Flies a little in a terminal until a bookmark is set; returns the terminal.
 fn flying(data: &Path) -> Terminal {
     let data = data.display().to_string();
     let arguments = ["fly", "--vehicles", "2", "--speedup", "4", "--data", &data];
@@ -31,7 +31,7 @@ fn newest(data: &Path) -> PathBuf {
 fn a_session_that_is_killed_leaves_its_record() {
     let data = tempfile::tempdir().expect("a folder");
     let mut terminal = flying(data.path());
-    // What was said a write ago is on the disk.
+    // Lines written before the last write are on the disk.
     let journal = records(data.path()).list()[0].journal.clone().expect("it");
     Terminal::wait_for_log(&journal, "the bookmark", |text| text.contains("as planned"));
     terminal.kill();

@@ -1,4 +1,4 @@
-//! Every screen and overlay as text, at the sizes that people use, and at sizes that nobody should.
+//! Every screen and overlay as text, at usual sizes and at extreme ones.
 
 use std::time::Duration;
 
@@ -59,7 +59,7 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
     }
 }
 
-/// A mission with all that can go wrong in it.
+/// A mission with every possible alarm and fault.
 fn busy() -> Console {
     busy_in(Language::English)
 }

@@ -1,4 +1,4 @@
-//! Configuration, keymaps and themes, as the program's user meets them.
+//! Configuration, keymaps and themes as the user meets them.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
@@ -49,7 +49,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// What `sortie config` prints for a setting: its line.
+/// The line that `sortie config` prints for a setting.
 fn line_of<'a>(printed: &'a str, key: &str) -> &'a str {
     let mut lines = printed.lines();
     lines
@@ -86,7 +86,7 @@ fn a_value_comes_from_the_flag_then_the_environment_then_the_file() {
     for (key, line) in expected {
         assert_eq!(line_of(&printed, key), line);
     }
-    // By POSIX the first variable decides, also where it names a language that is none of ours.
+    // By POSIX the first variable decides, even if it names an unsupported language.
     let variables = [("LC_ALL", "C"), ("LANG", "uk_UA.UTF-8")];
     let printed = sortie(home.path(), &variables, &["config"]).stdout;
     assert!(text(&printed).contains("# lang is not set\n"));
@@ -457,7 +457,7 @@ fn keys_of_ones_own_give_lines_and_are_in_the_help() {
         .see("all guided  4 vehicles: 4 effect seen");
     terminal.press("\u{14}").see("all takeoff").press("\u{1b}");
     terminal.see_no_more("all takeoff");
-    // A dangerous line asks, whoever gives it.
+    // A dangerous line needs a confirmation, even from a bound key.
     terminal
         .press("\u{1b}[17~")
         .see("KILL")
@@ -515,7 +515,7 @@ fn lines_come_back_in_the_next_session() {
     assert_eq!(mode & 0o777, 0o600);
     let mut second = console(home.path(), &[], &["fly"]);
     second.see("4 vehicles").press(":").see("command");
-    // The newest is the one that ended the session.
+    // The newest line is the one that ended the session.
     second.press("\u{1b}[A\u{1b}[A").see("select 2-3");
     second.press("\r").see("selected 2: 2-3").command("quit");
     assert_eq!(second.end(), 0);

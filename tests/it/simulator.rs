@@ -1,4 +1,4 @@
-//! The simulator's server over real sockets, among ground stations that misbehave.
+//! The simulator's server over real sockets, with ground stations that misbehave.
 
 use std::io::ErrorKind;
 use std::net::SocketAddr;
@@ -18,7 +18,7 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
-/// Far longer than anything here takes.
+/// A limit far beyond the duration of any step here.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A simulator on free ports of this machine; it ends with the test.
@@ -61,7 +61,7 @@ impl Server {
     }
 }
 
-/// A ground station that behaves.
+/// A ground station that follows the protocol.
 struct Station {
     stream: TcpStream,
     encoder: Encoder,
@@ -122,7 +122,7 @@ impl Station {
         }
     }
 
-    /// Proves that the vehicle serves this ground station: an order is acknowledged, and a heartbeat comes.
+    /// Checks that the vehicle serves this ground station: it acknowledges a command and sends a heartbeat.
     async fn is_served(&mut self) {
         self.order(MavCmd::MAV_CMD_REQUEST_MESSAGE, [148.0, 0.0])
             .await;
@@ -132,7 +132,7 @@ impl Station {
     }
 }
 
-/// Valid frames of every request, with random fields (numbers that are none among them).
+/// Valid frames of every request, with random fields (NaN among them).
 fn random_requests(random: &mut ChaCha8Rng, count: usize) -> Vec<u8> {
     const IDS: [u32; 26] = [
         0, 4, 11, 20, 21, 23, 39, 40, 43, 44, 45, 47, 51, 66, 69, 70, 73, 75, 76, 82, 84, 86, 110,
@@ -148,7 +148,7 @@ fn random_requests(random: &mut ChaCha8Rng, count: usize) -> Vec<u8> {
             payload[..28].copy_from_slice(&f32::NAN.to_le_bytes().repeat(7));
         }
         if round % 2 == 0 {
-            // Where the longest requests have their target system.
+            // The offset of the target system in the longest requests.
             payload[30] = 1;
             payload[50] = 1;
         }
@@ -171,7 +171,7 @@ async fn noise_and_random_requests_disturb_no_other_ground_station() {
         let mut noise = vec![0; 100_000];
         random.fill_bytes(&mut noise);
         noise.extend(random_requests(&mut random, 500));
-        // It may be a reboot that ends the connection: then the rest is not taken.
+        // A reboot may end the connection; the rest is then not accepted.
         let _ = bad.write_all(&noise).await;
         other.is_served().await;
     }
@@ -203,7 +203,7 @@ async fn floods_of_requests_are_answered_without_end_and_others_are_served() {
     }
     flood.stream.write_all(&bytes).await.expect("it reads");
     other.is_served().await;
-    // The last request starts the list again, and it comes to its end.
+    // The last request starts the list again, and it is sent to its end.
     let last = |m: &MavMessage| matches!(m, MavMessage::PARAM_VALUE(v) if v.param_index + 1 == v.param_count);
     flood.until(last).await;
     flood.is_served().await;
@@ -249,7 +249,7 @@ async fn hundreds_of_connections_leave_nothing_behind() {
     }
     other.is_served().await;
     server.connections(1).await;
-    // More than a port has room for: those beyond are turned away, and there is room again when they leave.
+    // More stations than a port has room for: the surplus is turned away, and there is room again when they leave.
     let mut crowd = Vec::new();
     for _ in 0..100 {
         crowd.push(

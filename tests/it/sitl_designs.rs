@@ -1,5 +1,5 @@
-//! Drones of the workshop on a real `ArduCopter`, which `SORTIE_ARDUCOPTER` names: what was computed of them against
-//! what they do in the air.
+//! Drones of the workshop on a real `ArduCopter`, named by `SORTIE_ARDUCOPTER`: computed figures against measured
+//! flights.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -12,13 +12,13 @@ use sortie::workshop::{Air, Design, Figures};
 use crate::arducopter;
 use crate::fleet::Console;
 
-/// SITL's TCP port is 5760 and ten more per instance; these instances are out of everybody's way.
+/// SITL's TCP port is 5760 and ten more per instance; these numbers avoid ports that other programs usually use.
 const FIRST_INSTANCE: u16 = 84;
 const VEHICLE: VehicleId = 7;
 const SPEEDUP: &str = "10";
-/// The part of the charge that is flown; the rest of the endurance follows from it.
+/// The share of the charge that is flown; the endurance is extrapolated from it.
 const STRETCH: f64 = 0.1;
-/// Both simulators and the computed figures agree within this share.
+/// The greatest difference between both simulators and the computed figures, as a share.
 const WITHIN: f64 = 0.15;
 
 const DESIGNS: [&str; 3] = [
@@ -27,7 +27,7 @@ const DESIGNS: [&str; 3] = [
     include_str!("../../designs/endurance.toml"),
 ];
 
-/// A running SITL in a folder of its own; it ends with the test.
+/// A running SITL in its own folder; it ends with the test.
 struct Sitl {
     process: Child,
     _folder: tempfile::TempDir,
@@ -35,7 +35,7 @@ struct Sitl {
 
 impl Drop for Sitl {
     fn drop(&mut self) {
-        // Errors mean that it has ended already.
+        // An error means that it has ended already.
         drop(self.process.kill());
         drop(self.process.wait());
     }
@@ -75,7 +75,7 @@ impl Sitl {
     }
 }
 
-/// Seconds by the vehicle's clock, and what it has taken from the battery, in mAh.
+/// Seconds by the vehicle's clock, and the charge drawn from the battery, in mAh.
 fn reading(console: &Console) -> Option<(f64, f64)> {
     let vehicle = console.vehicle(VEHICLE)?;
     let taken_mah = f64::from(vehicle.battery()?.consumed_mah?);
@@ -94,7 +94,7 @@ async fn wait(console: &mut Console, seconds: f64) {
     console.until("time has passed", over).await;
 }
 
-/// Seconds from full to a fifth of the charge in the hover, at the rate of a stretch.
+/// Hover time in seconds from a full battery to a fifth of the charge, extrapolated from a part of it.
 async fn endurance_s(console: &mut Console, figures: &Figures) -> f64 {
     let stretch_mah = STRETCH * figures.capacity_ah * 1000.0;
     let (begun_s, before_mah) = reading(console).expect("it tells its charge");
@@ -106,9 +106,9 @@ async fn endurance_s(console: &mut Console, figures: &Figures) -> f64 {
     (now_s - begun_s) * 0.8 * figures.capacity_ah * 1000.0 / (taken_mah - before_mah)
 }
 
-/// The speed that it gets to on a way that is too long for it.
+/// The speed that the vehicle reaches on a long straight leg.
 async fn top_speed_m_s(console: &mut Console) -> f64 {
-    // A way that begins takes the usual speed again.
+    // A new leg resets the speed to its default.
     console.give("goto n 4000 e 0 up 20", &[VEHICLE]);
     wait(console, 5.0).await;
     console.give("speed 40", &[VEHICLE]);

@@ -1,4 +1,4 @@
-//! `sortie run` on ArduPilot's SITL: on the stand-in, and on the real one that `SORTIE_ARDUCOPTER` names.
+//! `sortie run` on ArduPilot's SITL: on the stand-in, and on the real one, named by `SORTIE_ARDUCOPTER`.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -14,10 +14,10 @@ use nix::unistd::Pid;
 use crate::arducopter::program;
 use crate::stand_in::{Behaviour, StandIn};
 
-/// How long processes may take to be gone.
+/// How long the end of the processes may take.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A user's folders, and the program.
+/// The folders of a user, and the program.
 struct Scene {
     folder: tempfile::TempDir,
     program: PathBuf,
@@ -45,7 +45,7 @@ impl Scene {
         }
     }
 
-    /// Ends the mission after so many seconds of its time: a pilot who does not pass it waits no longer.
+    /// Ends the mission after this many seconds of its time, so that a failed attempt does not wait longer.
     fn limited_to(mut self, limit_s: u32) -> Self {
         let text = include_str!("../../missions/01-air-sample.toml");
         let limited = text
@@ -83,7 +83,7 @@ impl Scene {
         serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)))
     }
 
-    /// Starts it, and waits until it says that the mission begins; also, what it says from then on.
+    /// Starts it, and waits until it reports the beginning of the mission; also returns its later output.
     fn fly(&self) -> (Child, JoinHandle<String>) {
         let mut command = self.run("01-air-sample", &["--speedup", "1"]);
         let command = command.stdout(Stdio::null()).stderr(Stdio::piped());
@@ -98,7 +98,7 @@ impl Scene {
         });
         assert!(begins, "{told:#?}");
         assert!(!self.processes().is_empty());
-        // It goes on telling, and must find somebody who listens.
+        // Its further output must be read.
         let rest = thread::spawn(move || lines.collect::<Vec<_>>().join("\n"));
         (child, rest)
     }
@@ -144,7 +144,7 @@ fn the_reference_pilot_passes_on_the_stand_in() {
         (&report["backend"], &report["passed"]),
         (&"ardupilot".into(), &true.into())
     );
-    // How well depends on how soon a busy machine lets the pilot react; the tests of `exercise` see to the score.
+    // The score depends on how soon a busy machine lets the pilot react; the tests of `exercise` check it.
     assert!(report["score"].is_u64(), "{}", report["score"]);
     for stage in ["its process runs", "it can be armed", "the mission begins"] {
         assert!(said(&output).contains(stage), "{}", said(&output));
@@ -264,7 +264,7 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
         .output()
         .expect("it runs");
     let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");
-    // Not faster, so that a busy machine lets the pilot react soon enough.
+    // No faster, so that even on a busy machine the pilot reacts soon enough.
     let real = scene.report("01-air-sample", &["--json", "--speedup", "5"]);
     assert_eq!(real["passed"], true, "{real:#}");
     let score = |report: &serde_json::Value| report["score"].as_i64().expect("a number");
@@ -277,8 +277,8 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
     scene.assert_nothing_is_left();
 }
 
-/// Missions whose score is to be the same: the basics, three drones that fly together, detectors over a lane, and a map
-/// that has to be there in time.
+/// Missions whose score must be the same: the basics, three drones that fly together, detectors over a lane, and a map
+/// with a time limit.
 const SAME_ON_BOTH: [&str; 4] = [
     "00-first-flight",
     "02-formation",

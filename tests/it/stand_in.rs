@@ -1,8 +1,8 @@
-//! A stand-in for `arducopter`: NOT ArduPilot, but a program that starts, gets ready, crashes, hangs and prints as it
-//! does, so that the hangar can be tested where there is none.
+//! A stand-in for `arducopter`: NOT ArduPilot, but a program that starts, becomes ready, crashes, hangs and prints
+//! like it, so that the hangar can be tested without ArduPilot.
 //!
-//! It is this test binary, run again by a small script ([`StandIn::program`]), which understands the options that the
-//! hangar gives to a SITL and then speaks `MAVLink` for the embedded simulator. It never outlives [`LIFE`].
+//! It is this test binary, run again by a small script ([`StandIn::program`]). It understands the options that the
+//! hangar passes to SITL, and then speaks `MAVLink` for the embedded simulator. It never outlives [`LIFE`].
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
@@ -15,42 +15,42 @@ mod program;
 
 use program::Program;
 
-/// No stand-in lives longer than this, whoever has forgotten it.
+/// The longest life of a stand-in, even if its test has not ended it.
 const LIFE: Duration = Duration::from_secs(300);
 /// A file of this name in its folder makes a running stand-in crash, once.
 pub const CRASH_FILE: &str = "crash-now";
-/// One byte is added to this file of its folder whenever it is started, as SITL keeps its parameters there.
+/// A file in its folder that grows by one byte at each start, as SITL stores its parameters there.
 pub const MEMORY_FILE: &str = "eeprom.bin";
 
 const BEHAVIOUR: &str = "SORTIE_STAND_IN";
 const ARGUMENTS: &str = "SORTIE_STAND_IN_ARGUMENTS";
 
-/// What a stand-in does.
+/// The behaviour of a stand-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Behaviour {
-    /// What a SITL does: it is ready soon and lives until it is ended.
+    /// Like SITL: it is ready soon and lives until it is ended.
     Normal,
-    /// The same, but it boots as slowly as the real one: 42 simulated seconds until it is ready.
+    /// Like SITL, but it boots as slowly as the real one: 42 simulated seconds until it is ready.
     BootsSlowly,
-    /// It prints two lines and exits with 3.
+    /// It prints two lines and exits with code 3.
     ExitsBeforeConnecting,
-    /// It aborts so many simulated seconds after it has connected.
+    /// It aborts this many simulated seconds after it has connected.
     CrashesAfter(u32),
     /// It starts and never connects.
     NeverConnects,
-    /// It connects and then says nothing, using its processor.
+    /// It connects and then sends nothing, using its processor.
     StaysSilent,
     /// It works and prints a megabyte a second.
     FloodsItsOutput,
-    /// It works and does not end when it is asked to.
+    /// It works and ignores requests to end.
     IgnoresTermination,
-    /// It works and never knows where it is.
+    /// It works and never gets a position.
     NeverReady,
     /// It works and has started a child, whose pid it prints as `child PID`.
     HasChildren,
-    /// It works and does not end with whoever has started it; needs `setpriv`, of Linux.
+    /// It works and does not end with its parent process; needs `setpriv`, of Linux.
     OutlivesItsOwner,
-    /// It ends at once for its first so many starts in a folder, and then works.
+    /// It ends at once for its first starts in a folder, this many times, and then works.
     FailsAtFirst(u32),
 }
 
@@ -105,7 +105,7 @@ impl StandIn {
             _ => "",
         };
         let wrapper = match behaviour {
-            // The signal by which the kernel ends it with its owner.
+            // The signal by which the kernel ends a process with its parent.
             Behaviour::OutlivesItsOwner => "setpriv --pdeathsig clear ",
             _ => "",
         };
@@ -119,7 +119,7 @@ impl StandIn {
         let draft = folder.path().join("draft");
         fs::write(&draft, script).expect("written");
         fs::set_permissions(&draft, fs::Permissions::from_mode(0o755)).expect("it is ours");
-        // A file that this process has open for writing while another thread forks cannot be run.
+        // A file that this process has open for writing while another thread forks cannot be executed.
         let copied = Command::new("cp")
             .arg("-p")
             .args([&draft, &folder.path().join("arducopter")])
@@ -128,13 +128,13 @@ impl StandIn {
         Self(folder)
     }
 
-    /// What to start; it can be given wherever an `arducopter` can.
+    /// The path of the program, in place of an `arducopter`.
     pub fn program(&self) -> PathBuf {
         self.0.path().join("arducopter")
     }
 }
 
-/// Not a test of anything: what the stand-in does. Without a behaviour there is nothing to do.
+/// Not a test itself: the body of the stand-in. Without a behaviour it does nothing.
 #[test]
 fn stand_in_for_arducopter() {
     let Ok(behaviour) = std::env::var(BEHAVIOUR) else {

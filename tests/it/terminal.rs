@@ -1,4 +1,4 @@
-//! The real program in a real pseudo-terminal, read back as a person would see it.
+//! The real program in a real pseudo-terminal, read back as a user would see it.
 
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -9,18 +9,18 @@ use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 
-/// How long a screen may take to show what is waited for. Generous: a loaded machine is slow, and a test
-/// that fails does so only once.
+/// The time limit for expected content of a screen. Generous, since a loaded machine is slow and a test waits in full
+/// only if it fails.
 const PATIENCE: Duration = Duration::from_secs(90);
 
-/// The program under test with its first arguments; `SORTIE_BIN` names another way to run it.
+/// The program under test with its first arguments; `SORTIE_BIN` names another command for it.
 pub fn program() -> Vec<String> {
     let command = std::env::var("SORTIE_BIN");
     let command = command.unwrap_or_else(|_| env!("CARGO_BIN_EXE_sortie").to_owned());
     command.split_whitespace().map(str::to_owned).collect()
 }
 
-/// What makes a folder the home of the program's user, who speaks English.
+/// The variables that make a folder the home of the program's user, with English as the language.
 pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 7] {
     [
         ("XDG_CONFIG_HOME", home.join("config")),
@@ -35,24 +35,24 @@ pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 7] {
 
 /// A terminal with the program in it.
 pub struct Terminal {
-    /// None once the terminal has gone away.
+    /// The terminal; `None` once it has gone away.
     master: Option<Box<dyn MasterPty + Send>>,
     keyboard: Box<dyn std::io::Write + Send>,
     child: Box<dyn Child + Send + Sync>,
     output: Receiver<Vec<u8>>,
     screen: vt100::Parser,
     raw: Vec<u8>,
-    /// Where the program finds and leaves its user's files, unless the variables say otherwise.
+    /// The folder for the user's files, unless variables name others.
     _home: tempfile::TempDir,
     pace: Arc<Pace>,
 }
 
-/// How fast the terminal reads.
+/// The speed at which the terminal reads.
 #[derive(Default)]
 struct Pace {
     bytes_per_s: Mutex<Option<usize>>,
     changed: Condvar,
-    /// Whether the terminal goes away after what it reads next.
+    /// Whether the terminal goes away after its next read.
     gone: AtomicBool,
 }
 
@@ -62,7 +62,7 @@ impl Pace {
         self.changed.notify_all();
     }
 
-    /// Where the next bytes may go, when they may.
+    /// The room for the next bytes, once they may be read.
     fn room<'a>(&self, buffer: &'a mut [u8]) -> &'a mut [u8] {
         let stalled = |pace: &mut Option<usize>| *pace == Some(0);
         let pace = self.bytes_per_s.lock().expect("no test panics here");
@@ -83,7 +83,7 @@ impl Terminal {
         Self::start_with(arguments, columns, rows, &[])
     }
 
-    /// The same with environment variables.
+    /// Starts the program in a terminal, with environment variables.
     pub fn start_with(
         arguments: &[&str],
         columns: u16,
@@ -157,7 +157,7 @@ impl Terminal {
         }
     }
 
-    /// Stands still like a terminal whose line has died.
+    /// Stops reading, like a terminal whose line is dead.
     pub fn stop_reading(&mut self) -> &mut Self {
         self.pace.set(Some(0));
         self
@@ -169,13 +169,13 @@ impl Terminal {
         self
     }
 
-    /// Reads whatever comes.
+    /// Reads at full speed again.
     pub fn go_on_reading(&mut self) -> &mut Self {
         self.pace.set(None);
         self
     }
 
-    /// Waits until the program's log is as wanted, without reading the screen.
+    /// Waits until the program's log meets a condition, without reading the screen.
     pub fn wait_for_log(log: &Path, what: &str, wanted: impl Fn(&str) -> bool) {
         let deadline = Instant::now() + PATIENCE;
         loop {
@@ -191,7 +191,7 @@ impl Terminal {
         }
     }
 
-    /// Waits for the end of the program without reading anything; its exit code.
+    /// Waits for the end of the program without reading any output; returns its exit code.
     pub fn end_unread(&mut self) -> u32 {
         let deadline = Instant::now() + PATIENCE;
         loop {
@@ -203,7 +203,7 @@ impl Terminal {
         }
     }
 
-    /// Types keys as they are.
+    /// Types keys without any conversion.
     pub fn press(&mut self, keys: &str) -> &mut Self {
         self.keyboard
             .write_all(keys.as_bytes())
@@ -212,7 +212,7 @@ impl Terminal {
         self
     }
 
-    /// Gives a command line through the palette.
+    /// Enters a line in the palette.
     pub fn command(&mut self, line: &str) -> &mut Self {
         self.press(":").see("command");
         self.press(line).see(line);
@@ -231,12 +231,12 @@ impl Terminal {
         })
     }
 
-    /// Waits until the screen is as wanted.
+    /// Waits until the screen meets a condition.
     pub fn wait(&mut self, what: &str, wanted: impl Fn(&str) -> bool) -> &mut Self {
         self.until(what, |terminal| wanted(&terminal.contents()))
     }
 
-    /// Waits until the terminal is as wanted.
+    /// Waits until the terminal meets a condition.
     pub fn until(&mut self, what: &str, wanted: impl Fn(&Self) -> bool) -> &mut Self {
         let deadline = Instant::now() + PATIENCE;
         while !wanted(self) {
@@ -254,12 +254,12 @@ impl Terminal {
         self
     }
 
-    /// What the screen shows.
+    /// The text on the screen.
     pub fn contents(&self) -> String {
         self.screen.screen().contents()
     }
 
-    /// Everything that was written so far.
+    /// Everything written to the terminal so far.
     pub fn raw(&self) -> String {
         String::from_utf8_lossy(&self.raw).into_owned()
     }
@@ -291,7 +291,7 @@ impl Terminal {
         self
     }
 
-    /// Kills the program, which gets no chance to do anything more.
+    /// Kills the program without a chance to clean up.
     pub fn kill(&mut self) {
         self.child.kill().expect("it runs");
         self.child.wait().expect("it was started");
@@ -304,7 +304,7 @@ impl Terminal {
 
     /// The terminal goes away, as when an SSH connection breaks; waits for the end of the program.
     pub fn go_away(&mut self) {
-        // The reader ends with the next bytes of the program, whose clock goes on.
+        // The reader ends with the program's next bytes, which its running clock produces.
         self.pace.gone.store(true, Ordering::SeqCst);
         self.keyboard = Box::new(std::io::sink());
         self.master = None;
@@ -331,7 +331,7 @@ impl Terminal {
         self.child.wait().expect("it was started").exit_code()
     }
 
-    /// Reads, and answers what a terminal is asked.
+    /// Handles output of the program, and answers its queries to the terminal.
     fn take(&mut self, bytes: &[u8]) {
         let question = b"\x1b[5n";
         let read_before = self.raw.len().saturating_sub(question.len() - 1);
@@ -340,7 +340,7 @@ impl Terminal {
             .windows(question.len())
             .filter(|part| *part == question);
         for _ in 0..asked.count() {
-            // A program that has ended hears nothing more.
+            // A program that has ended reads nothing more.
             drop(self.keyboard.write_all(b"\x1b[0n"));
         }
         self.screen.process(bytes);
@@ -349,7 +349,7 @@ impl Terminal {
 
 impl Drop for Terminal {
     fn drop(&mut self) {
-        // A failed test must leave nothing behind; an error means that it has ended already.
+        // A failed test must not leave a process; an error means that it has ended already.
         self.pace.set(None);
         drop(self.child.kill());
     }

@@ -1,4 +1,4 @@
-//! Terminals that are slow, stalled, poor or none at all.
+//! Terminals that are slow, stalled, limited or missing.
 
 use std::io::Write as _;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::process::{Command, Stdio};
 
 use crate::terminal::{Terminal, program};
 
-/// Begins a synchronised update: there is one per frame.
+/// The start of a synchronised update: one per frame.
 const FRAME: &str = "\u{1b}[?2026h";
 
-/// Free flight with a log, everybody ready to arm.
+/// Free flight with a log and all vehicles ready to arm.
 fn logged_flight(log: &Path) -> Terminal {
     let log = log.to_str().expect("a plain path");
     let mut terminal = Terminal::start(&["--log", log, "fly", "--speedup", "5"], 120, 40);
@@ -19,7 +19,7 @@ fn logged_flight(log: &Path) -> Terminal {
     terminal
 }
 
-/// Memory of the program in kB, where the system tells.
+/// Memory of the program in kB, if the system reports it.
 fn memory_kb(terminal: &Terminal) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{}/status", terminal.process_id())).ok()?;
     let line = status.lines().find(|line| line.starts_with("VmRSS"))?;
@@ -66,7 +66,7 @@ fn a_terminal_that_reads_a_kilobyte_a_second_gets_the_newest_state_and_is_told_t
     let log = folder.path().join("log");
     let mut terminal = logged_flight(&log);
     terminal.read_slowly(1000);
-    // Another size is another screen altogether: some seconds of such a line.
+    // A new size needs a complete screen: some seconds on such a line.
     terminal.resize(118, 38);
     terminal.press(":").press("all guided").press("\r");
     Terminal::wait_for_log(&log, "guided of four vehicles", |log| {
@@ -96,7 +96,7 @@ fn a_flood_of_keys_is_no_flood_of_frames() {
     terminal.see("in the room");
     terminal.press("\u{1b}").see_no_more("in the room");
     let frames = terminal.raw().matches(FRAME).count() - before;
-    // Keys that have come together are drawn together, however long that takes.
+    // Keys that arrive together are drawn together, however long that takes.
     assert!(frames <= 100, "{frames} frames for 600 keys");
     terminal.press("\u{3}");
     assert_eq!(terminal.end(), 0);
@@ -161,7 +161,7 @@ fn ctrl_z_gives_the_terminal_to_the_shell_and_fg_brings_the_screen_back() {
     terminal.press("\u{1a}").see("Stopped");
     assert!(!terminal.in_alternate_screen() && !terminal.cursor_is_hidden());
     terminal.press("fg\r").see("4 vehicles");
-    // The frame may come in pieces.
+    // The frame may arrive in pieces.
     terminal.until("the screen of the program", |terminal| {
         terminal.in_alternate_screen() && terminal.cursor_is_hidden()
     });
@@ -183,10 +183,10 @@ fn where_no_shell_could_bring_it_back_it_is_not_suspended() {
     assert_eq!(terminal.end(), 0);
 }
 
-/// Runs the plain console on some lines; what it said, and its exit code.
+/// Runs the plain console on some lines; returns its output and its exit code.
 fn plain(arguments: &[&str], lines: &str) -> (String, Option<i32>) {
     let program = program();
-    // What the developer has is neither read nor written.
+    // The developer's own files are neither read nor written.
     let home = tempfile::tempdir().expect("a folder");
     let mut child = Command::new(&program[0])
         .args(&program[1..])

@@ -64,7 +64,7 @@ fn inlined(inline: &InlineExpression<&str>, variables: &mut BTreeSet<String>) {
     }
 }
 
-/// All of the program's sources, tests left out.
+/// All sources of the program, without tests.
 fn sources() -> String {
     fn collect(folder: &Path, text: &mut String) {
         for entry in fs::read_dir(folder).expect("readable").flatten() {
@@ -95,7 +95,7 @@ fn sources() -> String {
     text
 }
 
-/// The ids of the messages that the sources name with `text!` or `say`, with the variables they hand over.
+/// The ids of the messages that the sources name with `text!` or `say`, with the variables that they pass.
 fn named(sources: &str) -> Vec<(String, Option<BTreeSet<String>>)> {
     let mut found = Vec::new();
     for (opening, has_variables) in [
@@ -145,7 +145,7 @@ fn name(part: &str) -> Option<String> {
     Some(name.trim().to_owned())
 }
 
-/// Ids that are put together from the names in tables.
+/// Ids that are built from the names in tables.
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::all().map(|action| format!("action-{}", action.name()));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
@@ -212,7 +212,7 @@ fn every_message_that_the_program_names_is_there_with_its_variables() {
 #[test]
 fn no_message_is_left_that_nobody_says() {
     let sources = sources();
-    // What stands between two quotation marks.
+    // The text between two quotation marks.
     let quoted: BTreeSet<&str> = sources.split('"').collect();
     let tables = from_tables();
     for id in catalogue(Language::English).keys() {
@@ -236,12 +236,13 @@ fn no_word_of_a_message_breaks_a_line_of_the_screen() {
     }
 }
 
-/// Messages that name a key no keymap changes: the answer to a question, and the plain console, which has no keymap.
+/// Messages that name a key which no keymap changes: the answer to a question, and the plain console, which has no
+/// keymap.
 const FIXED_KEYS: &[&str] = &["ask-taken-back", "plain-asks"];
-/// Words and signs that are no keys: articles, and the signs of legends and of the grammar.
+/// Words and signs that are not keys: articles, and the signs of legends and of the grammar.
 const SIGN_LEGENDS: &[&str] = &["debrief-timeline", "standing-chart", "verb-int", "grammar-"];
 
-/// The keys that a message names without asking the keymap.
+/// The keys that a message names literally, without the keymap.
 fn literal_keys(text: &str) -> Vec<&str> {
     let is_named = |word: &str| {
         let names = ["Enter", "Esc", "Tab", "Space", "Backspace", "PgUp", "PgDn"];

@@ -1,4 +1,4 @@
-//! Nothing English is left where a person reads Ukrainian: Latin letters make names only.
+//! No English remains in Ukrainian texts: Latin letters are used for names only.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -19,30 +19,30 @@ use sortie::store;
 use sortie::text::{Language, Locale, Text, messages};
 use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 
-/// Names that no table has: of things, of keys, of figures, and words that are typed.
+/// Names that are in no table: of things, keys and figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
     "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3 p3",
-    // Units that no argument has.
+    // Units that are not part of an argument.
     "B B/s cr g in kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
     // Kinds of batteries and radios.
     "LiPo Li ion LoRa Wi Fi S C",
-    // What stands for something in a line to write.
+    // Placeholders in a line to type.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
-    // Parts of names in MAVLink and of parameters.
+    // Parts of MAVLink's names and of parameters' names.
     "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV",
     // Addresses, options and files.
     "data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
     "air alert bat invert status peak",
-    // Words in files of the user's: themes, keymaps, missions.
+    // Words in the user's files: themes, keymaps, missions.
     "dark dumb false filter id inherits light none objectives off one profile record roles rrggbb true try two red yes",
 ];
 
-/// The words of the tables: what is typed stays the same in every language.
+/// The words of the tables, which are typed and therefore the same in every language.
 fn from_tables() -> BTreeSet<String> {
     let mut words = BTreeSet::new();
     let mut add = |word: &str| words.extend(parts(word).map(str::to_owned));
@@ -92,7 +92,7 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
         .filter(|word| word.contains(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// The words of a text that are neither Ukrainian nor names. What stands between backticks is to be typed.
+/// The words of a text that are neither Ukrainian nor names. Text between backticks is to be typed.
 fn strangers<'a>(text: &'a str, known: &BTreeSet<String>) -> Vec<&'a str> {
     let outside = text.split('`').step_by(2);
     outside
@@ -143,7 +143,7 @@ fn the_ukrainian_messages_have_latin_letters_in_names_only() {
     assert!(wrong.is_empty(), "no names, or missing here: {wrong:#?}");
 }
 
-/// Faults of lines, with what to do about them.
+/// Faults of lines, with their advice.
 fn faults() -> Vec<Text> {
     let vehicles = [1, 2, 3];
     let context = Context {
@@ -198,7 +198,7 @@ fn faults() -> Vec<Text> {
         .collect()
 }
 
-/// Everything that the command line says on the way to each example.
+/// All hints of the command line on the way to each example.
 fn hints() -> Vec<Text> {
     let context = Context::default();
     let mut said = Vec::new();
@@ -210,7 +210,7 @@ fn hints() -> Vec<Text> {
                 let line = &example[..end];
                 said.extend(hint(line, &context));
                 let found = complete(line, end, &context).into_iter();
-                // The hints of the thousand names of MAVLink are alike.
+                // The hints for the thousand names of MAVLink are similar.
                 said.extend(found.take(60).map(|completion| completion.hint));
             }
         }
@@ -218,7 +218,7 @@ fn hints() -> Vec<Text> {
     said
 }
 
-/// What is made of commands to a vehicle: refusals, effects that are awaited, states.
+/// The results of commands to a vehicle: refusals, awaited effects, states.
 fn outcomes() -> Vec<Text> {
     let unheard = Vehicle::new(3, 1);
     let commands = [
@@ -288,7 +288,7 @@ fn outcomes() -> Vec<Text> {
     said
 }
 
-/// What links, files and receivers say.
+/// The states of links, files and receivers.
 fn states() -> Vec<Text> {
     let mut said = vec![Text::from(Unreachable)];
     let retry_in = Duration::from_secs(1);
@@ -315,7 +315,7 @@ fn states() -> Vec<Text> {
     said
 }
 
-/// The words that the names of missions and drills are made of.
+/// The words in the names of missions and drills.
 fn names_of_missions() -> Vec<String> {
     let missions = Path::new(env!("CARGO_MANIFEST_DIR")).join("missions");
     let mut words = Vec::new();
@@ -333,7 +333,7 @@ fn names_of_missions() -> Vec<String> {
 #[test]
 fn verbs_faults_outcomes_and_states_read_as_ukrainian() {
     let mut known = from_tables();
-    // Names in examples, of missions and of the commands and messages that complete.
+    // Names in examples, of missions, and of the commands and messages that are completed.
     known.insert("PreArm".to_owned());
     known.extend(names_of_missions());
     let locale = Locale::new(Language::Ukrainian);

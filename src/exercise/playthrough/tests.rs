@@ -46,7 +46,7 @@ fn a_career_grows_from_nothing_by_what_the_campaign_advises() {
     assert!(last.credits > 500 || laps.iter().any(|lap| !lap.bought.is_empty()));
     assert!(last.mean_skill_percent > first.mean_skill_percent);
     assert_eq!(last.licence, 4, "after two passes");
-    // The same flights make the same career.
+    // The same flights give the same career.
     let standing = CareerStanding::of(career.history());
     assert_eq!(standing.credits(), last.credits);
     assert!(standing.skill(Skill::K1).chance(last.day) > 0.2);

@@ -20,7 +20,7 @@ fn what_finds_no_room_in_an_inbox_waits_and_comes_in_its_order() {
     route.wants.extend([1.0, 2.0, 3.0].map(parameter));
     route.hand_over_wants();
     assert_eq!(route.wants, [parameter(3.0)]);
-    // A newer one does not overtake it.
+    // A newer change does not overtake an older one.
     route.wants.push_back(parameter(4.0));
     let mut heard = Vec::new();
     for _ in 0..4 {

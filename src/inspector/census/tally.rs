@@ -33,7 +33,7 @@ struct TallySlot {
     bytes: u32,
 }
 
-/// How much comes per second.
+/// The rate of a kind of message.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rate {
     pub hz: f64,
@@ -85,7 +85,7 @@ impl MessageTally {
         let running = now.as_secs();
         let window = running.saturating_sub(WINDOW_S)..running;
         let (mut count, mut bytes) = (0.0, 0.0);
-        // The second that runs counts only while there is no whole one.
+        // The running second counts only while no whole second has passed.
         let is_young = self.first_at.as_secs() >= running;
         for slot in self.slots.iter().filter(|slot| slot.count > 0) {
             if window.contains(&slot.second) || is_young && slot.second == running {
@@ -94,7 +94,7 @@ impl MessageTally {
             }
         }
         let whole = running.saturating_sub(self.first_at.as_secs());
-        // The first second was not whole: it began with the first message.
+        // The first second was not a whole one: it began with the first message.
         let seconds = match whole {
             0 => 1.0,
             1..=WINDOW_S => Duration::from_secs(running)

@@ -10,7 +10,7 @@ fn reading(outgoing: &Outgoing) -> MessageReading {
     read(&Anatomy::of(&bytes).expect("a frame"))
 }
 
-/// A field as a screen would show it.
+/// A field as the screen shows it.
 fn shown(reading: &MessageReading, name: &str) -> String {
     let value = reading.values.iter().find(|value| value.name == name);
     let value = value.unwrap_or_else(|| panic!("{name} of {reading:?}"));
@@ -79,7 +79,7 @@ fn text_ends_at_its_first_zero_and_arrays_show_every_element() {
 
 #[test]
 fn a_value_that_the_dialect_cannot_hold_is_read_all_the_same() {
-    // HEARTBEAT of a type that does not exist yet, which the dialect does not decode.
+    // A HEARTBEAT with an unknown vehicle type, which the dialect cannot decode.
     let payload = vec![0, 0, 0, 0, 201, 3, 81, 3, 3];
     let beat = reading(&Outgoing::Raw { id: 0, payload });
     assert_eq!(shown(&beat, "type"), "201");

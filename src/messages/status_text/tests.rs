@@ -23,7 +23,7 @@ fn message(id: u16, chunk_seq: u8, text: &str) -> MavMessage {
     MavMessage::STATUSTEXT(data(id, chunk_seq, text.as_bytes()))
 }
 
-/// A text as a sender cuts it: full chunks, and one at the end that is not full.
+/// A text split as a sender does it: full chunks, and a shorter one at the end.
 fn cut(id: u16, bytes: &[u8]) -> Vec<Chunk> {
     let full = bytes.chunks_exact(CHUNK_LEN);
     let rest = full.remainder();
@@ -143,7 +143,7 @@ proptest! {
         let mut chunks = cut(5, text.as_bytes());
         let mut keys = order.into_iter();
         chunks.sort_by_cached_key(|_| keys.next());
-        // All but the last to arrive may come twice: after that one the text is whole and gone.
+        // All chunks except the last may arrive twice; after the last one the text is complete and removed.
         if repeat + 1 < chunks.len() {
             chunks.insert(repeat, chunks[repeat].clone());
         }

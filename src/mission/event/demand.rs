@@ -24,7 +24,8 @@ pub struct Demand {
 const WIND_SPEED: &str = "SIM_WIND_SPD";
 const WIND_FROM: &str = "SIM_WIND_DIR";
 const TURBULENCE: &str = "SIM_WIND_TURB";
-/// The wind profile; 0: wind grows with the square root of the height, up to [`WIND_FULL_FROM_M`].
+/// The parameter of the wind profile; with 0 the wind grows with the square root of the height, up to
+/// [`WIND_FULL_FROM_M`].
 const WIND_PROFILE: &str = "SIM_WIND_T";
 const WIND_PROFILE_HEIGHT: &str = "SIM_WIND_T_ALT";
 const GPS_DISABLED: &str = "SIM_GPS_DISABLE";
@@ -53,8 +54,8 @@ const USUAL_SATELLITES: f64 = 10.0;
 /// The number of satellites in view at the inner border of a jammed zone's edge.
 const FEWEST_SATELLITES: f64 = 5.0;
 const USUAL_COMPASS_MGAUSS: f64 = 5.0;
-/// Standard deviation of gusts in m/s for each `SIM_WIND_TURB`; measured from the motion of a vehicle in ArduPilot's
-/// SITL.
+/// Standard deviation of gusts in m/s per unit of `SIM_WIND_TURB`, fitted to the motion of a hovering vehicle in
+/// ArduPilot's SITL; the embedded simulator has the same value.
 const GUST_PER_TURBULENCE: f64 = 0.35;
 /// Below this height the wind weakens towards the ground. Without that, an `ArduCopter` that has landed in 6 m/s keeps
 /// leaning against the wind, and with a lean of more than 15 degrees it never detects its landing.

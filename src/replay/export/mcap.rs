@@ -41,9 +41,9 @@ pub(super) fn write(film: &Film, to: &Path) -> io::Result<()> {
 
 struct McapFile<W: io::Write + io::Seek> {
     writer: Writer<W>,
-    /// Of each sender and kind of message.
+    /// The channel of each sender and kind of message.
     channels: BTreeMap<(SystemId, u8, u32), u16>,
-    /// Of each vehicle's positions.
+    /// The channel of each vehicle's positions.
     places: BTreeMap<SystemId, u16>,
     count: u32,
 }
@@ -76,7 +76,7 @@ impl<W: io::Write + io::Seek> McapFile<W> {
         self.add_place(unix_us, bytes)
     }
 
-    /// The position in Foxglove's own words, too.
+    /// Adds the position in Foxglove's own schema, too.
     fn add_place(&mut self, unix_us: u64, bytes: &[u8]) -> Result<(), McapError> {
         let mut decoder = Decoder::new();
         decoder.push(bytes);
@@ -143,7 +143,7 @@ fn value(field: &FieldReading) -> Value {
     if let Some(text) = &field.text {
         return json!(text);
     }
-    // JSON has no NaN: what is no number is null.
+    // JSON has no NaN: such a number becomes null.
     let number = |element: &ElementReading| match *element {
         ElementReading::Unsigned(value) => json!(value),
         ElementReading::Signed(value) => json!(value),

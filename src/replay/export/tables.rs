@@ -23,7 +23,7 @@ pub(super) fn write(film: &Film, folder: &Path) -> io::Result<()> {
             continue;
         };
         let reading = read(&frame);
-        // Of what cannot be verified, the fields are not known.
+        // The fields of an unverified message are unknown.
         if !reading.is_verified {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Where each vehicle was.
+//! The positions of each vehicle.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

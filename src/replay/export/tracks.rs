@@ -12,7 +12,8 @@ use crate::replay::Film;
 
 type Xml = Writer<Vec<u8>>;
 
-/// A moment with the place of the first vehicle that it is about; of the first of all, where it is about the flight.
+/// A moment with the position of its first vehicle; for a moment of the whole flight, with that of the first vehicle
+/// of all.
 fn placed<'a>(
     film: &'a Film,
     tracks: &'a Tracks,
@@ -53,7 +54,7 @@ fn leaf(xml: &mut Xml, name: &str, text: &str) -> io::Result<()> {
     element.write_text_content(BytesText::new(text)).map(drop)
 }
 
-/// `gx:Track` per vehicle, which globes play by time, and a placemark per moment.
+/// KML: a `gx:Track` per vehicle, which globes play by time, and a placemark per moment.
 pub(super) fn kml(film: &Film, tracks: &Tracks, moments: &[Moment]) -> io::Result<String> {
     document(|xml| {
         xml.create_element("kml")
@@ -157,7 +158,7 @@ fn gpx_point(xml: &mut Xml, tag: &str, at: TrackPoint, name: Option<&str>) -> io
 
 /// A line per vehicle with its times, and a point per moment.
 pub(super) fn geo_json(film: &Film, tracks: &Tracks, moments: &[Moment]) -> String {
-    // A line has two points at least.
+    // A line needs at least two points.
     let lines = tracks.iter().filter(|(_, track)| track.len() > 1);
     let lines = lines.map(|(system, track)| {
         let times: Vec<String> = track.iter().map(TrackPoint::time).collect();

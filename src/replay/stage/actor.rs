@@ -10,7 +10,7 @@ use crate::session::{Report, Session};
 use crate::vehicle::Vehicle;
 use crate::wire::SystemId;
 
-/// A vehicle that plays.
+/// A vehicle in the replay.
 #[derive(Debug, Clone)]
 pub(super) struct Actor {
     pub session: Session,
@@ -37,7 +37,7 @@ impl Actor {
         let mut events: Vec<Event> = reports
             .filter_map(|report| match report {
                 Report::Notice(notice) => Some(notice.into()),
-                // Nothing was ordered here.
+                // A replay gives no commands.
                 Report::Row(_) => None,
             })
             .collect();

@@ -21,7 +21,7 @@ impl MissionStage {
         })
     }
 
-    /// Flies up to a time of the mission, from the start if that lies behind.
+    /// Flies up to a mission time, from the start if it lies in the past.
     pub fn go_to(&mut self, elapsed: Duration) {
         if elapsed < self.elapsed
             && let Ok(anew) = self.run.reenact()

@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// The silence after which a member is given up.
+/// The silence after which a member is dropped.
 const LOST_FOR: Duration = Duration::from_secs(10);
 
 impl ActiveManoeuvre {
@@ -19,7 +19,7 @@ impl ActiveManoeuvre {
     pub(super) fn drop_unfit(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
         for id in ids.into_iter().rev() {
-            // When one falls out, the others may get new places, or all give up.
+            // When one member drops out, the others may get new places, or all give up.
             let Some(member) = self.members.iter_mut().find(|member| member.id == id) else {
                 continue;
             };
@@ -96,7 +96,7 @@ impl ActiveManoeuvre {
             Work::Courses { .. } => true,
             Work::Formation(march) => {
                 if leader != self.members.first().map(|member| member.id) {
-                    // The next one leads, from where it is.
+                    // The next member leads, from its position.
                     let first = self
                         .members
                         .first()
@@ -123,7 +123,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Gives up for want of a safe path: all members stay where they are.
+    /// Gives up because there is no safe path: all members stay where they are.
     fn give_up(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let reason = text!("swarm-no-way");
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
@@ -149,7 +149,7 @@ impl ActiveManoeuvre {
     }
 }
 
-/// Why a vehicle does not take part any more.
+/// Why a vehicle no longer takes part.
 fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<(RowState, Text)> {
     let Some(vehicle) = vehicle.filter(|vehicle| !vehicle.link.lost) else {
         return (silent >= LOST_FOR).then(|| (RowState::NoEffect, text!("swarm-lost")));

@@ -20,7 +20,7 @@ pub(in crate::swarm) struct Member {
     pub to: DVec3,
     /// Its course during the work.
     pub course: Vec<DVec3>,
-    /// The next point of that.
+    /// The index of the next point of the course.
     pub next: usize,
     pub standing: Standing,
 }
@@ -35,7 +35,7 @@ pub(in crate::swarm) struct Standing {
     pub is_done: bool,
     pub(super) told: Option<(Duration, DVec3)>,
     pub(super) lost_since: Option<Duration>,
-    /// Where it waits, and for which vehicle.
+    /// The position where it waits, and the vehicle that it waits for.
     pub(super) waits: Option<(DVec3, VehicleId)>,
 }
 

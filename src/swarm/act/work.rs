@@ -9,20 +9,20 @@ use crate::swarm::site::moving;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Vehicles behind another one.
+/// A row of vehicles that follow another one.
 #[derive(Debug, Clone)]
 pub(in crate::swarm) struct Tail {
     pub leader: VehicleId,
     pub distance_m: f64,
-    /// Heights above home; `None` is above the leader.
+    /// Heights above home; `None` for heights above the leader.
     pub up_m: Option<f64>,
-    /// Between the height of one and the next.
+    /// The difference in height between one follower and the next.
     pub step_m: f64,
     /// The place of each member, with its velocity.
     pub places: Vec<MovingPoint>,
 }
 
-/// Vehicles between home and another one.
+/// A chain of vehicles between home and another vehicle.
 #[derive(Debug, Clone)]
 pub(in crate::swarm) struct Chain {
     pub from: DVec3,
@@ -111,7 +111,7 @@ impl ActiveManoeuvre {
                 }
                 Work::Formation(_) | Work::Follow(_) | Work::Chain(_) => all_in_place,
             };
-            // What a course is for begins with its first line: the way there is no part of it.
+            // A course counts from its first line on: the way to it is not part of the work.
             let counts = self.phase == Phase::Work || !matches!(self.work, Work::Courses { .. });
             let standing = &mut self.members[index].standing;
             if counts && let Some(state) = standing.news(left_m, is_done) {
@@ -187,8 +187,8 @@ impl ActiveManoeuvre {
 }
 
 impl Tail {
-    /// Pulls the followers along as on a rope: none swings out when the leader turns, and one closer than the rope's
-    /// length backs away. A step in height keeps them apart where the leader turns back.
+    /// Moves the followers as if on a rope: they do not swing out when the leader turns, and one closer than the
+    /// rope's length backs away. A step in height keeps them apart where the leader turns back.
     pub fn follow(&mut self, leader: MovingPoint, points: &[Option<DVec3>]) {
         let mut ahead = leader;
         for (index, at) in points.iter().enumerate() {
@@ -201,7 +201,7 @@ impl Tail {
                 None => leader.at.z + self.step_m * (index + 1) as f64,
             };
             let place = (ahead.at.truncate() + direction * self.distance_m).extend(level);
-            // A rope passes on what pulls along it.
+            // A rope transmits only the velocity along it.
             let pull = direction * ahead.velocity_m_s.truncate().dot(direction);
             let climb_m_s = if self.up_m.is_none() {
                 leader.velocity_m_s.z

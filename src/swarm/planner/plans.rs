@@ -17,7 +17,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Less than this outside of an area is not worth a word.
+/// A gap outside of an area shorter than this is not reported.
 const LEAST_GAP_M: f64 = 1.0;
 
 impl Planner<'_> {
@@ -57,7 +57,7 @@ impl Planner<'_> {
         Ok(act)
     }
 
-    /// The lanes over an area; with another course where that gives enough for all vehicles.
+    /// The lanes over an area; with another course if only that gives enough lanes for all vehicles.
     fn cover(
         &self,
         corners: &[DVec2],
@@ -137,7 +137,7 @@ impl Planner<'_> {
         let gone = || text!("swarm-not-there", vehicle = leader);
         let vehicle = self.vehicles.get(&leader).ok_or_else(gone)?;
         let ahead = self.site.point(vehicle).ok_or_else(gone)?;
-        // The nearest one follows first.
+        // The nearest vehicle follows first.
         self.team
             .sort_by(|a, b| a.1.distance(ahead).total_cmp(&b.1.distance(ahead)));
         let step_m = self.rules.clearance().above_m;
@@ -151,7 +151,7 @@ impl Planner<'_> {
         act.members = members(&self.team, 0.0);
         let lowest = up_m.unwrap_or(ahead.z + step_m);
         for (index, member) in act.members.iter_mut().enumerate() {
-            // Everybody begins right above or below where it is.
+            // Each member begins right above or below its position.
             member.to = member
                 .from
                 .truncate()
@@ -197,7 +197,7 @@ impl Planner<'_> {
                     .collect()
             }
         };
-        // A lower vehicle stays lower, so that none has to pass another in height.
+        // A lower vehicle stays lower, so that no vehicle must pass another in height.
         self.team
             .sort_by(|a, b| a.1.z.total_cmp(&b.1.z).then(a.0.cmp(&b.0)));
         let step_m = self.rules.clearance().above_m;

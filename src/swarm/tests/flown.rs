@@ -1,4 +1,4 @@
-//! Manoeuvres are flown as ordered.
+//! Manoeuvres and their paths in flight.
 
 use super::*;
 use crate::geo::maths;
@@ -237,7 +237,7 @@ fn the_lines_of_one_that_leaves_go_to_the_others() {
     let rows = stage.rows("survey");
     assert!(done, "{rows:?}");
     assert_eq!((rows[0].1, rows[2].1), (RowState::Done, RowState::Done));
-    // The one that left had finished none: the others have flown all five.
+    // The vehicle that left had finished no line: the others have flown all five.
     for east in [6.0, 18.0, 30.0, 42.0, 54.0] {
         let near = |at: &&[f64; 3]| (at[0] - 80.0).abs() < 3.0 && (at[1] - east).abs() < 1.0;
         assert!(trails.iter().any(|at| near(&at)), "{east}");
@@ -246,7 +246,7 @@ fn the_lines_of_one_that_leaves_go_to_the_others() {
     assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
 }
 
-/// The fastest that vehicle 1 is over ground while something is not done.
+/// The highest ground speed of vehicle 1 until a command is done.
 fn fastest_m_s(stage: &mut Stage, verb: &str) -> f32 {
     let mut fastest: f32 = 0.0;
     let done = stage.watch(200.0, |stage| {

@@ -90,12 +90,12 @@ fn a_hold_ends_a_survey_where_it_is() {
 #[test]
 fn somebody_in_the_way_is_waited_for() {
     let mut stage = Stage::flying(2, 20.0);
-    // By its own origin, which is 20 m to the east.
+    // Measured from the vehicle's own origin, which is 20 m to the east.
     stage.say("2 goto n 60 e -20");
     stage.run(20.0);
     stage.say("1 survey n 0 e -2 to n 120 e 2 spacing 10 up 20 course 0");
     stage.run(30.0);
-    // A line has no way round; the one in the way has to leave.
+    // A line has no detour, so the vehicle in the way must leave.
     assert!(
         stage
             .notices
@@ -146,7 +146,7 @@ fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
     assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
     let mut vehicles = stage.vehicles.clone();
     let above = vehicles[&1].global.expect("it flies");
-    // Under its leader, it can neither rise past it nor stay.
+    // Below its leader it can neither rise past it nor stay.
     let below = GlobalPosition {
         altitude_m: above.altitude_m - 8.0,
         ..above

@@ -1,7 +1,7 @@
 use super::*;
 
-/// Draws whenever allowed for `seconds`, on a line with a limited rate and a terminal that answers; returns frames
-/// drawn and the largest number of bytes under way.
+/// Draws whenever allowed for `seconds`, on a line with a limited rate and a terminal that answers; returns the number
+/// of frames and the largest number of bytes in transit.
 fn fly(pace: &mut Pace, seconds: u64, line_bytes_per_s: u64, frame_bytes: u64) -> (u32, u64) {
     let (mut frames, mut most, mut under_way) = (0, 0, 0_u64);
     let mut question_behind: Option<u64> = None;

@@ -1,9 +1,9 @@
 //! Parts for flight: frames, motors, propellers, batteries, speed controllers.
 //!
 //! Masses, resistances and prices are those of typical parts of late 2025, from data sheets and shops, or estimated
-//! for their class. Propellers have UIUC's and APC's static figures, brought down to what independent tests find (7 %
-//! less thrust, 5 % less power for APC's computed ones; 7.5 % more power for makers' tables). The resistance of a
-//! lithium polymer cell is `0.110 / (Ah sqrt(C))` ohms where its maker gives none.
+//! for their class. Propellers have UIUC's and APC's static figures, corrected by independent tests (7 % less thrust,
+//! 5 % less power for APC's computed ones; 7.5 % more power for makers' tables). The resistance of a lithium polymer
+//! cell is `0.110 / (Ah sqrt(C))` ohms if its maker gives no value.
 
 use crate::workshop::part::Chemistry::{Ion, Polymer};
 use crate::workshop::part::{Battery, Esc, Frame, Motor, Part, Propeller, Spec};

@@ -14,10 +14,10 @@ use crate::workshop::part::PartSlot;
 
 /// The version of the format.
 const SCHEMA: i64 = 1;
-/// Letters of a name.
+/// The most letters of a name.
 const LONGEST_NAME: usize = 40;
 
-/// Why a text is no design: every fault, with its place.
+/// Every fault of an invalid design file, with its place.
 pub type DesignError = Vec<Diagnostic>;
 
 #[derive(Deserialize)]
@@ -61,8 +61,8 @@ impl Design {
     /// Reads a design file.
     ///
     /// # Errors
-    /// Every fault with its place: what is no TOML, a schema that this program does not know, a part that does not
-    /// exist or belongs into another slot, more parts than a slot takes.
+    /// Every fault with its place: a syntax error, an unknown schema, a part that does not exist or belongs into
+    /// another slot, more parts than a slot takes.
     pub fn from_toml(source: &str) -> Result<Self, DesignError> {
         let file: File =
             toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
@@ -116,7 +116,7 @@ impl Design {
     }
 }
 
-/// Whether a name can be a design's: something to read, of one line, and not too long for a table.
+/// Whether a name is valid for a design: not empty, one line, and short enough for a table.
 pub(super) fn checked_name(name: &str) -> Result<(), crate::text::Text> {
     let is_fine = !name.is_empty()
         && name.chars().count() <= LONGEST_NAME

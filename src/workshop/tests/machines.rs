@@ -1,4 +1,4 @@
-//! The formulas beside real machines.
+//! The formulas, compared with real machines.
 
 use crate::workshop::Air;
 use crate::workshop::design::Drive;
@@ -6,7 +6,7 @@ use crate::workshop::drive::VOLTAGE_SHARE;
 use crate::workshop::pack::Pack;
 use crate::workshop::part::{Battery, Chemistry, Esc, Frame, Motor, Propeller};
 
-/// A machine on the market, with the figures of its maker or its users.
+/// A machine on the market, with figures from its maker or its users.
 struct Known {
     name: &'static str,
     mass_kg: f64,
@@ -16,13 +16,13 @@ struct Known {
     /// Cells, ampere hours, C, ohms of a cell (0: by the rule).
     battery: (u8, f64, f64),
     electronics_w: f64,
-    /// The share of the charge that the stated time uses, and minutes.
+    /// The share of the charge used in the stated time, and the minutes.
     share: f64,
     minutes: (f64, f64),
 }
 
-/// Stated times: F450 by users, X500 by its maker through two public notes, the others by their makers. Propellers of
-/// their sizes; motors of the makers without data sheets are estimated, so that these rows test the method.
+/// Machines with stated times: the F450's by users, the X500's by its maker in two public notes, the others' by their
+/// makers. Motors without data sheets are estimated, so these rows test the method.
 const KNOWN: [Known; 6] = [
     Known {
         name: "F450 with a gimbal",

@@ -24,7 +24,7 @@ fn any_design() -> impl Strategy<Value = Design> {
     let rest = proptest::collection::vec(select(parts().collect::<Vec<_>>()), 0..12);
     (drive, rest).prop_map(|((frame, motor, propeller, esc, battery), rest)| {
         let drive = [frame, motor, propeller, esc, battery];
-        // The drive last: what came before in its slots is replaced.
+        // The drive is added last and replaces earlier parts in its slots.
         rest.into_iter()
             .chain(drive)
             .fold(Design::new("any"), |design, part| design.with(part))

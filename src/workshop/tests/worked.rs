@@ -1,4 +1,4 @@
-//! Builds whose figures were worked out by hand.
+//! Designs whose figures were computed by hand.
 
 use super::*;
 
@@ -21,8 +21,8 @@ impl Worked {
     }
 }
 
-/// Builds that were worked out with the same formulas, and flown in SITL 4.6 as far as A, B, D and G are concerned (G with a
-/// laser altimeter of 20 g and 300 credits).
+/// Designs computed by hand with the same formulas; A, B, D and G were also flown in SITL 4.6 (G with a laser
+/// altimeter of 20 g and 300 credits).
 pub const WORKED: [Worked; 6] = [
     Worked {
         name: "A",

@@ -132,7 +132,7 @@ fn everything_that_ships_is_good() {
         let entries = fs::read_dir(folder).expect("the folder is there").flatten();
         files.extend(
             entries
-                // The schema beside the missions is no file to check.
+                // The schema beside the missions is not a file to check.
                 .filter(|entry| {
                     entry
                         .path()

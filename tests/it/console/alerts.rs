@@ -1,4 +1,4 @@
-//! Alerts: since when they stand, taking note of them, and what makes a noise.
+//! Alerts: their duration, acknowledgement, and sound.
 
 use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::vehicle::{Severity, Vehicle};

@@ -1,4 +1,4 @@
-//! Who trains here, and what they may fly.
+//! The choice of a profile, and the missions that its career allows.
 
 use std::time::Duration;
 
@@ -26,7 +26,7 @@ fn said(console: &Console) -> String {
     message.map_or_else(String::new, |message| message.text.to_string())
 }
 
-/// Puts the cursor on a mission.
+/// Moves the cursor to a mission.
 fn go_to(console: &mut Console, mission: &str) {
     console.press("home");
     for _ in 0..20 {
@@ -66,7 +66,7 @@ fn the_cursor_begins_where_there_is_most_to_learn_and_stays_where_it_was_put() {
     console.hear(CareerEvent::Career(Some(Box::new(career.clone()))));
     assert_eq!(under_cursor(&console), next);
     go_to(&mut console, "00-first-flight");
-    // A part was bought, or another console said something: nothing was flown.
+    // A part was bought, or another console changed the profile: no flight has ended.
     console.hear(CareerEvent::Career(Some(Box::new(career.clone()))));
     assert_eq!(under_cursor(&console), "00-first-flight");
     let mut history = career.history.clone();
@@ -131,7 +131,7 @@ fn starter() -> Design {
     Design::from_toml(starter).expect("it is good")
 }
 
-/// For how many missions drones were chosen.
+/// The number of missions for which drones have been chosen.
 fn fleets(console: &Console) -> usize {
     let missions = console.state().missions().iter();
     missions
@@ -197,7 +197,7 @@ fn an_enter_after_the_answer_belongs_to_it_for_a_second_on_the_wall() {
         console.press("e").press("y");
         in_flight(&mut console);
         console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-        // The clock of the session stands still while the brief is read.
+        // The clock of the session is stopped while the brief is read.
         console.hear(Event::Tick {
             now: Duration::ZERO,
             wall: Duration::from_millis(wall_ms),
@@ -316,7 +316,7 @@ fn profiles_are_chosen_made_and_left() {
             Trainee::Guest
         ]
     );
-    // The one that holds now is under the cursor, and taking it changes nothing.
+    // The present choice is under the cursor, and selecting it changes nothing.
     console.press("u").press("enter");
     assert!(console.effects.is_empty() && console.state().overlay().is_none());
     console.press("u").press("j").press("enter");
@@ -440,7 +440,7 @@ fn hints_that_come_by_themselves_fade_and_those_that_are_asked_for_stay() {
         assert_eq!(progress.clues.given.len(), 1, "{aids:?}");
         (progress.hint.is_some(), progress.feedback.is_some())
     };
-    // Failed twice: still far from known. Met twice: well above the first steps.
+    // Failed twice: far from known. Met twice: well beyond the first steps.
     for (aids, skill, phase, expected) in [
         (Aids::Full, 1.0, Phase::Ground, (true, true)),
         (Aids::Fading, 0.0, Phase::Ground, (true, true)),
@@ -515,7 +515,7 @@ fn a_mission_of_ones_own_progress_is_found_on_the_home_screen() {
     let mut console = trained_by(career());
     console.press("T").press("tab").press("j").press("enter");
     assert_eq!(console.state().room(), Room::Home);
-    // The second line is the drill: it is flown from its mission.
+    // The second line is the drill: it is flown through its mission.
     assert_eq!(under_cursor(&console), "01-air-sample");
 }
 

@@ -1,4 +1,4 @@
-//! The command line and the questions that it leads to.
+//! The command line, and the questions that it asks.
 
 use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::app::event::{SessionEvent, TerminalEvent};

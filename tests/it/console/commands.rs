@@ -1,4 +1,4 @@
-//! The room of all commands so far.
+//! The room with all commands of the session.
 
 use sortie::app::event::{TerminalEvent, VehicleEvent};
 use sortie::app::state::Room;
@@ -6,7 +6,7 @@ use sortie::ledger::{EntryId, RowState, RowUpdate};
 
 use crate::harness::Console;
 
-/// Three commands: one that failed with a vehicle, one under way, one done.
+/// Three commands: one that failed with a vehicle, one in progress, one done.
 fn commanded() -> Console {
     let mut console = Console::flying(4);
     console.at(5).give("all arm");
@@ -135,7 +135,7 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
     }
     console.press("C").press("/").write("p199").press("enter");
     assert_eq!(shown(&console).len(), 11);
-    // Rows that change do not look through all commands each.
+    // A changed row must not search all commands.
     for number in 0..2000 {
         console.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(number),

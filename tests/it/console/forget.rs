@@ -13,7 +13,7 @@ fn message(console: &Console) -> String {
     message.map_or(String::new(), |message| message.text.to_string())
 }
 
-/// What is said of a line that is refused.
+/// The fault shown for a refused line.
 fn fault(console: &Console) -> String {
     match console.state().overlay() {
         Some(Overlay::Palette(palette)) => {
@@ -23,7 +23,7 @@ fn fault(console: &Console) -> String {
     }
 }
 
-/// Connected to vehicles 1 to 4, of which 3 and 4 have fallen silent.
+/// Connected to vehicles 1 to 4, of which 3 and 4 have become silent.
 fn connected(expected: Option<&str>) -> Console {
     let expected = expected.map(str::to_owned);
     let mut console = Console::set_up(|setup| setup.config.connect.expect = expected);

@@ -1,4 +1,4 @@
-//! The vehicles' processes: until they are ready, when one crashes, and what can be done with them.
+//! The vehicles' processes: their start, a crash, and the commands for them.
 
 use sortie::alert::AlertKind;
 use sortie::app::effect::{Effect, SessionEffect, TerminalEffect};
@@ -33,7 +33,7 @@ pub fn instance(vehicle: u16, stage: SitlStage) -> Instance {
     }
 }
 
-/// One that has ended by itself.
+/// A process that has ended by itself.
 pub fn crashed(vehicle: u16) -> Instance {
     let output = [
         "Starting sketch 'ArduCopter'",
@@ -48,12 +48,12 @@ pub fn crashed(vehicle: u16) -> Instance {
     }
 }
 
-/// A session whose vehicles have to be started first.
+/// A session whose vehicles must be started first.
 pub fn starting(activity: Activity, processes: usize) -> Console {
     start(Console::new(), activity, processes)
 }
 
-/// Starts such a session.
+/// Starts a session whose vehicles must be started first.
 pub fn start(mut console: Console, activity: Activity, processes: usize) -> Console {
     let is_mission = matches!(activity, Activity::Mission { .. });
     console.hear(SessionEvent::Started(Box::new(Started {
@@ -71,7 +71,7 @@ pub fn hear(console: &mut Console, instances: Vec<Instance>) {
     console.hear(ProcessEvent::Instances(instances));
 }
 
-/// Two that are ready and parked.
+/// A session with two vehicles that are ready and parked.
 fn ready() -> Console {
     let mut console = starting(Activity::Free, 2);
     hear(

@@ -1,11 +1,11 @@
-//! Keys that a user has bound.
+//! Keys with the user's own bindings.
 
 use sortie::app::state::Overlay;
 
 use super::palette_line;
 use crate::harness::Console;
 
-/// A flight of six with a keymap file.
+/// A flight of six vehicles with a keymap file.
 fn flying(keymap: &str) -> Console {
     let console = Console::set_up(|setup| {
         let read = setup.keymap.overlay(keymap, &setup.themes);

@@ -1,4 +1,4 @@
-//! What the keys of the map do.
+//! The keys of the map.
 
 use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::room::map::Aim;

@@ -1,4 +1,4 @@
-//! The command line as one list of everything, and macros.
+//! The command line as a palette of all commands and rooms, and macros.
 
 use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::state::Room;
@@ -16,7 +16,7 @@ fn offered(console: &Console) -> Vec<String> {
     }
 }
 
-/// What is wrong with the line that is being written.
+/// The fault of the line that is being edited.
 fn fault(console: &Console) -> String {
     match console.state().overlay() {
         Some(sortie::app::state::Overlay::Palette(palette)) => {
@@ -62,7 +62,7 @@ fn a_line_typed_in_the_ukrainian_layout_is_offered_and_shown_before_it_is_sent()
     console.press(":").write("ефлущаа 20");
     console.press("tab");
     assert_eq!(palette_line(&console), "takeoff 20 ");
-    // What is no line in any layout stays as it was written.
+    // A line that is invalid in any keyboard layout stays as it was typed.
     console.press("ctrl-u").write("пгшвувв").press("enter");
     assert_eq!(palette_line(&console), "пгшвувв");
 }

@@ -1,4 +1,4 @@
-//! What the panes and the table say.
+//! The content of the panes and the table.
 
 use sortie::app::event::{Event, LinkEvent, VehicleEvent};
 use sortie::app::state::{Activity, LinkSummary};

@@ -1,4 +1,4 @@
-//! The room of parameters, told as scripts.
+//! The room of parameters, as scripts.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub fn complete(list: ParameterList) -> ParameterSnapshot {
     }
 }
 
-/// In the room, with so many vehicles whose lists are there.
+/// In the room of parameters, with vehicles whose lists are complete.
 pub fn in_the_room(vehicles: u16) -> Console {
     let mut console = Console::flying(vehicles);
     console.press("P").at(1);
@@ -337,7 +337,7 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
     arrives(&mut console, 1, list(1.0, 640.0));
     assert!(console.screen(80, 24).contains("640 confirmed"));
     console.give("params diff 2");
-    // The list comes anew, and the vehicle has forgotten the value.
+    // The list arrives anew, and the vehicle has lost the value.
     let mut coming = ParameterList::default();
     coming.note(&HeardParameter {
         name: "WPNAV_SPEED",

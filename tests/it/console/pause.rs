@@ -1,4 +1,4 @@
-//! Pauses, and what begins and ends a try at a mission.
+//! Pauses, and the beginning and end of an attempt at a mission.
 
 use std::time::Duration;
 
@@ -34,7 +34,7 @@ fn flying_in(mut console: Console) -> Console {
     console
 }
 
-/// What the last line of the screen says.
+/// The text of the last line on the screen.
 fn said(console: &Console) -> String {
     let message = console.state().message();
     message.map_or_else(String::new, |message| {
@@ -166,7 +166,7 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("800 predicted"), "{screen}");
     assert!(screen.contains("goal time 200s"), "{screen}");
-    // In the air only what was said is left.
+    // In the air, only the earlier lines are left.
     let mut progress = fixtures::progress();
     progress.pledge.prediction = Some(800);
     console.hear(SessionEvent::Mission(Box::new(progress)));
@@ -230,7 +230,7 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
     let mut console = flying();
     let mut report = fixtures::report();
     let event = report.events[0].clone();
-    // As many that differ: equal ones would share a row.
+    // Events with different texts, since equal ones would share a row.
     report.events.extend((0..40).map(|number| EventReport {
         text: format!("event {number}").into(),
         ..event.clone()
@@ -279,7 +279,7 @@ fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_re
         assert!(given, "{line}: {:?}", console.effects);
     }
     assert!(console.give("1 arm").effects.is_empty());
-    // The keys that say so are offered until something flies.
+    // The footer offers these keys until a vehicle flies.
     console.press("esc").press("B").at(60);
     assert!(console.screen(80, 24).contains("s predict  g goal"));
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
@@ -312,7 +312,7 @@ fn times_in_a_mission_are_those_of_the_mission() {
             .as_secs()
     };
     assert_eq!([100, 103, 124, 145].map(at), [0, 0, 210, 420]);
-    // Without a mission they are the session's own.
+    // Without a mission, they are the keys of the session.
     console.start(Activity::Free);
     console.at(150);
     assert!(header(&console).is_some_and(|line| line.contains("00:05")));
@@ -335,7 +335,7 @@ fn esc_leaves_a_brief_whose_clock_stands_still_and_enter_starts_the_mission() {
     console.press("enter");
     assert_eq!(console.state().room(), Room::Fly);
     assert!(!console.state().session().is_reading());
-    // Once it has begun, Esc leads back to the drones.
+    // After the mission has begun, Esc leads back to the drones.
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console.press("B").press("esc");
     assert_eq!(console.state().room(), Room::Fly);

@@ -1,4 +1,4 @@
-//! Clicks, and the search of the help.
+//! Clicks with the mouse, and the search in the help.
 
 use sortie::app::action::Action;
 use sortie::app::event::TerminalEvent;

@@ -1,4 +1,4 @@
-//! One test per diagnosis.
+//! One test for each diagnosis.
 
 use super::*;
 use rand::{Rng as _, SeedableRng as _};
@@ -48,7 +48,7 @@ async fn bytes_without_a_frame_are_told_from_text_and_from_a_wrong_baud_rate() {
 #[tokio::test(start_paused = true)]
 async fn a_serial_port_at_any_wrong_baud_rate() {
     let flight = recording("flight.tlog");
-    // 57600 heard at 115200, 115200 at 57600, and further apart.
+    // 57600 received at 115200, 115200 at 57600, and larger ratios.
     for ratio in [0.5, 2.0, 0.25, 4.0, 1.5, 6.0, 1.0 / 3.0] {
         let garbage = uart::heard(&flight[..8000], ratio);
         let (mut patient, mut far) = Patient::piped(Way::Serial);
@@ -87,7 +87,7 @@ async fn a_real_device_at_the_wrong_baud_rate() {
 async fn frames_of_an_unknown_dialect() {
     let (mut patient, remote) = Patient::listening().await;
     for second in 0..8u8 {
-        // Messages of somebody's own dialect, checksums by a seed that is not known here.
+        // Messages of a private dialect, with checksums from an unknown seed.
         let mut frames = Vec::new();
         for number in 0..3 {
             let from = frames.len();
@@ -166,7 +166,7 @@ async fn one_system_id_from_two_places_and_twice_behind_one_radio() {
     assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
 }
 
-/// Of a link with many vehicles, only the frames of the one whose id is shared jump to and fro.
+/// With many vehicles on a link, only the sequence numbers of the shared id jump.
 #[tokio::test(start_paused = true)]
 async fn a_duplicate_among_many_vehicles_behind_one_radio_is_found() {
     let (mut patient, mut far) = Patient::piped(Way::Serial);
@@ -185,7 +185,7 @@ async fn a_duplicate_among_many_vehicles_behind_one_radio_is_found() {
     assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
 }
 
-/// A vehicle with a second ground station: it forwards only some of that one's frames.
+/// A vehicle with a second ground station, of whose frames it forwards only some.
 #[tokio::test(start_paused = true)]
 async fn another_ground_station_is_named_and_its_gaps_are_no_loss() {
     let (mut patient, mut far) = Patient::piped(Way::Tcp);
@@ -243,10 +243,10 @@ async fn signed_frames_of_a_real_vehicle_that_does_not_take_ours() {
     let signed = recording("signing.tlog");
     let (mut patient, mut far) = Patient::piped(Way::Serial);
     let frames = frames_of(&signed);
-    // What it answered was said to the ground station that signed, not to us.
+    // Its answers were to the ground station that signed, not to us.
     let is_signed = |frame: &&Vec<u8>| frame[2] & 1 == 1 && ![77, 111].contains(&frame[7]);
     let frames: Vec<&Vec<u8>> = frames.iter().filter(is_signed).collect();
-    // A heartbeat a second, as a vehicle sends them; the recording leaves most of a flight out.
+    // A heartbeat a second, as a vehicle sends them; the recording omits most of a flight.
     for part in frames.chunk_by(|_, next| next[7..10] != [0, 0, 0]).take(20) {
         let bytes: Vec<u8> = part
             .iter()
@@ -303,7 +303,7 @@ async fn after_a_pause_a_vehicle_has_time_to_answer() {
     let mut voice = Voice::new(7, 1);
     for at in 0..100 {
         patient.ask();
-        // For a minute the simulator stands still.
+        // For a minute the simulator is stopped.
         if !(20..80).contains(&at) {
             let mut bytes = voice.second();
             if at % 5 == 0 && at != 80 {
@@ -330,7 +330,7 @@ async fn many_that_never_answer_are_one_finding_and_hide_no_other() {
         for bytes in said {
             remote.send(&bytes).await.expect("sent");
             patient.given += bytes.len() as u64;
-            // Few at a time fit into a socket's buffer.
+            // Only a few fit into a socket's buffer at a time.
             tokio::task::yield_now().await;
         }
         patient.second().await;
@@ -368,7 +368,7 @@ async fn damaged_and_missing_frames() {
     let mut voice = Voice::new(2, 1);
     for _ in 0..10 {
         let mut bytes = [voice.answer(), voice.second()].concat();
-        // One frame in twelve loses a bit.
+        // One frame in twelve has a wrong bit.
         let last = bytes.len() - 3;
         bytes[last] ^= 4;
         patient.feed(&mut far, &bytes, 1).await;

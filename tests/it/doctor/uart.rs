@@ -1,7 +1,6 @@
-//! What a serial port hears that listens at another baud rate than the sender's.
+//! The bytes that a serial port receives at a wrong baud rate.
 
-/// The line as the sender drives it: a start bit, eight bits from the lowest, a stop bit, a pause of one bit now
-/// and then.
+/// The signal of the sender: a start bit, eight bits from the lowest, a stop bit, and now and then a pause of one bit.
 fn line(bytes: &[u8]) -> Vec<bool> {
     let mut line = vec![true; 20];
     for (at, byte) in bytes.iter().enumerate() {
@@ -16,7 +15,7 @@ fn line(bytes: &[u8]) -> Vec<bool> {
     line
 }
 
-/// The bytes heard by a receiver whose bits last `ratio` of the sender's.
+/// The bytes received with bits that last `ratio` of the sender's.
 pub(super) fn heard(bytes: &[u8], ratio: f64) -> Vec<u8> {
     let line = line(bytes);
     let level = |time: f64| line.get(time as usize).copied();
@@ -27,7 +26,7 @@ pub(super) fn heard(bytes: &[u8], ratio: f64) -> Vec<u8> {
             time += ratio / 16.0;
             continue;
         }
-        // Each bit is read at its middle; a stop bit that is missing is not missed.
+        // Each bit is read at its middle; a missing stop bit is not detected.
         let bit = |number: u32| level(time + ratio * (f64::from(number) + 1.5)).unwrap_or(true);
         heard.push((0..8).fold(0, |byte, number| byte | u8::from(bit(number)) << number));
         time += ratio * 9.5;

@@ -1,4 +1,4 @@
-//! What the documents are made of, as far as tests look at it.
+//! The elements of Markdown documents that the tests check.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,9 +10,9 @@ pub struct Document {
     pub text: String,
 }
 
-/// A piece between two fences.
+/// A fenced block of code.
 pub struct Fence {
-    /// Its language; empty without one.
+    /// The language of the block; empty without one.
     pub language: String,
     pub text: String,
 }
@@ -35,25 +35,25 @@ impl Document {
         })
     }
 
-    /// The pieces between fences that are of a language.
+    /// The fenced blocks in a language.
     pub fn fences(&self, language: &str) -> Vec<Fence> {
         let all = self.all_fences();
         all.filter(|fence| fence.language == language).collect()
     }
 
-    /// The text outside of fences.
+    /// The text outside of fenced blocks.
     fn prose(&self) -> String {
         let pieces = self.text.split("\n```").step_by(2);
         let pieces = pieces.map(|piece| piece.trim_start_matches('\n'));
         pieces.collect::<Vec<_>>().join("\n")
     }
 
-    /// The pieces of code within sentences and tables.
+    /// The inline code of sentences and tables.
     pub fn spans(&self) -> Vec<String> {
         code_of(&self.prose())
     }
 
-    /// Where its links lead.
+    /// The targets of its links.
     pub fn links(&self) -> Vec<String> {
         let prose = self.prose();
         let text: String = prose.split('`').step_by(2).collect();
@@ -62,7 +62,7 @@ impl Document {
         targets.map(|(target, _)| target.to_owned()).collect()
     }
 
-    /// The anchors of its headings, as forges make them.
+    /// The anchors of its headings, as Git hosts generate them.
     pub fn anchors(&self) -> BTreeSet<String> {
         let prose = self.prose();
         let headings = prose.lines().filter(|line| line.starts_with('#'));
@@ -76,7 +76,7 @@ impl Document {
         rows.map(str::to_owned).collect()
     }
 
-    /// The code in the first column of tables with such a head, row by row.
+    /// The code in the first column of the tables with this heading, row by row.
     pub fn rows_below(&self, head: &str) -> Vec<Vec<String>> {
         let prose = self.prose();
         let mut found = Vec::new();
@@ -108,7 +108,7 @@ fn anchor(heading: &str) -> String {
     kept.collect()
 }
 
-/// The Rust sources below some folders, as one text.
+/// All Rust sources below some folders, as one text.
 pub fn sources(folders: &[PathBuf]) -> String {
     let mut text = String::new();
     for folder in folders {

@@ -45,7 +45,7 @@ impl Console {
         .await;
     }
 
-    /// What the row of a vehicle says last.
+    /// The last explanation in the row of a vehicle.
     pub(crate) fn explanation(&self, entry: EntryId, vehicle: u16) -> String {
         let mut rows = self.rows.iter().rev();
         let row = rows.find(|row| row.entry == entry && row.vehicle == vehicle);
@@ -53,7 +53,7 @@ impl Console {
         words.map(ToString::to_string).unwrap_or_default()
     }
 
-    /// Has vehicles fly for a moment, so that they have a log.
+    /// Lets vehicles fly briefly, so that they have a log.
     async fn hop(&mut self, ids: &[u16]) {
         self.until_ready(ids).await;
         self.give("guided", ids);
@@ -71,7 +71,7 @@ impl Console {
     }
 }
 
-/// The files in a folder with their contents, by name.
+/// The files in a folder with their contents, sorted by name.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
@@ -93,7 +93,7 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
         console.connect(address);
     }
     console.hop(&all).await;
-    // Else the log goes on for 15 s after disarming.
+    // Otherwise the log continues for 15 s after disarming.
     let off = console.give("param set LOG_BACKEND_TYPE 0", &all);
     for id in all {
         console.until_done(off, id).await;

@@ -19,7 +19,7 @@ const SIGNATURE: usize = 13;
 /// `PARAM_REQUEST_READ`, `PARAM_REQUEST_LIST`, `PARAM_VALUE`, `PARAM_SET`.
 const PARAMETER_MESSAGES: std::ops::RangeInclusive<u8> = 20..=23;
 
-/// Carries packets from one pipe to another, but every n-th about parameters is lost.
+/// Passes packets from one pipe to another, except every n-th one about parameters.
 async fn carry(
     mut from: tokio::io::ReadHalf<DuplexStream>,
     mut to: tokio::io::WriteHalf<DuplexStream>,
@@ -59,7 +59,7 @@ fn packet_length(buffer: &[u8]) -> Option<usize> {
     (buffer.len() >= length).then_some(length)
 }
 
-/// A pipe to the same place that loses every n-th packet about parameters in each direction.
+/// A pipe that loses every n-th packet about parameters in each direction.
 fn lossy(far: DuplexStream, nth: usize) -> DuplexStream {
     let (near, middle) = duplex(64 * 1024);
     let (far_out, far_in) = tokio::io::split(far);

@@ -33,7 +33,7 @@ async fn an_instance_whose_folder_cannot_be_made_is_refused_and_takes_no_place()
     stand.until_ready(id).await;
 }
 
-/// A disk that is full, as far as a file can be one.
+/// A full disk, simulated by a file.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_full_disk_refuses_an_instance_with_the_reason() {
     let stand = Stand::of(Behaviour::Normal);

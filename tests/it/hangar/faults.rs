@@ -1,4 +1,4 @@
-//! Programs that are none, and instances that do not do what they should.
+//! Programs that are not an `arducopter`, and instances that misbehave.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
@@ -43,7 +43,7 @@ async fn what_is_no_arducopter_ends_with_the_reason() {
         if program == Path::new("/bin/ls") {
             assert!(one.last_output.join("\n").contains("--model"));
         }
-        // One that has ended takes nobody's place, and can be taken away.
+        // An ended instance takes up no room, and can be removed.
         assert_eq!(stand.hangar.capacity().running, 0);
         stand.hangar.stop(id).await.expect("it is there");
         assert!(stand.hangar.instances().borrow().is_empty());
@@ -100,7 +100,7 @@ async fn a_crash_is_noticed_and_told_by_its_signal() {
     assert!(last.contains("Floating point exception"), "{last}");
 }
 
-/// Nothing is ended for being slow; what is known is told, and it can be stopped.
+/// A slow instance is not ended: its missing step is reported, and it can be stopped.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn those_that_hang_are_told_with_what_they_lack() {
     let stands = [Behaviour::NeverConnects, Behaviour::StaysSilent].map(Stand::of);

@@ -1,4 +1,4 @@
-//! Owners that end, however they do, and what they leave.
+//! Owners of hangars that end in different ways, and the processes that they leave.
 
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ const PROGRAM: &str = "SORTIE_OWNER_PROGRAM";
 const FOLDER: &str = "SORTIE_OWNER_FOLDER";
 const INSTANCES: u16 = 3;
 
-/// Not a test of anything: a program with a hangar, for those that kill it. Without a program there is nothing to do.
+/// Not a test itself: a program with a hangar, for tests that kill it. Without a program it does nothing.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn owner_of_a_hangar() {
     let Some(program) = std::env::var_os(PROGRAM) else {
@@ -37,7 +37,7 @@ async fn owner_of_a_hangar() {
     tokio::time::sleep(Duration::from_secs(300)).await;
 }
 
-/// An owner whose instances are ready, and their processes.
+/// Starts an owner, waits until its instances are ready, and returns their processes.
 fn start_owner(program: &Path, folder: &Path) -> (Child, Vec<u32>) {
     let mut owner = Command::new(std::env::current_exe().expect("a path"))
         .args(["--exact", "hangar::owner::owner_of_a_hangar", "--nocapture"])
@@ -63,7 +63,7 @@ async fn nothing_outlives_an_owner_that_is_killed() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (mut owner, pids) = start_owner(&stand_in.program(), folder.path());
     assert!(pids.iter().all(|pid| !is_gone(*pid)));
-    // On Unix that is signal 9.
+    // On Unix this is signal 9.
     owner.kill().expect("it is ours");
     owner.wait().expect("it is ours");
     for pid in pids {
@@ -95,7 +95,7 @@ async fn what_an_earlier_hangar_has_left_running_is_ended_and_named() {
     }
 }
 
-/// A hangar that lives is nobody's leftover.
+/// Instances of a living hangar are not leftovers.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn two_hangars_in_one_folder_leave_each_other_alone() {
     let stand_in = StandIn::new(Behaviour::Normal);

@@ -1,4 +1,4 @@
-//! A real `ArduCopter`, which `SORTIE_ARDUCOPTER` names.
+//! A real `ArduCopter`, named by `SORTIE_ARDUCOPTER`.
 
 use sortie::hangar::SitlStage;
 

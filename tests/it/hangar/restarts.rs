@@ -1,4 +1,4 @@
-//! Instances that boot again, and whoever is attached to them meanwhile.
+//! Instances that boot again, and the clients attached to them.
 
 use std::fs;
 use std::path::Path;
@@ -40,7 +40,7 @@ async fn one_that_is_killed_comes_back_by_policy_and_whoever_is_attached_hears_i
         (1, true, None)
     );
     assert_eq!(attached.heartbeat().await, 1);
-    // Its parameters are kept where it had them.
+    // Its parameters stay in the same folder.
     assert_eq!(again.folder, first.folder);
     let starts = fs::read(Path::new(&again.folder).join(MEMORY_FILE)).expect("it is there");
     assert_eq!(starts.len(), 2);
@@ -94,7 +94,7 @@ async fn one_that_reboots_by_mavlink_goes_through_its_stages_again() {
     assert_a_reboot_goes_through_the_stages(&Stand::of(Behaviour::Normal)).await;
 }
 
-/// Reboots the program of a stand by MAVLink.
+/// A reboot by MAVLink goes through the stages again.
 pub(super) async fn assert_a_reboot_goes_through_the_stages(stand: &Stand) {
     let id = stand.launch().await;
     let mut attached = stand.attach(id).await;
@@ -125,7 +125,7 @@ async fn a_new_instance_remembers_nothing_of_one_with_its_number() {
     }
 }
 
-/// Whoever is attached and does not read must not hold up the instance, nor its hangar.
+/// An attached client that does not read must not block the instance or its hangar.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn one_who_is_attached_and_does_not_read_disturbs_nobody() {
     let stand = Stand::of(Behaviour::Normal);

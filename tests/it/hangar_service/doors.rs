@@ -1,4 +1,4 @@
-//! Who is let in.
+//! The service's checks of its clients.
 
 use std::net::SocketAddr;
 

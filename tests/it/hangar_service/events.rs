@@ -11,7 +11,7 @@ struct Events(Lines<BufReader<TcpStream>>);
 impl Events {
     async fn follow(served: &Served) -> Self {
         let mut stream = served.connect().await;
-        // Without chunks the lines are easy to find.
+        // Without chunked encoding the lines are easy to find.
         let request = format!("GET /events HTTP/1.0\r\nHost: {}\r\n\r\n", served.address);
         stream
             .write_all(request.as_bytes())
@@ -91,7 +91,7 @@ async fn events_come_in_order_after_a_snapshot() {
             data["stage"].as_str().unwrap_or("").to_owned()
         });
         if seen.last().is_some_and(|word| word == "ready") && !seen.contains(&"gone".to_owned()) {
-            // Of the first one, before it is ended.
+            // Events of the first instance, before it is ended.
             seen.clear();
         }
     }

@@ -1,4 +1,4 @@
-//! Several hangars elsewhere, and a console that spreads its vehicles over them.
+//! Several hangars on other machines, and a console that spreads its vehicles over them.
 
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -108,7 +108,7 @@ async fn all_are_launched_or_none() {
         .await
         .expect_err("there is no room");
     assert!(matches!(error, HangarRefusal::Full(0)), "{error}");
-    // The second one has nothing to start.
+    // The second hangar has no program to start.
     let error = hangars
         .launch(launches(2))
         .await
@@ -139,7 +139,7 @@ async fn all_are_launched_or_none() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_launched_ends_with_the_console() {
     let served = Served::start(2).await;
-    // A hangar has each system id once.
+    // A hangar uses each system id only once.
     let launch = Launch {
         system: Some(9),
         ..Launch::default()
@@ -166,7 +166,7 @@ async fn what_was_launched_ends_with_the_console() {
     served.end().await;
 }
 
-/// Carries connections to a service, and tells which of those that end a vehicle are hung up on before the answer.
+/// Forwards connections to a service, and reports which requests to end a vehicle are disconnected before the answer.
 async fn attentive(listener: TcpListener, service: SocketAddr, told: mpsc::UnboundedSender<bool>) {
     while let Ok((mut client, _)) = listener.accept().await {
         let told = told.clone();

@@ -1,4 +1,4 @@
-//! Clients that are too many, too slow, or say too much.
+//! Clients that are too many, too slow, or send too much.
 
 use std::collections::BTreeSet;
 use std::net::SocketAddr;
@@ -11,7 +11,7 @@ use tokio::net::TcpSocket;
 use super::{Answer, Served};
 use sortie::hangar::service::ServiceSetup;
 
-/// Short, so that a test is over soon; nothing is expected to be done within it.
+/// Short, so that a test ends soon; nothing is expected to finish within it.
 const SOON: Duration = Duration::from_millis(300);
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
@@ -61,7 +61,7 @@ async fn slow_clients_are_hung_up_on_and_others_served_meanwhile() {
     let (mut drip_in, mut drip_out) = dripping.into_split();
     let drip = tokio::spawn(async move {
         loop {
-            // Until it is hung up on.
+            // Sends until the service disconnects.
             if drip_out.write_all(b"GET").await.is_err() {
                 return;
             }
@@ -84,7 +84,7 @@ async fn slow_clients_are_hung_up_on_and_others_served_meanwhile() {
     let answer = Answer::read(&mut body).await;
     assert_eq!(answer.status, 408, "{answer:?}");
     let mut rest = Vec::new();
-    // Reset or closed, it has ended.
+    // A reset connection and a closed one both have ended.
     let _ = tokio::io::AsyncReadExt::read_to_end(&mut drip_in, &mut rest).await;
     drip.await.expect("no panic");
     served.end().await;
@@ -101,7 +101,7 @@ async fn who_holds_all_connections_does_not_hold_them_for_long() {
     for _ in 0..3 {
         held.push(served.connect().await);
     }
-    // The first of these may come before all three have been noticed; none of them waits.
+    // This request may come before all three have been noticed; none of them waits.
     let answer = served.ask("GET", "/list").await;
     assert_eq!(answer.status, 503, "{answer:?}");
     assert!(answer.problem().contains("too many connections"));
@@ -127,7 +127,7 @@ async fn another_user_of_the_host_cannot_keep_the_owner_out() {
     #[expect(clippy::unnecessary_wraps, reason = "the type of an owner")]
     fn owner(peer: SocketAddr, _: SocketAddr) -> Option<u32> {
         let strangers = STRANGERS.lock().expect("no panic");
-        // Root may do what the owner may.
+        // Root may do everything that the owner may.
         Some(if strangers.contains(&peer.port()) {
             4711
         } else {
@@ -166,7 +166,7 @@ async fn those_who_wait_leave_room_for_those_who_ask() {
             .write_all(request.as_bytes())
             .await
             .expect("it is open");
-        // It is let in when it is told something.
+        // The service has accepted the connection when it sends a byte.
         let mut first = [0; 1];
         tokio::io::AsyncReadExt::read_exact(&mut stream, &mut first)
             .await

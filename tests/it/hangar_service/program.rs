@@ -74,7 +74,7 @@ impl Running {
         self.folder.path().join("state/sortie/hangar-token")
     }
 
-    /// A GET with the token; what is answered, head and body.
+    /// Sends a GET with the token; returns head and body of the answer.
     fn get(&self, path: &str) -> String {
         use std::io::Write as _;
         let token = std::fs::read_to_string(self.token()).expect("it is made");
@@ -177,7 +177,7 @@ fn a_port_that_is_taken_is_told_with_what_to_do() {
 #[test]
 fn the_status_of_several_services_is_one_json_document() {
     let running = Running::start(&["--listen", "127.0.0.1:0"]);
-    // A port that nobody has without being root.
+    // A port on which only root could listen.
     let nobody = "http://127.0.0.1:1";
     let said = Command::new(env!("CARGO_BIN_EXE_sortie"))
         .env("XDG_STATE_HOME", running.folder.path().join("state"))
@@ -245,8 +245,8 @@ fn listening_for_other_machines_asks_everybody_for_the_token_and_warns() {
     assert!(log.contains("every user of this machine"), "{log}");
 }
 
-/// The examples of docs/hangar.md, where there is a curl: `$HANGAR` is where the service listens. They give no token: the
-/// system tells that the curl is this user's.
+/// The examples of docs/hangar.md, if curl is installed: `$HANGAR` is the service's address. They send no token: the
+/// system shows that curl is run by the same user.
 #[test]
 fn the_examples_with_curl_work_as_written() {
     if Command::new("curl").arg("--version").output().is_err() {

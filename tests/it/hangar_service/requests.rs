@@ -1,4 +1,4 @@
-//! What can be asked, and what is answered.
+//! The requests of the service, and their answers.
 
 use futures_util::future::join_all;
 use serde_json::{Value, json};
@@ -247,7 +247,7 @@ async fn the_description_has_every_request_and_only_those() {
             let name = operation["operationId"].as_str().expect("a name");
             assert!(names.insert(name), "{name} names two operations");
         }
-        // A number that no instance has, so that nothing happens.
+        // An instance number that does not exist, so that nothing happens.
         let place = path.replace("{id}", "9999");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
             let described = operations.get(method.to_ascii_lowercase());
@@ -262,7 +262,7 @@ async fn the_description_has_every_request_and_only_those() {
             );
             if let Some(described) = described {
                 let codes = described["responses"].as_object().expect("responses");
-                // Any request may be unauthorised; that is told once.
+                // Any request may be unauthorised, so the document states it once.
                 assert!(
                     codes.contains_key(&answer.status.to_string()),
                     "{method} {path}: {answer:?}"

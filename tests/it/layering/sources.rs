@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// The code of a module's own file: comments, literals and what is compiled for tests only are left out.
+/// The code of a module's own file, without comments, literals and code that is compiled for tests only.
 #[derive(Debug)]
 pub(super) struct ModuleSource {
     /// The crate, as code names it.
     pub package: String,
-    /// The way from the crate's root; empty for the root.
+    /// The path from the crate's root; empty for the root.
     pub path: Vec<String>,
-    /// The file, from the workspace's root.
+    /// The file, relative to the workspace's root.
     pub file: String,
     pub code: String,
 }
@@ -34,7 +34,7 @@ pub(super) fn modules() -> Vec<ModuleSource> {
     found
 }
 
-/// The name by which code uses a package.
+/// The name of a package in code.
 fn package_name(folder: &Path) -> String {
     let manifest = fs::read_to_string(folder.join("Cargo.toml")).expect("a package");
     let manifest: toml::Table = manifest.parse().expect("TOML");
@@ -49,7 +49,7 @@ fn read_crate(root: &Path, folder: &str, package: &str, found: &mut Vec<ModuleSo
     let mut for_tests = BTreeSet::new();
     let mut modules = Vec::new();
     for file in files {
-        // The program's `main` is a crate of its own.
+        // The program's `main` is a separate crate.
         if file == format!("{folder}/main.rs") {
             continue;
         }
@@ -96,7 +96,7 @@ fn below(path: &[String], name: String) -> Vec<String> {
     path.iter().cloned().chain([name]).collect()
 }
 
-/// The code with blanks for what comments and literals say.
+/// The code with blanks in place of comments and literals.
 pub(super) fn blanked(text: &str) -> String {
     let mut code = String::new();
     let mut rest = text;
@@ -117,7 +117,7 @@ pub(super) fn blanked(text: &str) -> String {
     code
 }
 
-/// How many bytes a comment or a literal at the beginning has; 0 where there is none.
+/// The length of a comment or a literal at the beginning, in bytes; 0 without one.
 fn opaque_len(text: &str, before: Option<char>) -> usize {
     let is_in_word = before.is_some_and(|c| c.is_alphanumeric() || c == '_');
     if text.starts_with("//") {
@@ -166,7 +166,7 @@ fn quoted_len(text: &str, quote: char) -> usize {
 
 const FOR_TESTS: &str = "#[cfg(test)]";
 
-/// The code without items for tests only, and the names of the modules among these that have files of their own.
+/// The code without items for tests only, and the names of the test modules that have separate files.
 pub(super) fn without_tests(code: &str) -> (String, Vec<String>) {
     let mut kept = String::new();
     let mut modules = Vec::new();
@@ -190,7 +190,7 @@ pub(super) fn without_tests(code: &str) -> (String, Vec<String>) {
     (kept, modules)
 }
 
-/// The length of a group in braces, with them.
+/// The length of a group in braces, including them.
 fn group_len(text: &str) -> usize {
     let mut depth = 0;
     for (at, c) in text.char_indices() {
@@ -206,7 +206,7 @@ fn group_len(text: &str) -> usize {
     text.len()
 }
 
-/// Every path in some code that begins with one of these words, groups of imports taken apart.
+/// Every path in some code that begins with one of these words; groups of imports are expanded.
 pub(super) fn paths(code: &str, roots: &[&str]) -> Vec<Vec<String>> {
     let mut found = Vec::new();
     for root in roots {
@@ -247,7 +247,7 @@ fn follow(text: &str, head: &[String], found: &mut Vec<Vec<String>>) {
     found.push(path);
 }
 
-/// The parts of a group, which commas outside of inner groups divide.
+/// The parts of a group, separated by commas outside of inner groups.
 fn parts(group: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let (mut depth, mut from) = (0, 0);
@@ -267,11 +267,11 @@ fn parts(group: &str) -> Vec<&str> {
     found
 }
 
-/// For each parent module, which of its children use which of their neighbours, and a file that does so. Parents are
-/// written `sortie` and `sortie::link`.
+/// For each parent module, the uses between its children, with a file of each. Parents are written `sortie` and
+/// `sortie::link`.
 pub(super) type Uses = BTreeMap<String, BTreeMap<(String, String), String>>;
 
-/// Who uses whom among neighbours, in the whole workspace.
+/// The uses between neighbouring modules, in the whole workspace.
 pub(super) fn uses(modules: &[ModuleSource]) -> Uses {
     let known: BTreeSet<(&str, &[String])> = modules
         .iter()
@@ -307,7 +307,7 @@ pub(super) fn uses(modules: &[ModuleSource]) -> Uses {
     found
 }
 
-/// The way from the crate's root that a path written in a module has.
+/// The path from the crate's root for a path in a module.
 fn resolved(here: &[String], path: &[String]) -> Option<Vec<String>> {
     let (first, mut rest) = path.split_first()?;
     let mut at = match first.as_str() {

@@ -1,4 +1,4 @@
-//! Objectives of the basics, flown in the simulator.
+//! Objectives of the basic lessons, flown in the simulator.
 
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ fn a_formation_is_kept_or_it_is_not() {
     let source = source
         .replace("max_vehicles = 1", "max_vehicles = 2")
         .replace("pads = [[0, 0]]", "pads = [[-5, 0], [5, 0]]");
-    // From its own pad, to the west and to the east.
+    // From its own pad, to the west or to the east.
     let flight = |aside: i32| {
         let to = |north: u32| {
             format!(

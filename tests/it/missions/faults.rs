@@ -1,10 +1,10 @@
-//! Faults of the newer sections: each one a change of the good mission, with the fault that it is refused with.
+//! Faults of the newer sections: each one a change of the valid mission, with the resulting refusal.
 
 use sortie::mission::Mission;
 
 use super::folder;
 
-/// What is replaced in the good file, by what, and the faults that follow.
+/// The replaced text of the valid file, its replacement, and the resulting faults.
 const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
@@ -153,7 +153,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// The same for what only the whole file shows.
+/// Changes with faults that only the whole file shows.
 const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
@@ -266,7 +266,7 @@ fn each_fault_of_a_section_is_named_at_its_place_and_nothing_else_is() {
     }
 }
 
-/// With a fence, so that things can lie beyond it.
+/// The mission with a fence, so that objects can lie beyond it.
 fn fenced() -> String {
     good().replace(
         "[[hazards]]",
@@ -287,9 +287,9 @@ fn what_cannot_be_flown_as_it_is_meant_is_named_at_its_place() {
     };
     let before = "[[hazards]]";
     let fine = [
-        // Somebody sets the circle going.
+        // Another event starts the circle.
         "[[events]]\nid = \"x\"\nafter = \"y\"\ndo = [{ say = \"X.\" }]\n[[events]]\nid = \"y\"\nafter = \"x\"\ndo = [{ say = \"Y.\" }]\n[[events]]\nid = \"z\"\nat = 9\ndo = [{ event = \"x\" }]\n",
-        // Flown over, switched off, or over a part only.
+        // A zone that is flown over, switched off, or covers only a part.
         "[[zones]]\nid = \"low\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\nceiling = 30\n",
         "[[zones]]\nid = \"late\"\nkind = \"no_fly\"\nactive = false\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\n",
         "[[zones]]\nid = \"part\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [20, 20], [20, 99], [-40, 99]]\n",

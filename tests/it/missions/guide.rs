@@ -1,4 +1,4 @@
-//! The examples of the mission guide work, and the JSON schema fits the missions that there are.
+//! The examples of the mission guide are valid, and the JSON schema fits the shipped missions.
 
 use std::process::Command;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use toml::Table;
 
 use super::{folder, toml_files};
 
-/// The fenced examples of the guide: what they are said to be, and their text.
+/// The fenced examples of the guide: their kind and their text.
 fn examples() -> Vec<(String, String)> {
     let guide = std::fs::read_to_string(folder("docs/missions.md")).expect("the guide");
     let fences = guide.split("\n```").skip(1).step_by(2);
@@ -28,8 +28,8 @@ fn of_kind(kind: &str) -> Vec<String> {
     of_kind.map(|(_, body)| body).collect()
 }
 
-/// Adds a snippet to a mission: tables in the place of those that are there, arrays to their end, but for entries whose
-/// id is there already.
+/// Adds a snippet to a mission: tables replace existing ones; arrays are appended, except entries whose id exists
+/// already.
 fn add(mission: &mut Table, snippet: &str) {
     let snippet: Table = snippet.parse().expect("TOML");
     for (key, value) in snippet {
@@ -102,7 +102,7 @@ fn the_first_pilot_of_the_guide_passes_its_first_mission_and_the_others_are_read
         }
         exercise.report()
     };
-    // What `check --fly` asks for.
+    // The requirements of `check --fly`.
     let (shown, nothing) = (flown(script), flown(idle));
     assert!(shown.passed && shown.score >= 700, "{}", shown.score);
     assert!(!nothing.passed && nothing.score <= 250, "{}", nothing.score);
@@ -160,7 +160,7 @@ fn the_schema_refuses_what_does_not_fit() {
     }
 }
 
-/// What does not fit a schema, as far as ours goes; a word of it that is not understood here is a fault, too.
+/// The violations of a schema, for the keywords that ours uses; an unknown keyword is a fault, too.
 fn faults(value: &Value, schema: &Value, place: &str) -> Vec<String> {
     let rules = schema.as_object().expect("a schema is an object");
     let found = rules.iter().flat_map(|(rule, wanted)| {
@@ -219,7 +219,7 @@ fn length(value: &Value) -> Option<u64> {
     value.as_array().map(|items| items.len() as u64)
 }
 
-/// Keys that the schema does not have are faults in all tables of missions.
+/// Keys missing in the schema are faults in all tables of missions.
 fn properties(value: &Value, known: &Value, place: &str) -> Vec<String> {
     let keys = value.as_object().into_iter().flatten();
     let of = |(key, value): (&String, &Value)| match known.get(key) {

@@ -11,7 +11,7 @@ use sortie::mission::Mission;
 use super::{folder, toml_files};
 
 const MUTANTS: u64 = 200;
-/// What stands in the place of a value.
+/// Replacement values for the mutations.
 const STRANGE: [&str; 12] = [
     "1e308",
     "-1",
@@ -27,7 +27,7 @@ const STRANGE: [&str; 12] = [
     "1979-05-27",
 ];
 
-/// One or more changes of a file, by chance.
+/// One or more random changes of a file.
 fn mutated(source: &str, random: &mut ChaCha8Rng) -> String {
     let mut lines: Vec<String> = source.lines().map(str::to_owned).collect();
     for _ in 0..random.random_range(1..4) {
@@ -66,7 +66,7 @@ fn mutated(source: &str, random: &mut ChaCha8Rng) -> String {
     lines.join("\n")
 }
 
-/// What was read can be listed, examined, and flown.
+/// An accepted mission can be listed, examined, and flown.
 fn fly_a_little(mission: Mission) {
     drop((mission.listing(), mission.places_to_name(), mission.check()));
     let nothing = Script::parse("", &Context::default()).expect("an empty script");

@@ -1,4 +1,4 @@
-//! The program killed in the middle of a run: the profiles open, and every flight that was finished is there.
+//! The program is killed in the middle of a run: the profiles open again, and every finished flight is stored.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use super::{SHORT, command, flights, folder_of_anna, json, said, with};
 
-/// How many programs are killed; `SORTIE_KILLS` says otherwise.
+/// The number of killed programs, unless `SORTIE_KILLS` sets another one.
 const KILLS: u32 = 6;
 
 /// The records of flights.
@@ -17,7 +17,7 @@ fn records(data: &Path) -> BTreeSet<PathBuf> {
     folder.flatten().map(|entry| entry.path()).collect()
 }
 
-/// Whether a record has its end.
+/// Whether a record has its end line.
 fn is_whole(record: &Path) -> bool {
     let record = fs::read_to_string(record).unwrap_or_default();
     let last = record.lines().last().unwrap_or_default();
@@ -35,7 +35,7 @@ fn finished(data: &Path) -> BTreeSet<String> {
     records.filter_map(name).collect()
 }
 
-/// The recordings of the flights that Anna's profile has.
+/// The recordings of the flights in Anna's profile.
 fn stored(data: &Path) -> Vec<String> {
     let report = json(&said(
         data,
@@ -46,8 +46,7 @@ fn stored(data: &Path) -> Vec<String> {
     runs.iter().filter_map(recording).collect()
 }
 
-/// Runs the program and kills it once its record is so long, or whole and so many moments older; whether it was still
-/// alive.
+/// Runs the program and kills it at a moment of its record; returns whether it was still running.
 fn is_killed(data: &Path, arguments: &[&str], until: Moment) -> bool {
     let before = records(data);
     let mut command = command(data, arguments);
@@ -71,12 +70,12 @@ fn is_killed(data: &Path, arguments: &[&str], until: Moment) -> bool {
     false
 }
 
-/// When to kill.
+/// The moment of the kill.
 #[derive(Debug, Clone, Copy)]
 enum Moment {
-    /// When the record is so long.
+    /// When the record has this length in bytes.
     Long(u64),
-    /// So many looks after the record was whole.
+    /// This many checks after the record was complete.
     Whole(u32),
 }
 
@@ -91,7 +90,7 @@ fn no_finished_flight_is_lost_when_the_program_is_killed() {
     let whole = records(data).first().map_or(0, |record| len(record));
     let mut killed = 0;
     for number in 0..kills {
-        // Half of them anywhere in the flight, half of them while it is stored.
+        // Half of the kills anywhere in the flight, half of them while it is stored.
         let until = if number % 2 == 0 {
             Moment::Long(whole * u64::from(number * 37 % 100) / 100)
         } else {

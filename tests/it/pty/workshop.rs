@@ -1,4 +1,4 @@
-//! A drone is built in the workshop, part by part, as a trainee would.
+//! A drone built in the workshop, part by part, as a trainee would.
 
 use sortie::app::action::Step;
 use sortie::app::room::workshop::Bench;
@@ -8,7 +8,7 @@ use sortie::workshop::{Air, Design, part};
 
 use crate::terminal::Terminal;
 
-/// The parts of a drone that everybody owns, in the order of the slots, with how the workshop calls them.
+/// Starter parts in the order of the slots, with their names in the workshop.
 const PARTS: [(&str, &str); 9] = [
     ("fr_450q", "quad 450 mm, nylon arms:"),
     ("m2212_920", "motor 2212, 920 rpm/V:"),
@@ -21,7 +21,7 @@ const PARTS: [(&str, &str); 9] = [
     ("r_sik915", "telemetry 868/915 MHz, 100 mW:"),
 ];
 
-/// How many keys lead down to a part of the list; puts it into a bench that goes the same way.
+/// The keys from the present part down to another one of the list; moves the cursor of a bench in the same way.
 fn way(bench: &mut Bench, part: &str) -> String {
     let mut all = bench.candidates().iter();
     let at = all.position(|candidate| candidate.part.id == part);
@@ -52,7 +52,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     }
     terminal.see("none: it will fly").see("17.2 min");
 
-    // The mission wants a sensor, which costs time in the air.
+    // The mission requires a sensor, which costs flight time.
     terminal.press("vvv").see("── First flight").press("]");
     terminal.see("── Air sample").see("x vapour detector");
     bench.move_row(Step::Last, Air::default());
@@ -102,7 +102,7 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
         .see("before launch");
 
     terminal.press("F").see("ready").command("all guided");
-    // Motors that are idle for 10 s of the simulator's time are disarmed: nothing stands between arming and takeoff.
+    // Idle motors are disarmed after 10 s of simulated time, so the takeoff follows arming at once.
     terminal.see("GUIDED").command("all arm").see("1 armed");
     terminal.command("all takeoff 20");
     terminal.press("B").see("armed after").see("10/10 s");
@@ -113,7 +113,7 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
     terminal.command("all rtl").see("PASSED").see("credits +");
     terminal.see("new mission: Air sample").see("h home");
 
-    // What was earned buys a larger battery, and the drone on the bench shows it.
+    // The reward buys a larger battery, and the drone on the bench shows it.
     terminal.press("h").see("licence 2").press("W");
     terminal
         .see("the fleet for")

@@ -1,4 +1,4 @@
-//! What the model says after a recording, in the words of the facts.
+//! The state of the model after a recording, with the names of the facts.
 
 use sortie::messages::Inbox;
 use sortie::vehicle::Vehicle;
@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use super::{Reading, Seen};
 
-/// Puts what the model says in the words of the facts.
+/// Converts the state of the model to the names of the facts.
 struct Observed(Table);
 
 impl Observed {
@@ -210,7 +210,7 @@ fn rounded(value: impl Into<f64>) -> i64 {
     value.into().round() as i64
 }
 
-/// All that this program made of a recording, by the names that the facts use.
+/// This program's whole reading of a recording, with the names of the facts.
 pub(super) fn observed(reading: &Reading) -> Table {
     let mut observed = Observed(Table::new());
     observed.link(reading);

@@ -1,4 +1,4 @@
-//! The campaign as it is seen: the map on the home screen, own progress, and what a flight has brought.
+//! The campaign on the screen: the map on the home screen, the own progress, and the reward of a flight.
 
 use sortie::app::event::{CareerEvent, SessionEvent};
 use sortie::app::state::{Activity, Career};
@@ -13,7 +13,7 @@ use crate::fixtures;
 use crate::fixtures::career::{campaign, career, flight, history, newcomer, nobody, trained_by};
 use crate::harness::Console;
 
-/// Makes a console to look at.
+/// A function that makes a console for a snapshot.
 type Made = fn() -> Console;
 
 fn at(console: Console, size: (u16, u16)) -> String {
@@ -126,7 +126,7 @@ fn the_debrief_tells_what_the_flight_has_brought() {
     console.at(5);
     let text = drawn(&console, Symbols::Braille, Language::English, (80, 50));
     insta::assert_snapshot!("debrief_career_80x50", text);
-    // The keys that go from section to section find it.
+    // The keys that move between sections reach it.
     let mut console = resized(console, (80, 24));
     for _ in 0..2 {
         console.press("tab");

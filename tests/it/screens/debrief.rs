@@ -1,4 +1,4 @@
-//! The room of the debrief: the truth on a map, earlier tries, and where its keys lead.
+//! The room of the debrief: the truth on a map, earlier attempts, and its keys.
 
 use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::event::SessionEvent;
@@ -84,7 +84,7 @@ fn tries() -> Vec<TryReport> {
     ]
 }
 
-/// A mission whose debrief has been open for long enough to take keys.
+/// A mission whose debrief has been open long enough to accept keys.
 fn debriefed(size: (u16, u16)) -> Console {
     debriefed_in(Console::new(), size)
 }
@@ -119,7 +119,7 @@ fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere()
     insta::assert_snapshot!("debrief_truth_ascii_80x24", shown(&console, Symbols::Ascii));
     let ukrainian = drawn(&console, Symbols::Braille, Language::Ukrainian, (80, 24));
     insta::assert_snapshot!("debrief_truth_uk_80x24", ukrainian);
-    // Out of the map the way leads back to the text, and only from there home.
+    // From the map, Esc leads back to the text, and only from there home.
     console.press("esc");
     assert!(shown(&console, Symbols::Braille).contains("Score 837"));
     assert!(console.effects.is_empty(), "{:?}", console.effects);
@@ -284,6 +284,6 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     ] {
         assert!(brief.contains(line), "{line}: {brief}");
     }
-    // The five newest and the best: not the one that has no end.
+    // The five newest attempts and the best one, without the unfinished one.
     assert!(!brief.contains("not finished"), "{brief}");
 }

@@ -12,7 +12,7 @@ use super::busy;
 use crate::fixtures;
 use crate::harness::Console;
 
-/// The screen by a look, and whether it has any colour.
+/// The screen with a look, and whether it has any colour.
 fn seen(console: &Console, look: &Look, (width, height): (u16, u16)) -> (String, bool) {
     let backend = TestBackend::new(width, height);
     let mut terminal = Terminal::new(backend).expect("a test terminal");
@@ -39,7 +39,7 @@ fn ukrainian() -> Look {
     }
 }
 
-/// Groups, a filter, an order, alerts that were acknowledged and such that were not.
+/// Groups, a filter, an order, and alerts both acknowledged and not.
 fn sorted() -> Console {
     let mut console = busy();
     let mut low = fixtures::airborne(5, 60.0, 12.0);

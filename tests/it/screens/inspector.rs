@@ -15,7 +15,7 @@ use sortie::wire::{Anatomy, Encoder, ground_station_heartbeat};
 use super::link_room;
 use crate::harness::Console;
 
-/// What a link would have counted of a recording, its time made to end at 100 s.
+/// A link's counts for a recording whose end is set to 100 s.
 fn recorded(name: &str, peer: u32) -> Census {
     let path = format!(
         "{}/tests/data/recordings/{name}",
@@ -50,7 +50,7 @@ fn traffic(name: &str, census: Census) -> LinkTraffic {
     }
 }
 
-/// In the room of messages, with one link that has flown.
+/// In the room of messages, with one link that has carried a flight.
 fn inspecting() -> Console {
     let mut console = Console::flying(1);
     console.press("I");
@@ -59,7 +59,7 @@ fn inspecting() -> Console {
     console
 }
 
-/// The cursor on the only message that a filter leaves.
+/// Moves the cursor to the only message that matches a filter.
 fn choose(console: &mut Console, name: &str) {
     console.press("/").write(name).press("enter").press("end");
 }

@@ -1,4 +1,4 @@
-//! A rebound key is shown wherever a screen names it.
+//! A key with another binding is shown wherever a screen names it.
 
 use std::fs;
 use std::path::PathBuf;
@@ -14,10 +14,10 @@ use sortie::ui::Theme;
 
 use crate::harness::Console;
 
-/// With Alt, keys that no room has by default.
+/// Letters that, with Alt, have no default binding in any room.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
-/// What the hints of a room lead to, each with the word of a keymap file for it.
+/// The actions in a room's hints, each with its name in a keymap file.
 fn hinted(console: &Console) -> Vec<(Meaning, String)> {
     let mut found = Vec::new();
     for hint in room::hints(console.state()) {
@@ -41,7 +41,7 @@ fn hinted(console: &Console) -> Vec<(Meaning, String)> {
     found
 }
 
-/// A keymap file in which everything that the hints name has another key, and the old ones mean nothing.
+/// A keymap file in which every action of the hints has another key and the default keys are unbound.
 fn rebound(room: Room, hinted: &[(Meaning, String)]) -> (String, Vec<String>) {
     let keymap = Keymap::default();
     let place = Place::In(room);
@@ -66,7 +66,7 @@ fn rebound(room: Room, hinted: &[(Meaning, String)]) -> (String, Vec<String>) {
     (file, labels)
 }
 
-/// A flight of three, in a room, with a keymap file.
+/// A flight of three vehicles in a room, with a keymap file.
 fn flying(room: Room, file: &str) -> Console {
     let console = Console::set_up(|setup| {
         let read = setup.keymap.overlay(file, &setup.themes);
@@ -78,7 +78,7 @@ fn flying(room: Room, file: &str) -> Console {
     console
 }
 
-/// Gives a line, whatever opens the command line.
+/// Enters a line, with any binding of the command line's key.
 fn give(console: &mut Console, line: &str) {
     console.hear(TerminalEvent::Line(line.to_owned()));
 }
@@ -138,7 +138,7 @@ fn the_keys_of_a_list_of_vehicles_are_those_of_the_room() {
     }
 }
 
-/// Keys that have names: in no text could they be anything but a key.
+/// Keys with names that cannot be ordinary words in a text.
 const NAMED_KEYS: [&str; 12] = [
     "Enter",
     "Esc",
@@ -154,7 +154,7 @@ const NAMED_KEYS: [&str; 12] = [
     "↓",
 ];
 
-/// The first key with a name that stands in a text as a word of its own.
+/// The first named key that is a separate word in a text.
 fn named_key(text: &str) -> Option<&'static str> {
     let is_apart = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric() && c != '-');
     NAMED_KEYS.into_iter().find(|key| {
@@ -165,7 +165,7 @@ fn named_key(text: &str) -> Option<&'static str> {
     })
 }
 
-/// A keymap file in which every key of every place is another one.
+/// A keymap file in which every key of every place has another binding.
 fn all_rebound() -> String {
     let keymap = Keymap::default();
     let mut file = String::new();
@@ -173,7 +173,7 @@ fn all_rebound() -> String {
         file.extend(["[", place.name(), "]\n"]);
         let here = keymap.bindings().iter();
         let here: Vec<_> = here.filter(|binding| binding.place == place).collect();
-        // A room must not hide a key that holds anywhere.
+        // A room must not hide a key that works in all rooms.
         let unusual: Vec<char> = match place {
             Place::Anywhere => ('a'..='z').chain('0'..='9').collect(),
             Place::In(_) | Place::Replay | Place::Prompt | Place::Reader | Place::List => {
@@ -186,7 +186,7 @@ fn all_rebound() -> String {
                 Meaning::Do(action) => action.name().to_owned(),
                 Meaning::Write(line) => format!("{} ...", line.trim_end()),
                 Meaning::Give(line) => line.clone().into_owned(),
-                // A family of keys, which has no other.
+                // A family of keys that has no alternative binding.
                 Meaning::Type => continue,
             };
             let old = binding.press.label();
@@ -200,7 +200,7 @@ fn all_rebound() -> String {
     file
 }
 
-/// The key event of a press, for those that stand for one.
+/// The key event of a press, if it stands for one.
 fn event(press: Press) -> Option<KeyEvent> {
     let (code, modifiers) = match press {
         Press::Plain(code) => (code, KeyModifiers::NONE),
@@ -211,7 +211,7 @@ fn event(press: Press) -> Option<KeyEvent> {
     Some(KeyEvent::new(code, modifiers))
 }
 
-/// Every room, and what each of its keys leads to from there, with a name.
+/// Every room, and the result of each of its keys, with a name.
 fn all_shown(file: &str) -> Vec<(String, Console)> {
     let mut keymap = Keymap::default();
     let themes: Vec<String> = Theme::names().map(str::to_owned).collect();
@@ -271,10 +271,10 @@ fn a_question_names_the_keys_that_end_it() {
     assert!(shown(file).contains("F3 or F2: back"), "{}", shown(file));
 }
 
-/// What is said of keys comes from the keymap: a message that named one would be wrong for whoever has rebound it.
+/// Messages take keys from the keymap: a fixed name would be wrong after a change of the bindings.
 #[test]
 fn no_message_names_a_key() {
-    // Without a screen, a line ends with Enter whatever the keymap says.
+    // Without a screen, a line ends with Enter in any keymap.
     let of_pipes = "plain-asks";
     for language in Language::ALL {
         for (file, text) in messages(language) {

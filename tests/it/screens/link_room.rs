@@ -1,4 +1,4 @@
-//! The room of links, and what is said of them elsewhere.
+//! The room of links, and other places that report their state.
 
 use std::time::Duration;
 
@@ -33,7 +33,7 @@ fn finding(link: usize, way: Way, cause: Cause) -> LinkFinding {
     LinkFinding { link, way, cause }
 }
 
-/// In the room of links, with one that is sick and one that is closed.
+/// In the room of links, with one faulty link and one closed link.
 pub(super) fn ailing() -> Console {
     let mut console = Console::flying(0);
     let links = vec![

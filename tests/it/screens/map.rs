@@ -22,7 +22,7 @@ use sortie::vehicle::{
 use crate::fixtures;
 use crate::harness::Console;
 
-/// A vehicle that flies north, so many metres so far, to a point beyond.
+/// A vehicle that has flown some metres north, on its way to a farther point.
 fn under_way(id: u16, north_m: f64) -> Vehicle {
     let mut vehicle = fixtures::airborne(id, north_m, 20.0);
     let target = fixtures::HOME.moved(90.0, 5.0 * f64::from(id));
@@ -131,7 +131,7 @@ fn the_map_without_braille_and_in_ukrainian() {
 fn the_canvas_is_pure_ascii_where_only_ascii_is_to_be_had() {
     let console = resized(surveyed(), (120, 40));
     let text = drawn(&console, Symbols::Ascii, Language::English, (120, 40));
-    // The rules, the frame of the legend and the scale bar are turned into ASCII as on every screen.
+    // The rules, the frame of the legend and the scale bar become ASCII as on every screen.
     let canvas = text.chars().filter(|c| !"─│┌┐└┘├┤┼°".contains(*c));
     let strange: String = canvas.filter(|c| !c.is_ascii()).collect();
     assert_eq!(strange, "");
@@ -264,7 +264,7 @@ fn everything_in_view_is_the_task_and_the_drones_but_not_the_fence() {
     );
 }
 
-/// The truth of a hazard has to be found by sensors: nothing of it is told to the map.
+/// Sensors must find the truth of a hazard: the map gets none of it.
 #[test]
 fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
     let source = include_str!("../../../missions/01-air-sample.toml");

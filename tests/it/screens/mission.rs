@@ -1,4 +1,4 @@
-//! The room of the mission, the home screen beside a session, and the debrief, in both languages.
+//! The room of the mission, the home screen during a session, and the debrief, in both languages.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ fn shipped(language: Language) -> Console {
     })
 }
 
-/// A mission under way, in its room.
+/// A running mission, in its room.
 fn flying() -> Console {
     let mut console = Console::new();
     console.start(Activity::Mission {
@@ -136,7 +136,7 @@ fn missions_are_listed_with_the_number_that_fly_takes() {
     let console = Console::set_up(|setup| setup.missions.push(listing));
     let home = console.screen(80, 24);
     assert!(home.contains("07 Clearance team"), "{home}");
-    // An id that begins with no number is no name for people.
+    // An id without a leading number is not shown as a name.
     assert!(home.contains("> Air sample at the yard"), "{home}");
 }
 

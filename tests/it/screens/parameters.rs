@@ -28,7 +28,7 @@ fn check(name: &str, console: &Console) {
     }
 }
 
-/// Vehicle 1 has taken one value and refused another; 2 and 3 are selected, too.
+/// Vehicle 1 has accepted one value and refused another; 2 and 3 are selected, too.
 fn edited() -> Console {
     let mut console = in_the_room(3);
     console.give("select 1-3").press("end");

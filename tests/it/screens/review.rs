@@ -1,4 +1,4 @@
-//! The room of the review, and the document that is made of it.
+//! The room of the review, and the document made from it.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -28,7 +28,7 @@ fn moment(at_s: u64, kind: MomentKind, vehicle: Option<u16>, text: &str) -> Mome
     }
 }
 
-/// A mission that is under review; its result is known.
+/// A mission under review, with its result.
 fn reviewing() -> Console {
     let mut console = Console::new();
     let length = Duration::from_secs(312);
@@ -67,7 +67,7 @@ fn reviewing() -> Console {
     console
 }
 
-/// What is stored of a review.
+/// The stored part of a review.
 fn kept(console: &Console) -> Option<Review> {
     let kept = console
         .effects
@@ -270,7 +270,7 @@ fn the_next_brief_repeats_the_points_of_the_last_review() {
     assert!(screen.contains("- stay below the limit"), "{screen}");
 }
 
-/// A workload of five minutes with a busy stretch and two answers.
+/// A workload of five minutes with a busy period and two answers.
 fn workload() -> WorkloadReport {
     let mut course = WorkloadCourse::default();
     let commands: Vec<Duration> = (6..20).map(|at| Duration::from_secs(at * 10)).collect();

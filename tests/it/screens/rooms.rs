@@ -1,4 +1,4 @@
-//! Every room in every language, at the sizes that people have, with and without colours.
+//! Every room in every language, at usual sizes, with and without colours.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use sortie::ui::{self, ColourDepth, Look, Theme};
 use super::busy_in;
 use crate::harness::Console;
 
-/// The sizes of an ordinary terminal and of a comfortable one; the largest that is supported, and one too small.
+/// The sizes of an ordinary terminal and of a large one.
 const SIZES: [(u16, u16); 2] = [(80, 24), (120, 40)];
 const ODD_SIZES: [(u16, u16); 3] = [(60, 20), (200, 50), (300, 100)];
 

@@ -53,7 +53,7 @@ fn stored<T>(content: T) -> Stored<T> {
     }
 }
 
-/// A vehicle that says everything it can.
+/// A vehicle that reports everything it can.
 fn talkative(altitude_m: f64) -> Vehicle {
     let mut vehicle = fixtures::airborne(3, 60.0, altitude_m);
     let at = Duration::ZERO;
@@ -147,7 +147,7 @@ fn add_plans(vehicle: &mut Vehicle) {
         .collect();
 }
 
-/// In the room, after half a minute of flight.
+/// In the room of the vehicle, after half a minute of flight.
 fn room() -> Console {
     room_of(Console::flying(4))
 }
@@ -283,7 +283,7 @@ fn a_vehicle_of_which_little_is_known_shows_dashes_and_never_nan() {
     let mut odd = talkative(f64::NAN);
     vehicle.id = 1;
     odd.id = 1;
-    // "(info)" is no infinity.
+    // "(info)" must not count as an infinity.
     odd.texts.clear();
     odd.vibration = Some(Vibration {
         level_m_s2: [f32::NAN, f32::INFINITY, -f32::NAN],

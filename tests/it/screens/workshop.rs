@@ -19,7 +19,7 @@ fn design(source: &str) -> Design {
     Design::from_toml(source).expect("it is good")
 }
 
-/// At the bench, with a career that owns little and has two designs.
+/// At the bench, with a career that owns few parts and has two designs.
 fn workshop(language: Language) -> Console {
     let scout = design(include_str!("../../../designs/scout.toml"));
     let starter = design(include_str!("../../../designs/starter.toml"));
@@ -34,7 +34,7 @@ fn workshop(language: Language) -> Console {
     console
 }
 
-/// The cursor on the batteries, one of them being looked at.
+/// The cursor on the batteries, one of them being examined.
 fn looking(language: Language) -> Console {
     let mut console = workshop(language);
     for _ in 0..4 {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{home, sortie, text};
 
-/// What each file of the folders of bad files is refused with: one fault each.
+/// The refusal of each file in the folders of bad files: one fault each.
 const REFUSALS: &[&str] = &[
     "bad_configs/columns.toml:1:34: unknown column `battery` (did you mean `bat`?)",
     "bad_configs/flag.toml:1:9: `mouse` must be true or false",

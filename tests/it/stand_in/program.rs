@@ -1,4 +1,4 @@
-//! What a stand-in does: a vehicle of the embedded simulator behind the options and the manners of a SITL.
+//! The body of a stand-in: a vehicle of the embedded simulator with the options and the conduct of SITL.
 
 use std::fs;
 use std::io::{ErrorKind, Read as _, Write as _};
@@ -16,14 +16,14 @@ use sortie::wire::{Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM};
 
 use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
 
-/// How long it waits for bytes before it goes on with its world.
+/// How long it waits for bytes before it steps its world.
 const ROUND: Duration = Duration::from_millis(5);
-/// Time that it has lost (a stopped process, a busy machine) is made good up to this much at once.
+/// The most lost time (of a stopped process or a busy machine) that is caught up at once.
 const CATCH_UP: Duration = Duration::from_millis(250);
 /// What [`Behaviour::FloodsItsOutput`] prints at once; 20 times a second, a megabyte a second.
 const FLOOD_LEN: usize = 50_000;
 
-/// What the options say.
+/// The values of the options.
 pub struct Program {
     behaviour: Behaviour,
     door: SocketAddr,
@@ -106,7 +106,7 @@ impl Program {
         Flight::new(self, stream).run()
     }
 
-    /// The vehicle, with its parameters and its system id, about to boot.
+    /// The vehicle, with its parameters and its system id, before its boot.
     fn world(&self) -> World {
         let mut world = World::new(&WorldConfig {
             airframes: self.airframe.clone().map(Arc::new).into_iter().collect(),
@@ -140,7 +140,7 @@ impl Program {
             ..COMMAND_LONG_DATA::default()
         });
         encoder.encode_message(&reboot, &mut bytes);
-        // A vehicle that has only just been made does not listen yet.
+        // A new vehicle does not receive messages in its first steps.
         for _ in 0..5 {
             world.step();
         }
@@ -156,12 +156,12 @@ impl Program {
     }
 }
 
-/// A stand-in that runs.
+/// A running stand-in.
 struct Flight {
     program: Program,
     world: World,
     port: PortId,
-    /// Never another one, once it is closed: as SITL does.
+    /// Like SITL, it does not open another connection once this one is closed.
     stream: Option<TcpStream>,
 }
 
@@ -280,7 +280,7 @@ fn start(home: &str) -> Start {
     }
 }
 
-/// The real one panics at an absolute path, and a panicked SITL stays there for ever.
+/// The real one panics at an absolute path, and a panicked SITL hangs for ever.
 fn airframe(path: &str) -> Airframe {
     let text = fs::read_to_string(path).ok();
     let text = text.filter(|_| Path::new(path).is_relative());

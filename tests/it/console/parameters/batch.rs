@@ -1,4 +1,4 @@
-//! Many values one after the other.
+//! Several values set one after the other.
 
 use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
