@@ -13,7 +13,7 @@ use crate::vehicle::VehicleId;
 /// The version of the format.
 const VERSION: u32 = 1;
 
-/// What a vehicle's log adds to a record.
+/// The part of a vehicle's log that is joined to a record: events and curves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JoinedLog {
     v: u32,

@@ -292,7 +292,7 @@ impl Job {
         Ok(())
     }
 
-    /// The list is there.
+    /// Handles the list of logs.
     fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut Desk<'_>) -> Result<(), Ending> {
         if self.command == LogCommand::List {
             return Err((RowState::Done, list(&logs)));

@@ -72,7 +72,7 @@ pub enum FixType {
 }
 
 impl FixType {
-    /// From the wire number.
+    /// The variant for a number in a message.
     pub fn from_wire(number: u8) -> Self {
         const NAMED: [(GpsFixType, FixType); 7] = [
             (GpsFixType::GPS_FIX_TYPE_NO_GPS, FixType::NoGps),

@@ -11,8 +11,8 @@ use sortie_geo::maths;
 /// The least speed at which gusts drift past a vehicle, in metres per second: even one that hovers in a calm meets
 /// them.
 const DRIFT_MIN_M_S: f64 = 5.0;
-/// Standard deviation per `SIM_WIND_TURB`: such that 3 moves a hovering quad by about 0.1 m, as was measured. The real
-/// simulator's gusts are larger but last hundredths of a second.
+/// Standard deviation in m/s per unit of `SIM_WIND_TURB`: with 3, gusts move a hovering quad by about 0.1 m, as
+/// measured. The real simulator's gusts are larger but last hundredths of a second.
 const GUST_PER_TURBULENCE: f64 = 0.35;
 const METRES_PER_FOOT: f64 = 0.3048;
 

@@ -129,7 +129,7 @@ impl Decoder {
         }
     }
 
-    /// The bytes of a frame that has just been returned, before anything else is asked of the decoder.
+    /// The bytes of a frame that has just been returned, valid until the next call of the decoder.
     pub fn bytes_of(&self, frame: &Frame) -> &[u8] {
         let from = self.position.saturating_sub(usize::from(frame.wire_len));
         &self.buffer[from..self.position]

@@ -18,7 +18,7 @@ pub struct SequenceStep {
     /// The change in the number of missing frames: the length of a gap, or -1 for a late frame that was counted as
     /// missing.
     pub missing: i16,
-    /// The number lies before one that has been heard: the frame is late, or another sender has the same ids.
+    /// The number is lower than one already received: the frame is late, or another sender has the same ids.
     pub is_late: bool,
 }
 

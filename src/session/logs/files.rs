@@ -74,7 +74,7 @@ impl FileSearch {
         self.ticket
     }
 
-    /// Takes in what came of the folder that was asked for, and asks for the next.
+    /// Handles the answer for the requested folder, and requests the next one.
     pub fn receive(&mut self, event: FtpEvent, ftp: &mut FtpClient) {
         let folder = FOLDERS[self.folder];
         let fault = match event {

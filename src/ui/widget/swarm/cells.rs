@@ -241,7 +241,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
         RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),
         other => row.words.state(other),
     };
-    // The state is what must not be cut off.
+    // The state must not be cut off.
     let left = room.saturating_sub(width(&state) + 1);
     let text = format!("{} {state}", clip(entry.verb.name, left));
     let role = match line.ended_by {
