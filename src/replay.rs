@@ -235,6 +235,11 @@ impl Replay {
         self.merge();
     }
 
+    /// The faults of the recording and of the files beside it.
+    pub fn damage(&self) -> impl Iterator<Item = Text> {
+        self.film.damage()
+    }
+
     /// All moments found so far, earliest first.
     pub fn moments(&self) -> &[Moment] {
         &self.moments
@@ -272,7 +277,10 @@ impl Replay {
             return false;
         }
         let bookmarks = self.review.bookmarks(&self.film.bookmarks());
+        // A file may have been changed by hand.
+        let length = self.film.length();
         let logged = self.film.logs().iter().flat_map(JoinedLog::moments);
+        let logged = logged.filter(|it| it.at <= length);
         let mut all: Vec<Moment> = found
             .iter()
             .cloned()

@@ -25,6 +25,7 @@ mod new_name;
 mod output;
 mod profiles;
 mod records;
+mod regular;
 mod runs;
 mod sharing;
 mod signature;
@@ -49,7 +50,7 @@ pub use records::{
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
-pub use signature::{RecordKey, RecordPublicKey, SignatureError};
+pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, user_path};
 
 mod shipped {

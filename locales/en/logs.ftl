@@ -3,6 +3,10 @@ log-is-none = not a DataFlash log: it has no format records
 log-is-empty = the log contains no flight data
 log-cut-off = the log is cut off: its last { $bytes } bytes are an incomplete record
 log-damaged = the log is damaged: { $bytes } bytes belong to no record
+log-left-out = { $count ->
+    [one] { $count } event is left out: a log gives { $most } of a kind
+   *[other] { $count } events are left out: a log gives { $most } of a kind
+ }
 log-unreadable = { $file }: { $error }
 log-mode-why = mode { $mode } ({ $reason })
 log-error = error { $part }: { $code }
@@ -20,12 +24,14 @@ log-of-height = height
 log-of-compass = compass
 log-battery = battery { $number } lowest: { $volt } V at { $ampere } A
 log-by-gps-time = GPS time and time since boot
-log-by-boot-time = time since boot
+log-by-boot-time = time since boot and arming
+log-by-boot-time-only = time since boot alone (nothing shows that both are of the same flight)
 log-by-arming = arming
 log-no-vehicle = the log does not name its vehicle, and the record has { $count }: give --vehicle
 log-not-in-record = the record has no vehicle { $vehicle }: give --vehicle if the log belongs to another one
 log-no-common-time = log and record have no time in common: the log belongs to another flight or boot
 log-join-unreadable = the log data joined to the record cannot be read: { $error }
+log-join-other = { $file } is left out: it is of vehicle { $vehicle }
 log-join-later = the log data joined to the record was written by a later version ({ $version })
 log-joined = { $count ->
     [one] { $count } event of vehicle { $vehicle } joined by { $by }: { $path }

@@ -333,6 +333,9 @@ impl RecordsCommands {
             return Ok(());
         }
         say!("{}", self.table(&[record]).plain().trim_end())?;
+        for fault in replay.damage() {
+            say!("{}", self.locale.text(&fault))?;
+        }
         for path in [&files.frames, &files.journal, &files.run, &files.inputs]
             .into_iter()
             .flatten()
@@ -410,7 +413,6 @@ impl RecordsCommands {
         for files in &found {
             files.delete()?;
             files.delete_review()?;
-            files.delete_joined()?;
             let text = text!("records-deleted", name = files.stem.as_str());
             say!("{}", self.locale.text(&text))?;
         }

@@ -290,9 +290,13 @@ impl VerifyDocument {
                     comment = sanitised(&comment.replace('\t', ", "))
                 ),
             ),
-            RecordSignature::Invalid { file } => (
+            RecordSignature::Invalid { file, fault } => (
                 SignatureState::Invalid,
-                text!("sign-invalid", file = file.as_str()),
+                text!(
+                    "sign-invalid",
+                    file = file.as_str(),
+                    why = Text::from(fault)
+                ),
             ),
             RecordSignature::Partial { file } => (
                 SignatureState::Partial,

@@ -19,6 +19,8 @@ const REBOOT_US: u64 = 2_000_000;
 const SAME_BOOT_US: u64 = 5_000_000;
 /// Arming shows in telemetry within this.
 const ARMING_US: u64 = 3_000_000;
+/// Armings that are compared, of a log and of a recording: every pair of them may be the same.
+pub(super) const MOST_ARMINGS: usize = 100;
 /// Places of a clock that are kept, so far apart at least.
 const EVERY_US: u64 = 200_000;
 
@@ -46,8 +48,10 @@ pub struct VehicleClock {
 pub enum AlignedBy {
     /// The time since boot in telemetry, and GPS time shows that it is the same boot.
     GpsTime,
-    /// The time since boot in telemetry.
+    /// The time since boot in telemetry, and both say when the vehicle was armed.
     BootTime,
+    /// The time since boot in telemetry alone: nothing shows that it is the same flight.
+    BootTimeOnly,
     /// When the vehicle was armed.
     Arming,
 }
@@ -72,7 +76,8 @@ impl VehicleClock {
                 let armed = data
                     .base_mode
                     .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
-                if armed && self.is_armed == Some(false) {
+                let is_new = armed && self.is_armed == Some(false);
+                if is_new && self.armed_us.len() < MOST_ARMINGS {
                     self.armed_us.push(at_us);
                 }
                 self.is_armed = Some(armed);
@@ -116,71 +121,63 @@ impl VehicleClock {
             Some(((armed, common), alignment))
         });
         let best = fitting.max_by_key(|(rank, _)| *rank);
-        let by_clock = best.map(|(_, alignment)| alignment);
+        let by_clock = best.map(|((agreed, _), mut alignment)| {
+            if agreed == 0 && alignment.by == AlignedBy::BootTime {
+                alignment.by = AlignedBy::BootTimeOnly;
+            }
+            alignment
+        });
         by_clock.or_else(|| self.align_by_arming(flight))
     }
 
-    /// How many times the log and the record say that it was armed; `None` where they contradict each other.
+    /// How often log and record agree that the vehicle was armed; `None` where one of them contradicts the other.
     fn armed_together(&self, alignment: &Alignment, flight: &LoggedFlight) -> Option<usize> {
-        let (first, last) = (alignment.places.first()?, alignment.places.last()?);
-        let seen: Vec<u64> = flight
+        let (from, to) = flight.span_us?;
+        let (first, last) = (alignment.places.first()?.1, alignment.places.last()?.1);
+        let from = alignment.place_us(from).map_or(first, |at| at.max(first));
+        let to = alignment.place_us(to).unwrap_or(last).min(last);
+        // Near its ends, one of them may have missed it.
+        let common = from + ARMING_US..to;
+        let logged: Vec<u64> = flight
             .armed_us
             .iter()
-            .filter(|us| (first.0 + ARMING_US..last.0).contains(us))
             .filter_map(|us| alignment.place_us(*us))
             .collect();
-        let is_near = |at: &&u64| self.armed_us.iter().any(|it| it.abs_diff(**at) < ARMING_US);
-        let same = seen.iter().filter(is_near).count();
-        (same > 0
-            || seen.is_empty()
-            || alignment.by == AlignedBy::GpsTime && self.armed_us.is_empty())
-        .then_some(same)
+        let within = |times: &[u64]| times.iter().any(|at| common.contains(at));
+        let same = logged.iter().filter(|at| self.has_armed_at(**at)).count();
+        let is_quiet = !within(&logged) && !within(&self.armed_us);
+        // Some logs and some recordings never name it.
+        let is_unsaid = logged.is_empty() || self.armed_us.is_empty();
+        let is_sure = alignment.by == AlignedBy::GpsTime;
+        (same > 0 || is_quiet || (is_sure && is_unsaid)).then_some(same)
+    }
+
+    fn has_armed_at(&self, at_us: u64) -> bool {
+        let mut armed = self.armed_us.iter();
+        armed.any(|it| it.abs_diff(at_us) < ARMING_US)
     }
 
     fn align_by_arming(&self, flight: &LoggedFlight) -> Option<Alignment> {
         if !self.boots.is_empty() {
             return None;
         }
-        let pairs = self
-            .armed_us
-            .iter()
-            .flat_map(|at| flight.armed_us.iter().map(move |log| (*log, *at)));
-        let same = |pair: &(u64, u64)| {
-            let alignment = Alignment {
+        let pairs = self.armed_us.iter().flat_map(|at| {
+            let logged = flight.armed_us.iter();
+            logged.map(move |log| Alignment {
                 by: AlignedBy::Arming,
-                places: vec![*pair],
-            };
-            let at = flight
-                .armed_us
-                .iter()
-                .filter_map(|us| alignment.place_us(*us));
-            let is_near = |at: &u64| self.armed_us.iter().any(|it| it.abs_diff(*at) < ARMING_US);
-            at.filter(is_near).count()
+                places: vec![(*log, *at)],
+            })
+        });
+        let same = |alignment: &Alignment| {
+            let logged = flight.armed_us.iter();
+            let at = logged.filter_map(|us| alignment.place_us(*us));
+            at.filter(|at| self.has_armed_at(*at)).count()
         };
-        // Of equally good ones the first.
-        let best = pairs.rev_max_by(same)?;
-        Some(Alignment {
-            by: AlignedBy::Arming,
-            places: vec![best],
-        })
+        // Of equally good ones the first, which `max_by_key` finds from the end.
+        let pairs: Vec<Alignment> = pairs.collect();
+        pairs.into_iter().rev().max_by_key(same)
     }
 }
-
-/// The first of the greatest.
-trait FirstMax: Iterator + Sized {
-    fn rev_max_by(self, key: impl Fn(&Self::Item) -> usize) -> Option<Self::Item> {
-        self.fold(None, |best: Option<(usize, Self::Item)>, item| {
-            let rank = key(&item);
-            match best {
-                Some((known, kept)) if known >= rank => Some((known, kept)),
-                Some(_) | None => Some((rank, item)),
-            }
-        })
-        .map(|(_, item)| item)
-    }
-}
-
-impl<I: Iterator> FirstMax for I {}
 
 impl Boot {
     fn align(&self, flight: &LoggedFlight) -> Option<Alignment> {
@@ -197,6 +194,15 @@ impl Boot {
 }
 
 impl Alignment {
+    /// The clock of the log is that of the record.
+    #[cfg(test)]
+    pub(super) fn identity() -> Self {
+        Self {
+            by: AlignedBy::BootTime,
+            places: vec![(0, 0)],
+        }
+    }
+
     /// How much of a log's time is in the record; `None` if nothing is.
     fn common_us(&self, flight: &LoggedFlight) -> Option<u64> {
         let (from, to) = flight.span_us?;
@@ -286,6 +292,24 @@ mod tests {
         ] {
             assert_eq!(with_gps.align(&other), None, "{other:?}");
         }
+    }
+
+    #[test]
+    fn what_only_one_of_them_says_of_arming_contradicts() {
+        let places = [(10, 0), (100, 90)];
+        // The record arms at 31 s since boot; the log lasts over that and says nothing of it.
+        let armed = clock(&places, None, &[21]);
+        assert_eq!(armed.align(&flight(12, 90, None, &[])), None);
+        assert_eq!(armed.align(&flight(12, 90, None, &[60])), None);
+        let found = armed.align(&flight(12, 90, None, &[31]));
+        assert_eq!(found.map(|it| it.by), Some(AlignedBy::BootTime));
+        // GPS time shows that it is the same boot, and not every log names its armings.
+        let sure = clock(&places, Some(1000), &[21]);
+        let found = sure.align(&flight(12, 90, Some(1000), &[]));
+        assert_eq!(found.map(|it| it.by), Some(AlignedBy::GpsTime));
+        // A stretch in which nothing was armed: nothing shows that it is the same flight.
+        let found = armed.align(&flight(50, 90, None, &[]));
+        assert_eq!(found.map(|it| it.by), Some(AlignedBy::BootTimeOnly));
     }
 
     #[test]

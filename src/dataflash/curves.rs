@@ -5,6 +5,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+/// The most that a reading may be, in any unit.
+const MOST: f64 = 1e6;
+
 /// A reading that a log gives as a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -28,11 +31,20 @@ impl LogChannel {
         Self::Current,
     ];
 
+    /// Whether its low readings are the bad ones.
+    pub fn is_low_worse(self) -> bool {
+        match self {
+            Self::Voltage => true,
+            Self::Vibration | Self::Estimator | Self::Current => false,
+        }
+    }
+
     /// The worse of two readings of the same second.
     fn worse(self, one: f32, other: f32) -> f32 {
-        match self {
-            Self::Voltage => one.min(other),
-            Self::Vibration | Self::Estimator | Self::Current => one.max(other),
+        if self.is_low_worse() {
+            one.min(other)
+        } else {
+            one.max(other)
         }
     }
 }
@@ -47,12 +59,12 @@ pub struct LogCurves {
 
 impl LogCurves {
     /// Adds a reading to its second; of several, the worst is kept.
-    pub(super) fn add(&mut self, channel: LogChannel, time_us: u64, value: f32) {
-        self.add_to_second(
-            channel,
-            time_us / 1_000_000,
-            (value * 100.0).round() / 100.0,
-        );
+    pub(super) fn add(&mut self, channel: LogChannel, time_us: u64, value: f64) {
+        // Beyond that, bytes only look like a reading.
+        if value.abs() < MOST {
+            let value = (value * 100.0).round() / 100.0;
+            self.add_to_second(channel, time_us / 1_000_000, value as f32);
+        }
     }
 
     fn add_to_second(&mut self, channel: LogChannel, second: u64, value: f32) {

@@ -1,9 +1,11 @@
 //! The flight data read from a log: modes, errors, events, changed parameters, vibration, estimator, battery.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::mem::{self, Discriminant};
 
 use serde::{Deserialize, Serialize};
 
+use super::clock::MOST_ARMINGS;
 use super::curves::{LogChannel, LogCurves};
 use super::names;
 use super::reader::{Record, Records};
@@ -17,8 +19,16 @@ const SHAKEN_M_S2: f64 = 30.0;
 const REJECTED: f64 = 1.0;
 /// A condition that lasts counts once, until it has been over for this long.
 const OVER_US: u64 = 5_000_000;
-/// Events that are kept of one log.
-const MOST: usize = 5000;
+/// Events that are kept of each kind.
+const MOST: usize = 1000;
+/// Records whose median time tells when the log was written.
+const TIMED: usize = 999;
+/// No log covers more time than this.
+const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
+/// The types of records that are read.
+const KNOWN: &[&str] = &[
+    "PARM", "MODE", "ERR", "EV", "VIBE", "XKF4", "NKF4", "BAT", "GPS", "MSG",
+];
 /// Milliseconds of the Unix epoch at which GPS time began (1980-01-06), and the leap seconds since.
 const GPS_EPOCH_MS: f64 = 315_964_800_000.0;
 const LEAP_MS: f64 = 18_000.0;
@@ -99,13 +109,16 @@ pub struct LoggedMoment {
     pub event: LoggedEvent,
 }
 
-/// What is wrong with a log.
+/// What is wrong with a log, or was not taken from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct LogDamage {
     /// Bytes that belong to no record.
     pub skipped: usize,
     /// Bytes of a last record that is not whole.
     pub cut_off: usize,
+    /// Events beyond the most of their kind.
+    #[serde(default)]
+    pub left_out: usize,
 }
 
 /// The flight data read from a log.
@@ -128,6 +141,9 @@ pub struct LoggedFlight {
 #[derive(Debug, Default)]
 struct Reading {
     flight: LoggedFlight,
+    /// A time within the log.
+    reference_us: u64,
+    counts: HashMap<Discriminant<LoggedEvent>, usize>,
     parameters: BTreeMap<String, f32>,
     class: Option<VehicleClass>,
     /// The events that go on, with when they were true last.
@@ -145,17 +161,18 @@ impl LoggedFlight {
     /// It is none; in words.
     pub fn read(bytes: &[u8]) -> Result<Self, Text> {
         let mut records = Records::new(bytes);
-        let mut reading = Reading::default();
+        let mut reading = Reading {
+            reference_us: reference_us(bytes),
+            ..Reading::default()
+        };
         for record in &mut records {
             reading.take_in(&record);
         }
         if records.described == 0 {
             return Err(text!("log-is-none"));
         }
-        reading.flight.damage = LogDamage {
-            skipped: records.skipped,
-            cut_off: records.cut_off,
-        };
+        reading.flight.damage.skipped += records.skipped;
+        reading.flight.damage.cut_off = records.cut_off;
         let mut flight = reading.flight;
         flight.moments.extend(reading.lowest.into_values());
         flight.moments.sort_by_key(|it| it.time_us);
@@ -169,13 +186,25 @@ impl LoggedFlight {
 impl LogDamage {
     /// In words, if there is any.
     pub fn text(self) -> Option<Text> {
-        match (self.skipped, self.cut_off) {
+        let bytes = match (self.skipped, self.cut_off) {
             (0, 0) => None,
             (0, cut_off) => Some(text!("log-cut-off", bytes = cut_off)),
-            (skipped, 0) => Some(text!("log-damaged", bytes = skipped)),
             (skipped, cut_off) => Some(text!("log-damaged", bytes = skipped + cut_off)),
-        }
+        };
+        let left_out =
+            (self.left_out > 0).then(|| text!("log-left-out", count = self.left_out, most = MOST));
+        let texts: Vec<Text> = bytes.into_iter().chain(left_out).collect();
+        (!texts.is_empty()).then(|| Text::joined("\n", texts))
     }
+}
+
+/// The median of the first times of a log: a damaged record may have any time.
+fn reference_us(bytes: &[u8]) -> u64 {
+    let records = Records::new(bytes).filter(|it| KNOWN.contains(&it.format.name.as_str()));
+    let times = records.filter_map(|record| record.time_us());
+    let mut times: Vec<u64> = times.take(TIMED).collect();
+    times.sort_unstable();
+    times.get(times.len() / 2).copied().unwrap_or_default()
 }
 
 impl Reading {
@@ -183,44 +212,62 @@ impl Reading {
         let Some(now) = record.time_us() else {
             return;
         };
-        let known: &[&str] = &[
-            "PARM", "MODE", "ERR", "EV", "VIBE", "XKF4", "NKF4", "BAT", "GPS", "MSG",
-        ];
-        if !known.contains(&record.format.name.as_str()) {
+        if !KNOWN.contains(&record.format.name.as_str()) {
             return;
         }
         // Bytes that only look like a record have any time.
-        let last = self.flight.span_us.map_or(now, |(_, last)| last);
-        if now.abs_diff(last) > 24 * 3600 * 1_000_000 {
+        if now.abs_diff(self.reference_us) > LONGEST_US {
+            self.flight.damage.skipped += record.len();
             return;
         }
-        let first = self.flight.span_us.map_or(now, |(first, _)| first);
+        let (first, last) = self.flight.span_us.unwrap_or((now, now));
         self.flight.span_us = Some((first.min(now), last.max(now)));
-        // What has not all its columns says nothing.
+        // A record that lacks a column says nothing.
         let _complete = match record.format.name.as_str() {
             "PARM" => self.parameter(record, now),
             "MODE" => self.mode(record, now),
             "ERR" => self.error(record, now),
             "EV" => self.event(record, now),
             "VIBE" => self.vibration(record, now),
-            "XKF4" | "NKF4" => self.estimator(record, now),
+            "XKF4" | "NKF4" => {
+                self.estimator(record, now);
+                Some(())
+            }
             "BAT" => self.battery(record, now),
             "GPS" => self.gps(record, now),
             _ => self.message(record),
         };
     }
 
+    /// Adds an event and returns its place; `None` if there are enough of its kind.
     fn add(&mut self, time_us: u64, event: LoggedEvent) -> Option<usize> {
-        if self.flight.moments.len() >= MOST {
+        let count = self.counts.entry(mem::discriminant(&event)).or_default();
+        *count += 1;
+        if *count > MOST {
+            self.flight.damage.left_out += 1;
             return None;
         }
         self.flight.moments.push(LoggedMoment { time_us, event });
         Some(self.flight.moments.len() - 1)
     }
 
+    /// The event of a condition that lasts: that of `going`, or a new one if it has been over for a while.
+    fn going_on(
+        &mut self,
+        going: Option<(usize, u64)>,
+        now: u64,
+        event: LoggedEvent,
+    ) -> Option<(usize, &mut LoggedEvent)> {
+        let place = match going.filter(|(_, until)| now < until.saturating_add(OVER_US)) {
+            Some((place, _)) => place,
+            None => self.add(now, event)?,
+        };
+        Some((place, &mut self.flight.moments[place].event))
+    }
+
     fn parameter(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
         let name = record.text("Name")?;
-        let value = record.number("Value")? as f32;
+        let value = Some(record.number("Value")? as f32).filter(|value| value.is_finite())?;
         if matches!(name.as_str(), "SYSID_THISMAV" | "MAV_SYSID") {
             self.flight.vehicle = Some(value as VehicleId).filter(|id| (1..=255).contains(id));
         }
@@ -254,7 +301,7 @@ impl Reading {
 
     fn event(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
         let id = record.byte("Id")?;
-        if id == ARMED {
+        if id == ARMED && self.flight.armed_us.len() < MOST_ARMINGS {
             self.flight.armed_us.push(now);
         }
         let name = names::event(id);
@@ -266,36 +313,30 @@ impl Reading {
         let axes = ["VibeX", "VibeY", "VibeZ"].map(|axis| record.number(axis));
         let strongest = axes.into_iter().flatten().fold(0.0, f64::max);
         let curves = &mut self.flight.curves;
-        curves.add(LogChannel::Vibration, now, strongest as f32);
+        curves.add(LogChannel::Vibration, now, strongest);
         if strongest >= SHAKEN_M_S2 {
-            let going = self.shaken.filter(|(_, until)| now < until + OVER_US);
-            let place = match going {
-                Some((place, _)) => place,
-                None => self.add(now, LoggedEvent::Vibration { most_m_s2: 0.0 })?,
-            };
-            self.shaken = Some((place, now));
-            if let LoggedEvent::Vibration { most_m_s2 } = &mut self.flight.moments[place].event {
+            let begun = LoggedEvent::Vibration { most_m_s2: 0.0 };
+            let going = self.going_on(self.shaken, now, begun);
+            if let Some((place, LoggedEvent::Vibration { most_m_s2 })) = going {
                 *most_m_s2 = most_m_s2.max(strongest);
+                self.shaken = Some((place, now));
             }
         }
         let sensor = record.byte("IMU").unwrap_or(0);
         let clips = record.number("Clip")? as u32;
-        let before = self.clips.insert(sensor, clips);
-        if before.is_some_and(|before| clips > before) {
-            let going = self.clipping.filter(|(_, until)| now < until + OVER_US);
-            let place = match going {
-                Some((place, _)) => place,
-                None => self.add(now, LoggedEvent::Clipping { count: 0 })?,
-            };
-            self.clipping = Some((place, now));
-            if let LoggedEvent::Clipping { count } = &mut self.flight.moments[place].event {
-                *count += clips - before.unwrap_or(clips);
+        let before = self.clips.insert(sensor, clips).unwrap_or(clips);
+        if clips > before {
+            let begun = LoggedEvent::Clipping { count: 0 };
+            let going = self.going_on(self.clipping, now, begun);
+            if let Some((place, LoggedEvent::Clipping { count })) = going {
+                *count = count.saturating_add(clips - before);
+                self.clipping = Some((place, now));
             }
         }
         Some(())
     }
 
-    fn estimator(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+    fn estimator(&mut self, record: &Record<'_>, now: u64) {
         let ratios = [
             ("SV", Measured::Velocity),
             ("SP", Measured::Position),
@@ -307,21 +348,17 @@ impl Reading {
                 continue;
             };
             let curves = &mut self.flight.curves;
-            curves.add(LogChannel::Estimator, now, ratio as f32);
+            curves.add(LogChannel::Estimator, now, ratio);
             if ratio < REJECTED {
                 continue;
             }
-            let going = self.rejecting.get(&of).copied();
-            let place = match going.filter(|(_, until)| now < until + OVER_US) {
-                Some((place, _)) => place,
-                None => self.add(now, LoggedEvent::Estimator { of, most: 0.0 })?,
-            };
-            self.rejecting.insert(of, (place, now));
-            if let LoggedEvent::Estimator { most, .. } = &mut self.flight.moments[place].event {
+            let begun = LoggedEvent::Estimator { of, most: 0.0 };
+            let going = self.going_on(self.rejecting.get(&of).copied(), now, begun);
+            if let Some((place, LoggedEvent::Estimator { most, .. })) = going {
                 *most = most.max(ratio);
+                self.rejecting.insert(of, (place, now));
             }
         }
-        Some(())
     }
 
     fn battery(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
@@ -331,8 +368,8 @@ impl Reading {
         let ampere = record.number("Curr").unwrap_or(0.0);
         if instance == 0 {
             let curves = &mut self.flight.curves;
-            curves.add(LogChannel::Voltage, now, volt as f32);
-            curves.add(LogChannel::Current, now, ampere as f32);
+            curves.add(LogChannel::Voltage, now, volt);
+            curves.add(LogChannel::Current, now, ampere);
         }
         let is_lower = self.lowest.get(&instance).is_none_or(|known| {
             matches!(&known.event, LoggedEvent::Battery { volt: lowest, .. } if volt < *lowest)
@@ -419,7 +456,7 @@ impl LoggedEvent {
                 ampere,
             } => text!(
                 "log-battery",
-                number = *instance + 1,
+                number = u16::from(*instance) + 1,
                 volt = figure(*volt, 2),
                 ampere = figure(*ampere, 1)
             ),

@@ -108,6 +108,7 @@ impl AlignedBy {
         match self {
             Self::GpsTime => text!("log-by-gps-time"),
             Self::BootTime => text!("log-by-boot-time"),
+            Self::BootTimeOnly => text!("log-by-boot-time-only"),
             Self::Arming => text!("log-by-arming"),
         }
     }

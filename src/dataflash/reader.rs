@@ -94,6 +94,11 @@ impl Record<'_> {
         value.is_finite().then_some(value)
     }
 
+    /// Its bytes, with its head.
+    pub fn len(&self) -> usize {
+        self.bytes.len()
+    }
+
     /// A small whole number.
     pub fn byte(&self, label: &str) -> Option<u8> {
         let value = self.number(label)?;

@@ -187,6 +187,80 @@ fn a_format_that_makes_no_sense_describes_nothing() {
     }
 }
 
+#[test]
+fn one_damaged_time_neither_hides_the_log_nor_counts() {
+    for far in [u64::MAX / 2000, 1 << 40] {
+        let mut log = Maker::with_formats();
+        log.parameter(far, "SYSID_THISMAV", 3.0);
+        log.parameter(1000, "SYSID_THISMAV", 3.0);
+        for second in 2..8 {
+            log.record(4, second * 1000, &[10]);
+        }
+        let flight = LoggedFlight::read(&log.0).expect("a log");
+        assert_eq!(flight.span_us, Some((1_000_000, 7_000_000)));
+        assert_eq!(flight.vehicle, Some(3));
+        assert_eq!(flight.damage.skipped, 31);
+    }
+}
+
+#[test]
+fn what_is_beyond_the_most_of_a_kind_is_counted_and_hides_no_other_kind() {
+    let mut log = Maker::with_formats();
+    for ms in 0..6000 {
+        log.record(2, 1000 + ms, &[4, 4, 2]);
+    }
+    log.vibration(7100, 35.0, 0).vibration(7200, 90.0, 0);
+    log.record(4, 8000, &[11]);
+    let flight = LoggedFlight::read(&log.0).expect("a log");
+    assert_eq!(flight.moments.len(), 1002);
+    assert_eq!(flight.damage.left_out, 5000);
+    let words = flight.damage.text().expect("words").to_string();
+    assert!(words.contains("5000 events are left out"), "{words}");
+    let last = &texts(&flight)[1000..];
+    assert_eq!(
+        last,
+        ["7100 vibration up to 90 m/s²", "8000 event DISARMED"]
+    );
+}
+
+#[test]
+fn readings_that_are_none_become_no_figures() {
+    let mut log = Maker::with_formats();
+    // A parameter may be a double in logs of other programs.
+    log.0.extend([0xA3, 0x95, 0x80, 1, 35]);
+    log.text("PARM", 4)
+        .text("QNd", 16)
+        .text("TimeUS,Name,Value", 64);
+    for value in [1.0, 1e300_f64] {
+        log.record(1, 1000, &[]).text("X", 16);
+        log.0.extend(value.to_le_bytes());
+    }
+    log.vibration(2000, 1e37, 5)
+        .vibration(2500, f32::INFINITY, 2);
+    log.vibration(3000, 1.0, u32::MAX);
+    log.record(7, 4000, &[255]).floats(&[10.0, 1.0]);
+    log.vibration(5000, 1.0, 0).vibration(5001, 1.0, u32::MAX);
+    let flight = LoggedFlight::read(&log.0).expect("a log");
+    let texts = texts(&flight).join("\n");
+    assert!(!texts.contains("inf"), "{texts}");
+    assert!(texts.contains("battery 256 lowest"), "{texts}");
+    assert!(texts.contains("limit 4294967295 times"), "{texts}");
+    let alignment = Alignment::identity();
+    let length = std::time::Duration::from_secs(60);
+    let joined = JoinedLog::new(1, "log.bin", &flight, &alignment, length);
+    assert!(JoinedLog::read(&joined.to_json()).is_ok());
+}
+
+#[test]
+fn many_armings_are_compared_in_no_time() {
+    let mut log = Maker::with_formats();
+    for ms in 0..50_000 {
+        log.record(4, 1000 + ms, &[10]);
+    }
+    let flight = LoggedFlight::read(&log.0).expect("a log");
+    assert_eq!(flight.armed_us.len(), clock::MOST_ARMINGS);
+}
+
 proptest! {
     /// A log with bytes changed, cut anywhere, is read or refused in words, and what was joined of it is read again.
     #[test]
@@ -204,6 +278,9 @@ proptest! {
             let texts = texts(&flight);
             prop_assert_eq!(texts.len(), flight.moments.len());
             prop_assert!(flight.damage.skipped + flight.damage.cut_off <= bytes.len());
+            let length = std::time::Duration::from_secs(600);
+            let joined = JoinedLog::new(1, "log.bin", &flight, &Alignment::identity(), length);
+            prop_assert!(JoinedLog::read(&joined.to_json()).is_ok());
         }
     }
 

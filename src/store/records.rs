@@ -158,7 +158,7 @@ impl RecordFiles {
             // Most files have no signature.
             drop(fs::remove_file(signature_of(path)));
         }
-        Ok(())
+        self.delete_joined()
     }
 }
 

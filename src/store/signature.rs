@@ -7,13 +7,15 @@ use std::io::{self, BufReader, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
-use minisign::{
-    ErrorKind, KeyPair, PError, PublicKey, PublicKeyBox, SecretKey, SecretKeyBox, SignatureBox,
-};
+use minisign::{KeyPair, PError, PublicKey, PublicKeyBox, SecretKey, SecretKeyBox, SignatureBox};
 
+use super::regular::read_regular_text;
+use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
 
+/// No key and no signature is longer.
+const LONGEST: u64 = 64 * 1024;
 /// The suffix of a signature file.
 const SIGNATURE: &str = ".minisig";
 /// The names of a key's two files, as `minisign -G` uses them.
@@ -68,7 +70,7 @@ impl RecordKey {
     /// # Errors
     /// The file cannot be read, is no key, or the password is wrong.
     pub fn read(path: &Path) -> Result<Self, SignatureError> {
-        let text = fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
+        let text = read_regular_text(path, LONGEST).map_err(|error| unreadable(path, error))?;
         let invalid = |error: PError| SignatureError::Key {
             path: path.to_owned(),
             why: error.to_string(),
@@ -140,7 +142,7 @@ impl RecordPublicKey {
             return Ok(Self(key));
         }
         let path = Path::new(text_or_path);
-        let text = fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
+        let text = read_regular_text(path, LONGEST).map_err(|error| unreadable(path, error))?;
         let key = PublicKeyBox::from_string(&text).and_then(PublicKeyBox::into_public_key);
         key.map(Self).map_err(|error| SignatureError::Key {
             path: path.to_owned(),
@@ -155,7 +157,7 @@ impl RecordPublicKey {
 /// The file cannot be read, or the signature cannot be written.
 pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf, SignatureError> {
     let file = fs::File::open(path).map_err(|error| unreadable(path, error))?;
-    let comment = format!("file:{}\t{about}", name(path));
+    let comment = format!("{}{about}", mark(path));
     let signed = minisign::sign(None, &key.0, BufReader::new(file), Some(&comment), None);
     let signed = signed.map_err(|error| SignatureError::Password(error.to_string()))?;
     let into = signature_of(path);
@@ -166,12 +168,45 @@ pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf,
     Ok(into)
 }
 
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub(super) struct FileSignature {
     /// The id of the key.
     pub key: String,
     /// Its comment about the file.
     pub about: String,
+}
+
+/// Why the signature of a file is not valid.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SignatureFault {
+    /// It cannot be read.
+    Unreadable(String),
+    /// It is no signature in minisign's format.
+    Damaged,
+    /// It was made by another key than the given one.
+    OtherKey { key: String },
+    /// The file or the signature's comment was changed after signing.
+    Changed,
+    /// Its comment names another file, or none: another program made it.
+    OtherFile,
+    /// Its key or its comment differs from those of the record's other files.
+    Mixed,
+    /// The signed file is missing.
+    Missing,
+}
+
+impl From<&SignatureFault> for Text {
+    fn from(fault: &SignatureFault) -> Self {
+        match fault {
+            SignatureFault::Unreadable(error) => text!("sign-unreadable", error = error.as_str()),
+            SignatureFault::Damaged => text!("sign-damaged"),
+            SignatureFault::OtherKey { key } => text!("sign-other-key", key = key.as_str()),
+            SignatureFault::Changed => text!("sign-changed"),
+            SignatureFault::OtherFile => text!("sign-other-file"),
+            SignatureFault::Mixed => text!("sign-mixed"),
+            SignatureFault::Missing => text!("sign-missing"),
+        }
+    }
 }
 
 /// Reads the signature of a file, and checks it with a key, where one is given. `None` if the file has none.
@@ -181,32 +216,51 @@ pub(super) struct FileSignature {
 pub(super) fn check(
     path: &Path,
     key: Option<&RecordPublicKey>,
-) -> Option<Result<FileSignature, PError>> {
-    let text = fs::read_to_string(signature_of(path)).ok()?;
-    let damaged = || PError::new(ErrorKind::Encoding, "it is damaged");
+) -> Option<Result<FileSignature, SignatureFault>> {
+    let unreadable = |error: io::Error| SignatureFault::Unreadable(error.to_string());
+    let text = match read_regular_text(&signature_of(path), LONGEST) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return None,
+        Err(error) if error.kind() == io::ErrorKind::InvalidData => {
+            return Some(Err(SignatureFault::Damaged));
+        }
+        Err(error) => return Some(Err(unreadable(error))),
+    };
     let read = || {
         if !is_whole(&text) {
-            return Err(damaged());
+            return Err(SignatureFault::Damaged);
         }
-        let signature = SignatureBox::from_string(&text)?;
+        let signature = SignatureBox::from_string(&text).map_err(|_| SignatureFault::Damaged)?;
+        let by = key_id(signature.keynum());
         if let Some(RecordPublicKey(key)) = key {
-            let file = BufReader::new(fs::File::open(path)?);
-            minisign::verify(key, &signature, file, true, false, false)?;
+            if key_id(key.keynum()) != by {
+                return Err(SignatureFault::OtherKey { key: by });
+            }
+            let file = BufReader::new(fs::File::open(path).map_err(unreadable)?);
+            minisign::verify(key, &signature, file, true, false, false)
+                .map_err(|_| SignatureFault::Changed)?;
         }
         // A signature names its file, so that the signed files of a record cannot be swapped.
-        let comment = signature.trusted_comment()?;
-        let about = comment.strip_prefix(&format!("file:{}\t", name(path)));
+        let comment = signature.trusted_comment();
+        let comment = comment.map_err(|_| SignatureFault::Damaged)?;
+        let about = comment.strip_prefix(&mark(path));
         Ok(FileSignature {
-            key: key_id(signature.keynum()),
-            about: about.ok_or_else(damaged)?.to_owned(),
+            key: by,
+            about: about.ok_or(SignatureFault::OtherFile)?.to_owned(),
         })
     };
     Some(read())
 }
 
-fn name(path: &Path) -> String {
+/// The beginning of the comment in a file's signature.
+fn mark(path: &Path) -> String {
+    format!("file:{}\t", name(path))
+}
+
+/// The name of a file, without control characters, which would end a comment.
+pub(super) fn name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default();
-    name.to_string_lossy().into_owned()
+    sanitised(&name.to_string_lossy())
 }
 
 /// The path of a file's signature.
@@ -216,13 +270,22 @@ pub(super) fn signature_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Whether a signature has its four lines, with the second and the last of the required length. The library panics if
-/// the last line is too short.
+/// Whether a signature has its four lines, with the second and the last of the required form. The library panics if
+/// the last line decodes to fewer bytes.
 fn is_whole(text: &str) -> bool {
-    /// Base64 of two bytes for the algorithm, eight for the key and 64 for the signature; and of 64 bytes.
-    const SIGNED: [usize; 2] = [100, 88];
     let lines: Vec<&str> = text.lines().collect();
-    matches!(lines[..], [_, file, _, comment] if [file.len(), comment.len()] == SIGNED)
+    match lines[..] {
+        // Two bytes for the algorithm, eight for the key and 64 for the signature; and 64 bytes.
+        [_, file, _, comment] => is_base64(file, 99, "=") && is_base64(comment, 86, "=="),
+        _ => false,
+    }
+}
+
+/// Whether a text is base64 of so many letters, with this padding.
+fn is_base64(text: &str, letters: usize, padding: &str) -> bool {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '+' || c == '/';
+    let body = text.strip_suffix(padding);
+    body.is_some_and(|body| body.len() == letters && body.chars().all(is_letter))
 }
 
 /// An id as minisign shows it: the eight bytes as a little-endian number.

@@ -34,6 +34,10 @@ impl RecordsCommands {
         let invalid =
             |fault: Text| Failure::Invalid(format!("sortie: {}", self.locale.text(&fault)));
         let files = self.find(&arguments.record)?;
+        if files.is_written() {
+            let name = files.stem.as_str();
+            return Err(invalid(text!("records-in-use", name = name)));
+        }
         let none = || invalid(text!("replay-no-frames", file = files.stem.as_str()));
         let film = Film::open(files.frames.as_deref().ok_or_else(none)?).map_err(invalid)?;
         let log = &arguments.file;

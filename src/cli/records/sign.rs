@@ -9,6 +9,7 @@ use clap::Args;
 use super::RecordsCommands;
 use crate::cli::Failure;
 use crate::mission::record::Stored;
+use crate::notice::sanitised;
 use crate::store::{RecordFiles, RecordKey, SignatureError, read_run};
 use crate::text;
 use crate::text::Text;
@@ -94,6 +95,8 @@ fn about(files: &RecordFiles) -> Result<String, Text> {
         about.extend(stored.end().map(|end| format!("score:{}", end.score)));
         about.push(format!("program:{}", head.program));
     }
+    // A record may have been written by hand: what it says must not add fields to the comment.
+    let about: Vec<_> = about.iter().map(|field| sanitised(field)).collect();
     Ok(about.join("\t"))
 }
 

@@ -1,11 +1,12 @@
 //! The logs that were joined to records: a small file for each vehicle, beside the record.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{Read as _, Write as _};
+use std::fs::{self, OpenOptions};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use super::{REVIEW, RecordFiles, StoreError, sharing, unwritable};
 use crate::dataflash::JoinedLog;
+use crate::store::regular::{read_regular, read_regular_text};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -35,8 +36,7 @@ impl RecordFiles {
         let is_ours = |path: &PathBuf| {
             let file = path.file_name().and_then(|it| it.to_str());
             let rest = file.and_then(|it| it.strip_prefix(&name)?.strip_prefix(MARK));
-            let number = rest.and_then(|it| it.strip_suffix(JSON));
-            number.is_some_and(|it| it.parse::<VehicleId>().is_ok())
+            rest.and_then(vehicle_of).is_some()
         };
         let entries = entries.into_iter().flatten().flatten();
         let mut paths: Vec<PathBuf> = entries.map(|it| it.path()).filter(is_ours).collect();
@@ -48,13 +48,18 @@ impl RecordFiles {
     pub fn read_joined(&self) -> (Vec<JoinedLog>, Vec<Text>) {
         let (mut logs, mut faults) = (Vec::new(), Vec::new());
         for path in self.joined_paths() {
-            let mut text = String::new();
-            let read = File::open(&path).and_then(|it| it.take(LONGEST).read_to_string(&mut text));
-            let read = read
+            let file = path.file_name().and_then(|it| it.to_str());
+            let named = file.and_then(|it| vehicle_of(it.rsplit_once(MARK)?.1));
+            let read = read_regular_text(&path, LONGEST)
                 .map_err(|error| text!("log-join-unreadable", error = error.to_string()))
-                .and_then(|_| JoinedLog::read(&text));
+                .and_then(|text| JoinedLog::read(&text));
             match read {
-                Ok(log) => logs.push(log),
+                Ok(log) if Some(log.vehicle) == named => logs.push(log),
+                Ok(log) => faults.push(text!(
+                    "log-join-other",
+                    file = file.unwrap_or_default(),
+                    vehicle = log.vehicle
+                )),
                 Err(fault) => faults.push(fault),
             }
         }
@@ -98,11 +103,15 @@ impl RecordFiles {
 /// # Errors
 /// It cannot be read; in words.
 pub fn read_log(path: &Path) -> Result<Vec<u8>, Text> {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|it| it.take(LARGEST_LOG).read_to_end(&mut bytes));
-    read.map_err(|error| {
+    read_regular(path, LARGEST_LOG).map_err(|error| {
         let (file, error) = (path.display().to_string(), error.to_string());
         text!("log-unreadable", file = file, error = error)
-    })?;
-    Ok(bytes)
+    })
+}
+
+/// The vehicle in the last part of a joined log's name, `3.json`.
+fn vehicle_of(rest: &str) -> Option<VehicleId> {
+    let number = rest.strip_suffix(JSON)?;
+    let vehicle: VehicleId = number.parse().ok()?;
+    (vehicle.to_string() == number).then_some(vehicle)
 }

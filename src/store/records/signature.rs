@@ -1,32 +1,43 @@
 //! Signatures of a whole record. Each file of the flight is signed separately; reviews are not, since they change
 //! after the flight.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use super::RecordFiles;
-use crate::store::signature::{self, FileSignature, RecordKey, RecordPublicKey, SignatureError};
+use super::{FRAMES, INPUTS, JOURNAL, RUN, RecordFiles};
+use crate::notice::sanitised;
+use crate::store::signature::{
+    self, FileSignature, RecordKey, RecordPublicKey, SignatureError, SignatureFault,
+};
 
 /// The result of checking a record's signatures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RecordSignature {
     /// No file is signed.
     None,
-    /// Files are signed, but no key was given to check them: the named key is not reliable.
+    /// All files are signed, but no key was given to check them: the named key is not reliable.
     Unchecked { key: String },
-    /// Each file is signed by the key, with this comment.
+    /// All files are signed by the key, with this comment.
     Valid { key: String, comment: String },
-    /// A file was changed after signing, or signed with another key.
-    Invalid { file: String },
+    /// The signature of a file is not valid.
+    Invalid { file: String, fault: SignatureFault },
     /// One file has no signature, while others have.
     Partial { file: String },
 }
 
+/// The field of a signature's comment that lists all signed files of the record, by their endings.
+const FILES: &str = "files:";
+
 impl RecordFiles {
-    /// The files that a flight leaves.
-    fn flown(&self) -> impl Iterator<Item = &PathBuf> {
-        [&self.run, &self.inputs, &self.frames, &self.journal]
-            .into_iter()
-            .flatten()
+    /// The files that a flight leaves, with their endings.
+    fn flown(&self) -> impl Iterator<Item = (&'static str, &PathBuf)> {
+        let files = [
+            (RUN, &self.run),
+            (INPUTS, &self.inputs),
+            (FRAMES, &self.frames),
+            (JOURNAL, &self.journal),
+        ];
+        let flown = files.into_iter();
+        flown.filter_map(|(ending, path)| Some((ending, path.as_ref()?)))
     }
 
     /// Signs each file of the record; the signatures say `about` it. Existing signatures are replaced. Returns the
@@ -38,42 +49,63 @@ impl RecordFiles {
         if self.is_written() {
             return Err(SignatureError::BeingWritten);
         }
+        let endings: Vec<&str> = self.flown().map(|(ending, _)| ending).collect();
+        let about = format!("{about}\t{FILES}{}", endings.join(","));
         self.flown()
-            .map(|path| signature::sign(path, key, about))
+            .map(|(_, path)| signature::sign(path, key, &about))
             .collect()
     }
 
     /// The state of the signatures; checked with a key, if one is given.
     pub fn signature(&self, key: Option<&RecordPublicKey>) -> RecordSignature {
-        let mut found = None;
+        self.checked(key).unwrap_or_else(|faulty| faulty)
+    }
+
+    fn checked(&self, key: Option<&RecordPublicKey>) -> Result<RecordSignature, RecordSignature> {
+        let invalid = |path: &Path, fault| RecordSignature::Invalid {
+            file: signature::name(path),
+            fault,
+        };
+        let mut found: Option<FileSignature> = None;
         let mut unsigned = None;
-        for path in self.flown() {
-            let file = || {
-                let name = path.file_name().unwrap_or_default();
-                name.to_string_lossy().into_owned()
-            };
-            match signature::check(path, key) {
-                Some(Ok(signature)) => found = found.or(Some(signature)),
-                Some(Err(_)) => return RecordSignature::Invalid { file: file() },
-                None => unsigned = Some(file()),
+        for (_, path) in self.flown() {
+            match (signature::check(path, key), &found) {
+                (None, _) => unsigned = Some(signature::name(path)),
+                (Some(Err(fault)), _) => return Err(invalid(path, fault)),
+                (Some(Ok(signature)), None) => found = Some(signature),
+                (Some(Ok(signature)), Some(first)) if signature == *first => {}
+                (Some(Ok(_)), Some(_)) => return Err(invalid(path, SignatureFault::Mixed)),
             }
         }
-        match (found, unsigned, key) {
-            (None, _, _) => RecordSignature::None,
-            (Some(_), Some(file), _) => RecordSignature::Partial { file },
-            (Some(FileSignature { key, .. }), None, None) => RecordSignature::Unchecked { key },
-            (Some(FileSignature { key, about }), None, Some(_)) => RecordSignature::Valid {
-                key,
+        let Some(FileSignature { key: by, about }) = found else {
+            return Ok(RecordSignature::None);
+        };
+        if let Some(file) = unsigned {
+            return Err(RecordSignature::Partial { file });
+        }
+        // Whoever removes a file could remove its signature too: the others list it.
+        let signed = about.split('\t').find_map(|it| it.strip_prefix(FILES));
+        let missing = signed.unwrap_or_default().split(',').find(|ending| {
+            let mut present = self.flown();
+            !present.any(|(known, _)| known == *ending)
+        });
+        if let Some(ending) = missing {
+            let path = PathBuf::from(format!("{}{}", self.stem, sanitised(ending)));
+            return Err(invalid(&path, SignatureFault::Missing));
+        }
+        Ok(match key {
+            None => RecordSignature::Unchecked { key: by },
+            Some(_) => RecordSignature::Valid {
+                key: by,
                 comment: about,
             },
-        }
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
 
     use super::*;
     use crate::store::signature::signature_of;
@@ -83,6 +115,13 @@ mod tests {
             fs::write(folder.join(format!("flight{ending}")), ending).expect("written");
         }
         RecordFiles::beside(&folder.join("flight.tlog"))
+    }
+
+    fn invalid(file: &str, fault: SignatureFault) -> RecordSignature {
+        RecordSignature::Invalid {
+            file: file.to_owned(),
+            fault,
+        }
     }
 
     fn keys(folder: &Path, name: &str) -> (RecordKey, RecordPublicKey) {
@@ -106,16 +145,16 @@ mod tests {
         assert_eq!(files.signature(None), unchecked);
         let valid = RecordSignature::Valid {
             key: key.id(),
-            comment: "score:900".to_owned(),
+            comment: "score:900\tfiles:.run.jsonl,.inputs.jsonl,.tlog,.flight.jsonl".to_owned(),
         };
         assert_eq!(files.signature(Some(&public)), valid);
         let by_other = files.signature(Some(&other));
-        assert!(matches!(by_other, RecordSignature::Invalid { .. }));
+        let fault = SignatureFault::OtherKey { key: key.id() };
+        assert_eq!(by_other, invalid("flight.run.jsonl", fault));
         fs::write(folder.path().join("flight.inputs.jsonl"), "changed").expect("written");
-        let file = "flight.inputs.jsonl".to_owned();
         assert_eq!(
             files.signature(Some(&public)),
-            RecordSignature::Invalid { file }
+            invalid("flight.inputs.jsonl", SignatureFault::Changed)
         );
     }
 
@@ -149,10 +188,9 @@ mod tests {
         fs::write(&signatures[0], &text).expect("written");
         fs::copy(&run, &inputs).expect("copied");
         fs::copy(&signatures[0], signature_of(&inputs)).expect("copied");
-        let file = "flight.inputs.jsonl".to_owned();
         assert_eq!(
             files.signature(Some(&public)),
-            RecordSignature::Invalid { file }
+            invalid("flight.inputs.jsonl", SignatureFault::OtherFile)
         );
         files.sign(&key, "score:900").expect("signed again");
         fs::remove_file(&signatures[3]).expect("there");
@@ -161,6 +199,58 @@ mod tests {
             files.signature(Some(&public)),
             RecordSignature::Partial { file }
         );
+    }
+
+    #[test]
+    fn a_signature_holds_for_the_set_of_files_and_for_one_act_of_signing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let files = record(folder.path());
+        let (key, public) = keys(folder.path(), "mine");
+        let earlier = files.sign(&key, "score:900").expect("signed");
+        let kept = fs::read(&earlier[2]).expect("there");
+        files.sign(&key, "score:950").expect("signed again");
+        fs::write(&earlier[2], kept).expect("written");
+        let check = |files: &RecordFiles| files.signature(Some(&public));
+        assert_eq!(check(&files), invalid("flight.tlog", SignatureFault::Mixed));
+        // Without the frames, with or without their signature.
+        files.sign(&key, "score:950").expect("signed again");
+        fs::remove_file(folder.path().join("flight.tlog")).expect("there");
+        let rest = RecordFiles::beside(&folder.path().join("flight.run.jsonl"));
+        let missing = invalid("flight.tlog", SignatureFault::Missing);
+        assert_eq!(check(&rest), missing);
+        fs::remove_file(&earlier[2]).expect("there");
+        assert_eq!(check(&rest), missing);
+        assert_eq!(rest.signature(None), missing);
+    }
+
+    #[test]
+    fn what_is_no_signature_is_damaged_or_unreadable_and_never_missing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let files = record(folder.path());
+        let (key, public) = keys(folder.path(), "mine");
+        let signatures = files.sign(&key, "score:900").expect("signed");
+        let text = fs::read_to_string(&signatures[0]).expect("there");
+        let lines: Vec<&str> = text.lines().collect();
+        let damaged = invalid("flight.run.jsonl", SignatureFault::Damaged);
+        // The decoder skips blanks, and the library panics at what is then too short.
+        for last in [
+            " ".repeat(88),
+            "\t".repeat(88),
+            format!("AAAA{}", " ".repeat(84)),
+        ] {
+            let forged = [&lines[..3], &[last.as_str()]].concat().join("\n");
+            fs::write(&signatures[0], forged).expect("written");
+            assert_eq!(files.signature(Some(&public)), damaged, "{last:?}");
+        }
+        fs::write(&signatures[0], [0xFF, 0xFE]).expect("written");
+        assert_eq!(files.signature(Some(&public)), damaged);
+        fs::remove_file(&signatures[0]).expect("there");
+        nix::unistd::mkfifo(&signatures[0], nix::sys::stat::Mode::S_IRWXU).expect("made");
+        let found = files.signature(Some(&public));
+        let RecordSignature::Invalid { fault, .. } = found else {
+            panic!("{found:?}");
+        };
+        assert!(matches!(fault, SignatureFault::Unreadable(_)), "{fault:?}");
     }
 
     #[test]

@@ -4,8 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use super::Subject;
 use super::row::{filled, number};
-use super::{Subject, spark};
+use super::spark::{self, Merge, Spark};
 use crate::app::state::{Channel, ReplayView};
 use crate::dataflash::{LogChannel, LogCurves};
 use crate::text;
@@ -69,6 +70,7 @@ struct Curve {
     readings: Vec<Option<f32>>,
     /// The number of samples that the whole span holds.
     samples: usize,
+    merge: Merge,
 }
 
 impl Curve {
@@ -104,6 +106,7 @@ fn curves(subject: &Subject<'_>) -> Vec<Curve> {
         now: channel.reading(subject.vehicle),
         readings: history.map_or_else(Vec::new, |it| it.readings(channel, window).collect()),
         samples: window.samples(),
+        merge: Merge::Mean,
     });
     let logged = log(subject).into_iter().flat_map(|(replay, log)| {
         log.channels().map(move |channel| {
@@ -113,6 +116,11 @@ fn curves(subject: &Subject<'_>) -> Vec<Curve> {
                 now: readings.last().copied().flatten(),
                 readings,
                 samples: usize::from(window.seconds()),
+                merge: if channel.is_low_worse() {
+                    Merge::Least
+                } else {
+                    Merge::Most
+                },
             }
         })
     });
@@ -162,13 +170,13 @@ fn draw_curve(curve: &Curve, panel: Panel<'_>, buffer: &mut Buffer) {
     if let Some((low, high)) = range {
         let shown = low..=high.max(low + axis.least_span);
         let plot = columns(area, left, width);
-        let rows = spark::rows(
-            &curve.readings,
-            curve.samples,
-            &shown,
-            plot.as_size(),
-            look.symbols,
-        );
+        let spark = Spark {
+            readings: &curve.readings,
+            samples: curve.samples,
+            range: shown,
+            merge: curve.merge,
+        };
+        let rows = spark::rows(&spark, plot.as_size(), look.symbols);
         for (row, text) in rows.into_iter().enumerate() {
             let line = Line::styled(text, look.style(Role::Accent));
             put(buffer, plot, row as u16, &line);

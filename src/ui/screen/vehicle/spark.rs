@@ -10,15 +10,27 @@ use crate::config::Symbols;
 const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 const LETTERS: [char; 9] = [' ', '_', '.', '-', '-', '=', '+', '*', '#'];
 
-/// The rows of a curve, from the top. `readings` end now; `samples` is the capacity of the span, so that a shorter
-/// curve starts inside it. Gaps stay blank. `range` gives the values at the bottom and at the top.
-pub fn rows(
-    readings: &[Option<f32>],
-    samples: usize,
-    range: &RangeInclusive<f32>,
-    size: Size,
-    symbols: Symbols,
-) -> Vec<String> {
+/// What a column shows of several readings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Merge {
+    Mean,
+    Least,
+    Most,
+}
+
+/// A curve to draw.
+pub struct Spark<'a> {
+    /// Oldest first; they end now. Gaps stay blank.
+    pub readings: &'a [Option<f32>],
+    /// The capacity of the span, so that a shorter curve starts inside it.
+    pub samples: usize,
+    /// The values at the bottom and at the top.
+    pub range: RangeInclusive<f32>,
+    pub merge: Merge,
+}
+
+/// The rows of a curve, from the top.
+pub fn rows(spark: &Spark<'_>, size: Size, symbols: Symbols) -> Vec<String> {
     let (width, height) = (usize::from(size.width), usize::from(size.height));
     let levels = if symbols == Symbols::Ascii {
         LETTERS
@@ -26,9 +38,9 @@ pub fn rows(
         BLOCKS
     };
     let steps = height * (levels.len() - 1);
-    let heights: Vec<Option<usize>> = columns(readings, samples, width)
+    let heights: Vec<Option<usize>> = columns(spark, width)
         .into_iter()
-        .map(|value| value.map(|value| step(value, range, steps)))
+        .map(|value| value.map(|value| step(value, &spark.range, steps)))
         .collect();
     (0..height)
         .rev()
@@ -54,19 +66,25 @@ fn step(value: f32, range: &RangeInclusive<f32>, steps: usize) -> usize {
     1 + (share * (steps - 1) as f32).round() as usize
 }
 
-/// One value per column: the mean of the readings that fall into it.
-fn columns(readings: &[Option<f32>], samples: usize, width: usize) -> Vec<Option<f32>> {
+/// One value per column, of the readings that fall into it.
+fn columns(spark: &Spark<'_>, width: usize) -> Vec<Option<f32>> {
+    let (readings, samples) = (spark.readings, spark.samples);
     let missing = samples.saturating_sub(readings.len());
     (0..width)
         .map(|column| {
             // A span with fewer samples than columns gives each sample several columns.
             let from = column * samples / width;
             let to = ((column + 1) * samples / width).max(from + 1);
-            let known = (from.max(missing)..to.max(missing))
-                .filter_map(|at| readings.get(at - missing).copied().flatten());
-            let (sum, count) =
-                known.fold((0.0, 0u16), |(sum, count), value| (sum + value, count + 1));
-            (count > 0).then(|| sum / f32::from(count))
+            let known: Vec<f32> = (from.max(missing)..to.max(missing))
+                .filter_map(|at| readings.get(at - missing).copied().flatten())
+                .collect();
+            let first = known.first().copied()?;
+            let rest = known.iter().copied();
+            Some(match spark.merge {
+                Merge::Mean => rest.sum::<f32>() / known.len() as f32,
+                Merge::Least => rest.fold(first, f32::min),
+                Merge::Most => rest.fold(first, f32::max),
+            })
         })
         .collect()
 }
@@ -75,11 +93,20 @@ fn columns(readings: &[Option<f32>], samples: usize, width: usize) -> Vec<Option
 mod tests {
     use super::*;
 
+    fn spark(readings: &[Option<f32>], samples: usize, range: RangeInclusive<f32>) -> Spark<'_> {
+        Spark {
+            readings,
+            samples,
+            range,
+            merge: Merge::Mean,
+        }
+    }
+
     #[test]
     fn a_curve_rises_from_left_to_right_and_shows_gaps() {
         let readings = [Some(0.0), None, Some(5.0), Some(10.0)];
-        let curve =
-            |height, symbols| rows(&readings, 4, &(0.0..=10.0), Size::new(4, height), symbols);
+        let spark = spark(&readings, 4, 0.0..=10.0);
+        let curve = |height, symbols| rows(&spark, Size::new(4, height), symbols);
         assert_eq!(curve(1, Symbols::Block), ["▁ ▅█"]);
         assert_eq!(curve(2, Symbols::Block), ["  ▁█", "▁ ██"]);
         assert_eq!(curve(1, Symbols::Ascii), ["_ =#"]);
@@ -89,7 +116,11 @@ mod tests {
     fn a_young_curve_ends_at_the_right_and_a_flat_one_lies_low() {
         let readings = [Some(3.0), Some(3.0)];
         assert_eq!(
-            rows(&readings, 8, &(3.0..=3.0), Size::new(8, 1), Symbols::Block),
+            rows(
+                &spark(&readings, 8, 3.0..=3.0),
+                Size::new(8, 1),
+                Symbols::Block
+            ),
             ["      ▁▁"]
         );
     }
@@ -97,8 +128,23 @@ mod tests {
     #[test]
     fn readings_are_averaged_where_there_are_more_than_columns() {
         let readings: Vec<_> = (0..100u8).map(|at| Some(f32::from(at))).collect();
-        assert_eq!(columns(&readings, 100, 2), [Some(24.5), Some(74.5)]);
-        assert_eq!(columns(&readings[98..], 2, 4).len(), 4);
-        assert_eq!(columns(&[], 60, 3), [None, None, None]);
+        let all = spark(&readings, 100, 0.0..=1.0);
+        assert_eq!(columns(&all, 2), [Some(24.5), Some(74.5)]);
+        assert_eq!(columns(&spark(&readings[98..], 2, 0.0..=1.0), 4).len(), 4);
+        let none = columns(&spark(&[], 60, 0.0..=1.0), 3);
+        assert_eq!(none, [None, None, None]);
+    }
+
+    #[test]
+    fn a_peak_of_one_reading_stays_visible_where_the_worst_counts() {
+        let mut readings = vec![Some(5.0); 600];
+        (readings[100], readings[400]) = (Some(60.0), Some(1.0));
+        for (merge, expected) in [(Merge::Most, [60.0, 5.0]), (Merge::Least, [5.0, 1.0])] {
+            let all = Spark {
+                merge,
+                ..spark(&readings, 600, 0.0..=60.0)
+            };
+            assert_eq!(columns(&all, 2), expected.map(Some));
+        }
     }
 }
