@@ -134,7 +134,7 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
         ),
         (
             "{\"kind\": \"boat\"}",
-            "unknown value `boat`, expected one of `copter`",
+            "unknown variant `boat`, expected one of `copter`",
         ),
         ("{} {}", "trailing characters at line 1 column 4"),
         ("\u{0}", "expected value at line 1 column 1"),

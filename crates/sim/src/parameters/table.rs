@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use super::Kind;
 
-/// One line per parameter: name, type, default value.
+/// Comments, and one line per parameter: name, type, default value.
 const LINES: &str = include_str!("arducopter.txt");
 
 /// The fixed properties of a parameter.
@@ -31,7 +31,7 @@ pub(super) static TABLE: LazyLock<ParameterTable> = LazyLock::new(ParameterTable
 
 impl ParameterTable {
     fn read() -> Self {
-        let rows: Vec<ParameterRow> = LINES.lines().filter_map(row).collect();
+        let rows: Vec<ParameterRow> = lines().filter_map(row).collect();
         let mut by_name: Vec<u16> = (0..rows.len() as u16).collect();
         by_name.sort_by_key(|&place| rows[usize::from(place)].name);
         Self { rows, by_name }
@@ -48,6 +48,10 @@ impl ParameterTable {
             .ok()?;
         self.by_name.get(found).map(|&place| usize::from(place))
     }
+}
+
+fn lines() -> impl Iterator<Item = &'static str> {
+    LINES.lines().filter(|line| !line.starts_with('#'))
 }
 
 fn row(line: &'static str) -> Option<ParameterRow> {
@@ -73,7 +77,7 @@ mod tests {
 
     #[test]
     fn every_line_is_a_parameter_whose_name_fits_its_field_and_occurs_once() {
-        assert_eq!(TABLE.rows.len(), LINES.lines().count());
+        assert_eq!(TABLE.rows.len(), lines().count());
         assert!(TABLE.rows.iter().all(|row| row.name.len() <= 16));
         let mut names: Vec<_> = TABLE.rows.iter().map(|row| row.name).collect();
         names.sort_unstable();
