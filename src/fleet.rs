@@ -21,6 +21,7 @@ use crate::vehicle::VehicleId;
 
 mod clock;
 mod hub;
+mod log_keeper;
 mod vehicle_task;
 
 pub use clock::FleetClock;

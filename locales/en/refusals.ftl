@@ -16,6 +16,7 @@ refused-logs-armed = it is armed: disarm it before reading logs
 refused-logs-nowhere = logs are kept only by a console with a data folder
 refused-no-log = it has no log { $number }: it lists { $count }
 refused-logs-here = logs cannot be read this way: use `logs list` or `logs download`
+refused-logs-none-read = no list or download of logs is under way
 refused-reboot-armed = it is armed: disarm it before a reboot
 refused-parameter-name = `{ $name }` cannot be a parameter: names have 1 to 16 plain letters
 refused-no-place = { $lat }, { $lon } is not a valid position

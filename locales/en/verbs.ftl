@@ -29,7 +29,7 @@ verb-reboot = reboot the autopilot; refused while armed
 verb-interval = set the rate of a message in Hz; 0 turns it off
 verb-request = ask for a message once
 verb-param = read or write a parameter
-verb-logs = list or download the logs of flights; downloads continue where they stopped
+verb-logs = list or download the logs of flights, or stop doing so; downloads continue where they stopped
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; x and y are degrees times 1e7 where they are a place
 

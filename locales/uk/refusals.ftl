@@ -16,6 +16,7 @@ refused-logs-armed = двигуни активні: деактивуйте їх 
 refused-logs-nowhere = журнали зберігає лише консоль із текою даних
 refused-no-log = журналу { $number } немає: у переліку { $count }
 refused-logs-here = так журнали не прочитати: скористайтеся `logs list` або `logs download`
+refused-logs-none-read = журнали зараз не читаються
 refused-reboot-armed = двигуни активні: деактивуйте їх перед перезапуском
 refused-parameter-name = `{ $name }` не може бути параметром: назва має від 1 до 16 латинських літер
 refused-no-place = { $lat }, { $lon } — неправильні координати

@@ -4,6 +4,8 @@
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LogCommand {
     List,
+    /// End the orders about logs; what was read of a log stays.
+    Stop,
     /// Copy logs from the vehicle into files.
     Download {
         which: LogChoice,

@@ -7,6 +7,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use super::log_keeper::BlockingKeeper;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::inspector::Census;
@@ -285,7 +286,7 @@ impl Hub {
         let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
         if let Some(keeper) = &self.keeping.logs {
-            session = session.keeping_logs(Arc::clone(keeper));
+            session = session.keeping_logs(Arc::new(BlockingKeeper(Arc::clone(keeper))));
         }
         session.heard_via(from.link.0, now);
         let task = VehicleTask {

@@ -100,6 +100,13 @@ impl GapMap {
         touched - still
     }
 
+    /// Whether filling a stretch would make two gaps of one.
+    pub fn splits(&self, stretch: &Range<u32>) -> bool {
+        let at = self.missing.partition_point(|gap| gap.end <= stretch.start);
+        let gap = self.missing.get(at);
+        gap.is_some_and(|gap| gap.start < stretch.start && stretch.end < gap.end)
+    }
+
     /// Notes that the file ends earlier: what was missing behind its end is not.
     pub fn truncate(&mut self, size: u32) {
         self.size = self.size.min(size);

@@ -40,6 +40,8 @@ pub(super) struct LogReader {
     keeper: Option<Arc<dyn LogKeeper>>,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
+    /// The order that ends the others.
+    stop: Option<VehicleCommand>,
 }
 
 /// The order that is carried out.
@@ -92,6 +94,10 @@ impl LogReader {
         now: Duration,
         output: &mut Output,
     ) {
+        if order.command == Command::Log(LogCommand::Stop) {
+            self.stop = Some(order);
+            return;
+        }
         let is_download = matches!(order.command, Command::Log(LogCommand::Download { .. }));
         let refusal = if vehicle.armed() {
             Some(text!("refused-logs-armed"))
@@ -123,6 +129,31 @@ impl LogReader {
             }
             job.report(RowState::Superseded, Some(reason), vehicle, now, output);
         }
+    }
+
+    /// Carries out the order to end all others.
+    fn stop(
+        &mut self,
+        stop: &VehicleCommand,
+        vehicle: &Vehicle,
+        ftp: &mut FtpClient,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        if self.job.is_none() && self.waiting.is_empty() {
+            let reason = text!("refused-logs-none-read");
+            output.row(stop.unsent(vehicle.id, RowState::Refused, reason, now));
+            return;
+        }
+        match self.job.as_ref().map(|job| &job.phase) {
+            Some(Phase::Reading(reading)) => reading.leave(ftp),
+            Some(Phase::Searching(search)) => ftp.cancel(search.ticket()),
+            Some(Phase::Listing(_)) | None => {}
+        }
+        self.clear(&Text::verbatim("logs stop"), vehicle, now, output);
+        output.messages.push(request_end(vehicle));
+        let told = text!("outcome-logs-stopped");
+        output.row(stop.unsent(vehicle.id, RowState::Done, told, now));
     }
 
     /// Handles the vehicle's messages about its logs.
@@ -165,6 +196,9 @@ impl LogReader {
         now: Duration,
         output: &mut Output,
     ) {
+        if let Some(stop) = self.stop.take() {
+            self.stop(&stop, vehicle, ftp, now, output);
+        }
         if self.job.is_none() {
             self.job = self.waiting.pop_front().and_then(Job::new);
             if let Some(job) = &self.job {
@@ -316,7 +350,7 @@ impl Job {
         };
         let count = logs.len();
         let mut chosen: VecDeque<ListedLog> = match which {
-            LogChoice::All => logs.into(),
+            LogChoice::All => logs.into_iter().filter(|it| it.size > 0).collect(),
             LogChoice::Last => logs.into_iter().next_back().into_iter().collect(),
             LogChoice::Number(number) => {
                 logs.into_iter().filter(|it| it.number == *number).collect()

@@ -7,9 +7,11 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::iter;
 use std::path::{Path, PathBuf};
 
-use super::{StoreError, give_new_name, links, sharing, user_path};
+use super::regular::read_regular_text;
+use super::{StoreError, give_new_name, sharing, user_path};
 use crate::session::{FileBytes, FtpChecksum, GapMap, KeptLog, LogKeeper, VehicleLog};
 use crate::text;
 use crate::text::{Text, utc_of};
@@ -18,6 +20,8 @@ use crate::text::{Text, utc_of};
 const SAMPLE: u32 = 720;
 /// Bytes that are read at one time for a check sum.
 const BLOCK: usize = 64 * 1024;
+/// Stretches of a file that are compared.
+const MOST_SAMPLES: usize = 16;
 /// As many logs of one name may lie beside each other.
 const MOST_ALIKE: usize = 100;
 /// No list of gaps is longer.
@@ -37,14 +41,29 @@ impl LogFolder {
         }
     }
 
-    /// The files of a log; its folder is made.
-    fn paths(&self, log: &VehicleLog) -> Result<LogPaths, StoreError> {
-        let folder = match &log.folder {
+    /// The folder of a log.
+    fn folder_of(&self, log: &VehicleLog) -> PathBuf {
+        match &log.folder {
             Some(folder) => user_path(folder),
             None => self.folder.clone(),
+        }
+    }
+
+    /// Creates the folder of a log. The mode of one that the user has named is the user's.
+    fn make_folder(&self, log: &VehicleLog) -> Result<(), StoreError> {
+        let folder = self.folder_of(log);
+        let made = if log.folder.is_some() {
+            fs::create_dir_all(&folder)
+        } else {
+            let above = self.folder.parent().unwrap_or(&self.folder);
+            sharing::folder_within(above, &folder)
         };
-        let above = self.folder.parent().unwrap_or(&self.folder);
-        sharing::folder_within(above, &folder).map_err(|error| unwritable(&folder, error))?;
+        made.map_err(|error| unwritable(&folder, error))
+    }
+
+    /// The files of a log.
+    fn paths(&self, log: &VehicleLog) -> LogPaths {
+        let folder = self.folder_of(log);
         let part = format!("v{}-log{}.bin", log.vehicle, log.log.number);
         let time = u64::from(log.log.time_utc_s);
         let name = match time {
@@ -54,11 +73,11 @@ impl LogFolder {
                 format!("v{}-log{}-{time}Z", log.vehicle, log.log.number)
             }
         };
-        Ok(LogPaths {
+        LogPaths {
             part: folder.join(format!("{part}.part")),
             gaps: folder.join(format!("{part}.gaps")),
             name: folder.join(name),
-        })
+        }
     }
 }
 
@@ -83,11 +102,20 @@ impl LogPaths {
         })
     }
 
+    /// Refuses links, FIFOs and the like, which others may have put there.
+    fn check(&self) -> Result<(), StoreError> {
+        for path in [&self.part, &self.gaps] {
+            if fs::symlink_metadata(path).is_ok_and(|found| !found.is_file()) {
+                let error = io::Error::other("it is not a regular file");
+                return Err(unwritable(path, error));
+            }
+        }
+        Ok(())
+    }
+
     /// What is missing of the part, if there is one that can be gone on with.
     fn missing(&self, size: u32) -> Option<GapMap> {
-        let mut text = String::new();
-        let file = File::open(&self.gaps).ok()?;
-        file.take(LONGEST_GAPS).read_to_string(&mut text).ok()?;
+        let text = read_regular_text(&self.gaps, LONGEST_GAPS).ok()?;
         let mut lines = text.lines();
         let before: u32 = lines.next()?.strip_prefix("bytes ")?.parse().ok()?;
         let gaps: Option<Vec<_>> = lines
@@ -117,7 +145,9 @@ impl LogPaths {
 
 impl LogKeeper for LogFolder {
     fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text> {
-        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let paths = self.paths(log);
+        let ready = self.make_folder(log).and_then(|()| paths.check());
+        ready.map_err(|error| Text::from(&error))?;
         let size = log.log.size;
         let is_whole = |path: &PathBuf| {
             fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == u64::from(size))
@@ -127,16 +157,14 @@ impl LogKeeper for LogFolder {
             let mut gaps = GapMap::new(size);
             gaps.fill(0..size);
             return Ok(KeptLog {
+                samples: samples(&path, &gaps),
                 gaps,
-                sample: sample(&path, size),
                 file: Some(path.display().to_string()),
             });
         }
         let gaps = paths.missing(size).unwrap_or_else(|| GapMap::new(size));
-        // What came last before the first gap differs between logs, other than their beginnings.
-        let known = gaps.missing().first().map_or(size, |gap| gap.start);
         Ok(KeptLog {
-            sample: sample(&paths.part, known),
+            samples: samples(&paths.part, &gaps),
             gaps,
             file: None,
         })
@@ -144,7 +172,7 @@ impl LogKeeper for LogFolder {
 
     fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text> {
         let write = || {
-            let paths = self.paths(log)?;
+            let paths = self.paths(log);
             let mut options = OpenOptions::new();
             let options = options.create(true).truncate(false).write(true);
             let written = sharing::open(options, &paths.part).and_then(|mut file| {
@@ -152,7 +180,8 @@ impl LogKeeper for LogFolder {
                     file.seek(SeekFrom::Start(u64::from(stretch.at)))?;
                     file.write_all(&stretch.bytes)?;
                 }
-                Ok(())
+                // The list of gaps must not be ahead of the bytes, even if the power fails.
+                file.sync_data()
             });
             written.map_err(|error| unwritable(&paths.part, error))?;
             write_gaps(&paths.gaps, gaps).map_err(|error| unwritable(&paths.gaps, error))
@@ -161,7 +190,7 @@ impl LogKeeper for LogFolder {
     }
 
     fn checksum(&self, log: &VehicleLog) -> Result<u32, Text> {
-        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let paths = self.paths(log);
         let mut sum = FtpChecksum::default();
         let summed = File::open(&paths.part).and_then(|file| {
             let mut file = file.take(u64::from(log.log.size));
@@ -178,7 +207,7 @@ impl LogKeeper for LogFolder {
     }
 
     fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
-        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let paths = self.paths(log);
         let unwritable = |path: &Path, error| Text::from(&unwritable(path, error));
         let mut options = OpenOptions::new();
         let options = options.create(true).truncate(false).write(true);
@@ -214,14 +243,27 @@ impl LogKeeper for LogFolder {
     }
 }
 
-/// The last bytes of a file before a place.
-fn sample(path: &Path, end: u32) -> Option<FileBytes> {
-    let at = end.saturating_sub(SAMPLE);
-    let mut bytes = vec![0; (end - at) as usize];
-    let mut file = File::open(path).ok()?;
-    file.seek(SeekFrom::Start(u64::from(at))).ok()?;
-    file.read_exact(&mut bytes).ok()?;
-    (!bytes.is_empty()).then_some(FileBytes { at, bytes })
+/// Bytes of what is there: the last before each gap and before the end, where logs of one vehicle differ. Of many gaps,
+/// some.
+fn samples(path: &Path, gaps: &GapMap) -> Vec<FileBytes> {
+    let ends = gaps.missing().iter().map(|gap| gap.start);
+    let starts = iter::once(0).chain(gaps.missing().iter().map(|gap| gap.end));
+    let kept = starts.zip(ends.chain([gaps.size()]));
+    let kept: Vec<_> = kept.filter(|(start, end)| start < end).collect();
+    let Ok(mut file) = File::open(path) else {
+        return Vec::new();
+    };
+    // The last one counts most: what differs once mostly differs from then on.
+    let every = kept.len().div_ceil(MOST_SAMPLES).max(1);
+    let chosen = kept.iter().rev().step_by(every);
+    let read = chosen.filter_map(|&(start, end)| {
+        let at = end.saturating_sub(SAMPLE).max(start);
+        let mut bytes = vec![0; (end - at) as usize];
+        file.seek(SeekFrom::Start(u64::from(at))).ok()?;
+        file.read_exact(&mut bytes).ok()?;
+        Some(FileBytes { at, bytes })
+    });
+    read.collect()
 }
 
 fn write_gaps(path: &Path, gaps: &GapMap) -> io::Result<()> {
@@ -233,7 +275,7 @@ fn write_gaps(path: &Path, gaps: &GapMap) -> io::Result<()> {
     let part = path.with_extension("gaps.new");
     let mut options = OpenOptions::new();
     let options = options.create(true).truncate(true).write(true);
-    links::open_own(options, &part)?.write_all(text.as_bytes())?;
+    sharing::open(options, &part)?.write_all(text.as_bytes())?;
     fs::rename(&part, path)
 }
 
@@ -277,8 +319,8 @@ mod tests {
         let log = log(2000);
         let kept = folder.find(&log).expect("it can be kept");
         assert_eq!(
-            (kept.gaps.missing_bytes(), &kept.sample, kept.file),
-            (2000, &None, None)
+            (kept.gaps.missing_bytes(), kept.samples, kept.file),
+            (2000, Vec::new(), None)
         );
         let mut gaps = kept.gaps;
         for stretch in [bytes(0, 900), bytes(1000, 500)] {
@@ -287,7 +329,8 @@ mod tests {
         }
         let again = folder.find(&log).expect("it can be kept");
         assert_eq!(again.gaps.missing(), [900..1000, 1500..2000]);
-        assert_eq!(again.sample, Some(bytes(180, 720)));
+        // The end of each stretch that is there, the last one first.
+        assert_eq!(again.samples, [bytes(1000, 500), bytes(180, 720)]);
         let rest = [bytes(900, 100), bytes(1500, 500)];
         for stretch in &rest {
             gaps.fill(stretch.range());
@@ -305,8 +348,8 @@ mod tests {
         let known = folder.find(&log).expect("it can be kept");
         assert!(known.gaps.is_complete());
         assert_eq!(
-            (known.file, known.sample),
-            (Some(path), Some(bytes(1280, 720)))
+            (known.file, known.samples),
+            (Some(path), vec![bytes(1280, 720)])
         );
         assert_eq!(
             fs::read_dir(data.path().join("logs"))
@@ -321,6 +364,7 @@ mod tests {
         let data = tempfile::tempdir().expect("a folder");
         let folder = LogFolder::within(data.path());
         let log = log(100);
+        folder.find(&log).expect("it can be kept");
         let mut gaps = GapMap::new(100);
         gaps.fill(0..50);
         folder.keep(&log, &[bytes(0, 50)], &gaps).expect("written");
@@ -334,10 +378,66 @@ mod tests {
     }
 
     #[test]
+    fn a_part_with_a_gap_in_the_common_header_is_compared_behind_it() {
+        let data = tempfile::tempdir().expect("a folder");
+        let folder = LogFolder::within(data.path());
+        let log = log(50_000);
+        folder.find(&log).expect("it can be kept");
+        let mut gaps = GapMap::new(50_000);
+        for stretch in [bytes(0, 90), bytes(180, 39_820)] {
+            gaps.fill(stretch.range());
+            folder.keep(&log, &[stretch], &gaps).expect("written");
+        }
+        let known = folder.find(&log).expect("it can be kept");
+        assert_eq!(known.gaps.missing(), [90..180, 40_000..50_000]);
+        assert_eq!(known.samples, [bytes(39_280, 720), bytes(0, 90)]);
+    }
+
+    #[test]
+    fn links_and_fifos_in_place_of_a_part_are_refused() {
+        let data = tempfile::tempdir().expect("a folder");
+        let folder = LogFolder::within(data.path());
+        let logs = data.path().join("logs");
+        fs::create_dir(&logs).expect("made");
+        for name in ["v3-log2.bin.part", "v3-log2.bin.gaps"] {
+            let path = logs.join(name);
+            nix::unistd::mkfifo(&path, nix::sys::stat::Mode::S_IRWXU).expect("made");
+            let fault = folder.find(&log(100)).expect_err("a FIFO");
+            assert!(fault.to_string().contains("regular file"), "{fault}");
+            fs::remove_file(&path).expect("removed");
+            std::os::unix::fs::symlink("elsewhere", &path).expect("made");
+            folder.find(&log(100)).expect_err("a link");
+            fs::remove_file(&path).expect("removed");
+        }
+        folder.find(&log(100)).expect("it can be kept");
+    }
+
+    #[test]
+    fn a_folder_that_the_user_names_keeps_its_mode() {
+        use std::os::unix::fs::PermissionsExt as _;
+
+        let data = tempfile::tempdir().expect("a folder");
+        let shared = fs::Permissions::from_mode(0o2750);
+        fs::set_permissions(data.path(), shared).expect("ours");
+        let named = data.path().join("named");
+        fs::create_dir(&named).expect("made");
+        fs::set_permissions(&named, fs::Permissions::from_mode(0o700)).expect("ours");
+        let folder = LogFolder::within(data.path());
+        let log = VehicleLog {
+            folder: Some(named.display().to_string()),
+            ..log(100)
+        };
+        folder.find(&log).expect("it can be kept");
+        let mode = fs::metadata(&named).expect("there").permissions().mode();
+        assert_eq!(mode & 0o7777, 0o700);
+    }
+
+    #[test]
     fn gaps_that_make_no_sense_are_left_alone() {
         let data = tempfile::tempdir().expect("a folder");
         let folder = LogFolder::within(data.path());
         let log = log(100);
+        folder.find(&log).expect("it can be kept");
         let mut gaps = GapMap::new(100);
         gaps.fill(0..50);
         folder.keep(&log, &[bytes(0, 50)], &gaps).expect("written");

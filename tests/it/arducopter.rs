@@ -179,7 +179,10 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
             })
             .await;
         let (bytes, words) = download(&mut console, &folder.path().join("files")).await;
-        assert!(words.contains("by MAVFTP, check sum verified"), "{words}");
+        assert!(
+            words.contains("by log messages, check sum verified"),
+            "{words}"
+        );
         assert!(bytes == fs::read(&log).expect("SITL's own"));
         let off = console.give("param set BRD_OPTIONS 2", &[7]);
         console.until_done(off, 7).await;

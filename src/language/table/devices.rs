@@ -217,10 +217,14 @@ const LOGS: VerbRow = VerbRow {
         "all logs download",
         "logs download 12 to ~/logs",
         "logs download all",
+        "all logs stop",
     ],
     forms: &[
         Form::new(&[Argument::flag("list", "")], |_| {
             command(Command::Log(LogCommand::List))
+        }),
+        Form::new(&[Argument::flag("stop", "")], |_| {
+            command(Command::Log(LogCommand::Stop))
         }),
         Form::new(
             &[

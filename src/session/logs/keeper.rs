@@ -30,7 +30,7 @@ pub struct VehicleLog {
 pub struct KeptLog {
     pub gaps: GapMap,
     /// Some of what is there: the vehicle's bytes must be the same, else the file is of another log.
-    pub sample: Option<FileBytes>,
+    pub samples: Vec<FileBytes>,
     /// The file, if it is whole.
     pub file: Option<String>,
 }

@@ -23,7 +23,7 @@ pub(super) struct Listing {
     /// When it was asked for, or anything new came, last; `None` before it was asked for.
     heard_at: Option<Duration>,
     /// Requests in a row that nothing new came of.
-    pub fruitless: u8,
+    fruitless: u8,
 }
 
 impl Listing {
@@ -99,6 +99,6 @@ impl Listing {
             #[expect(clippy::reversed_empty_ranges, reason = "there are none")]
             return Some(1..=0);
         }
-        Some((highest + 1).saturating_sub(count)..=highest)
+        Some(highest.saturating_sub(count - 1)..=highest)
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::files::LogFiles;
 use super::transfer::{Received, Transfer};
-use super::words::{LogWay, WholeLog};
+use super::words::{FileCheck, LogCarrier, LogWay, WholeLog};
 use super::{Desk, Ending, ListedLog, LogKeeper, VehicleLog, failed};
 use crate::ledger::RowState;
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
@@ -28,6 +28,9 @@ pub(super) struct Reading {
     files: LogFiles,
     transfer: Transfer,
     route: Route,
+    carrier: LogCarrier,
+    /// Whether it is read for the second time, because the check sum differed.
+    is_again: bool,
     /// The file, if it was whole before.
     file: Option<String>,
     /// What has not been written yet.
@@ -35,10 +38,12 @@ pub(super) struct Reading {
     written_at: Duration,
 }
 
-/// How the bytes come.
+/// How the bytes come, and what follows them.
 #[derive(Debug, Clone)]
 enum Route {
-    /// As a file, with the task that is under way.
+    /// By log messages, which `ArduPilot` sends many times as fast as files.
+    Messages,
+    /// As a file, because log messages have ceased, with the task that is under way.
     File(String, FtpTicket),
     /// All bytes are there, and the vehicle is asked for the check sum of its file.
     Checking(String, FtpTicket),
@@ -48,18 +53,6 @@ enum Route {
     Measuring(FtpTicket),
     /// Nothing is left to be asked; what came of the check sum.
     Checked(FileCheck),
-    /// By log messages, also where a file was not to be had.
-    Messages(Option<Text>),
-}
-
-/// What came of comparing check sums.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum FileCheck {
-    Same,
-    Other,
-    Grown,
-    /// The vehicle does not say.
-    Unknown,
 }
 
 impl Reading {
@@ -75,10 +68,12 @@ impl Reading {
     ) -> Result<Self, Text> {
         let known = desk.keeper.find(&first)?;
         let log = &first.log;
-        let transfer = Transfer::new(log.number, known.gaps, known.sample, desk.now);
+        let transfer = Transfer::new(log.number, known.gaps, known.samples, desk.now);
         let bytes = later.iter().map(|it| u64::from(it.size)).sum::<u64>() + u64::from(log.size);
         Ok(Self {
-            route: Route::first(&first.log, &files, transfer.gaps(), desk.ftp),
+            route: Route::Messages,
+            carrier: LogCarrier::Messages,
+            is_again: false,
             transfer,
             file: known.file,
             log: first,
@@ -145,7 +140,7 @@ impl Reading {
             Route::Checking(path, asked) if *asked == ticket => {
                 self.route = match event {
                     FtpEvent::Checksum(sum) => Route::Summed(path.clone(), sum),
-                    FtpEvent::Failed(_) => Route::Checked(FileCheck::Unknown),
+                    FtpEvent::Failed(fault) => Route::Checked(self.unchecked(fault)),
                     FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Complete(_) => return,
                 };
             }
@@ -153,7 +148,7 @@ impl Reading {
                 self.route = Route::Checked(match event {
                     FtpEvent::Complete(_) => FileCheck::Other,
                     FtpEvent::Failed(FtpFault::OtherSize(_)) => FileCheck::Grown,
-                    FtpEvent::Failed(_) => FileCheck::Unknown,
+                    FtpEvent::Failed(fault) => self.unchecked(fault),
                     FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Checksum(_) => return,
                 });
             }
@@ -162,8 +157,18 @@ impl Reading {
             | Route::Summed(..)
             | Route::Measuring(_)
             | Route::Checked(_)
-            | Route::Messages(_) => {}
+            | Route::Messages => {}
         }
+    }
+
+    /// A task for the check sum has failed.
+    fn unchecked(&mut self, fault: FtpFault) -> FileCheck {
+        let reason = Text::from(fault);
+        if fault == FtpFault::Silent {
+            // Later logs need not wait for it again.
+            self.files = LogFiles::none(reason.clone());
+        }
+        FileCheck::Unknown(Some(reason))
     }
 
     fn hear_file(&mut self, path: String, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
@@ -177,19 +182,14 @@ impl Reading {
                     self.route = Route::file(path, self.transfer.gaps(), ftp);
                 }
             }
-            FtpEvent::Complete(size) => {
-                let task = FtpTask::Checksum {
-                    path: path.clone(),
-                    size,
-                };
-                self.route = Route::Checking(path, ftp.ask(task));
+            FtpEvent::Complete(_) => {
+                self.carrier = LogCarrier::File;
+                self.route = self.checking(path, ftp);
             }
             FtpEvent::Failed(fault) => {
-                if fault == FtpFault::Silent {
-                    // Later logs need not wait for it again.
-                    self.files = LogFiles::none(fault.into());
-                }
-                self.route = Route::Messages(Some(fault.into()));
+                // Neither way is left for this log, unless messages come again.
+                self.files = LogFiles::none(fault.into());
+                self.route = Route::Messages;
                 self.transfer.resume(now);
             }
             FtpEvent::Listed(_) | FtpEvent::Checksum(_) => {}
@@ -202,7 +202,7 @@ impl Reading {
             Route::File(_, ticket) | Route::Checking(_, ticket) | Route::Measuring(ticket) => {
                 ftp.cancel(*ticket);
             }
-            Route::Summed(..) | Route::Checked(_) | Route::Messages(_) => {}
+            Route::Summed(..) | Route::Checked(_) | Route::Messages => {}
         }
     }
 
@@ -220,8 +220,15 @@ impl Reading {
     pub fn advance(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Ending> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();
-        let by_messages = matches!(self.route, Route::Messages(_));
-        let is_stalled = by_messages && self.transfer.is_stalled(desk.now);
+        let by_messages = matches!(self.route, Route::Messages);
+        let mut is_stalled = by_messages && self.transfer.is_stalled(desk.now);
+        if is_stalled
+            && !is_whole
+            && let Ok(path) = self.files.path(self.log.log.number)
+        {
+            self.route = Route::file(path.to_owned(), self.transfer.gaps(), desk.ftp);
+            is_stalled = false;
+        }
         let ends = is_whole || desk.vehicle.armed() || is_stalled;
         if ends || collected >= BLOCK || desk.now >= self.written_at + WRITE_EVERY {
             self.write(desk.keeper, desk.now).map_err(failed)?;
@@ -229,14 +236,14 @@ impl Reading {
         if is_whole {
             return self.finish(desk).map_err(failed);
         }
-        let kept = self.transfer.gaps().percent();
+        let (number, kept) = (self.log.log.number, self.transfer.gaps().percent());
         if desk.vehicle.armed() {
             self.leave(desk.ftp);
-            let text = text!("outcome-logs-armed", percent = kept);
+            let text = text!("outcome-logs-armed", number = number, percent = kept);
             return Err((RowState::Refused, text));
         }
         if is_stalled {
-            let text = text!("outcome-log-stalled", percent = kept);
+            let text = text!("outcome-log-stalled", number = number, percent = kept);
             return Err((RowState::TimedOut, text));
         }
         if by_messages {
@@ -254,8 +261,15 @@ impl Reading {
             self.leave(desk.ftp);
             return Ok(Some(self.whole(file, None)));
         }
-        let way = match &self.route {
+        let check = match &self.route {
             Route::File(..) | Route::Checking(..) | Route::Measuring(_) => return Ok(None),
+            Route::Messages => {
+                self.route = match self.files.path(self.log.log.number) {
+                    Ok(path) => self.checking(path.to_owned(), desk.ftp),
+                    Err(reason) => Route::Checked(FileCheck::Unknown(reason)),
+                };
+                return Ok(None);
+            }
             Route::Summed(path, sum) => {
                 let is_same = desk.keeper.checksum(&self.log)? == *sum;
                 self.route = if is_same {
@@ -265,19 +279,24 @@ impl Reading {
                 };
                 return Ok(None);
             }
-            Route::Checked(FileCheck::Other) => {
-                let reason = text!("outcome-log-other-sum");
-                self.begin_anew(reason, desk)?;
+            Route::Checked(FileCheck::Other) if !self.is_again => {
+                self.begin_anew(desk)?;
                 return Ok(None);
             }
-            Route::Checked(FileCheck::Same) => LogWay::CheckedFile,
-            Route::Checked(FileCheck::Grown) => LogWay::GrownFile,
-            Route::Checked(FileCheck::Unknown) => LogWay::File,
-            Route::Messages(None) => LogWay::Messages,
-            Route::Messages(Some(reason)) => LogWay::MessagesAfter(reason.clone()),
+            Route::Checked(check) => check.clone(),
         };
         let file = desk.keeper.finish(&self.log)?;
-        Ok(Some(self.whole(file, Some(way))))
+        let carrier = self.carrier;
+        Ok(Some(self.whole(file, Some(LogWay { carrier, check }))))
+    }
+
+    /// Asks for the check sum of the vehicle's file.
+    fn checking(&self, path: String, ftp: &mut FtpClient) -> Route {
+        let task = FtpTask::Checksum {
+            path: path.clone(),
+            size: self.log.log.size,
+        };
+        Route::Checking(path, ftp.ask(task))
     }
 
     fn whole(&self, file: String, way: Option<LogWay>) -> WholeLog {
@@ -286,23 +305,17 @@ impl Reading {
     }
 
     /// Reads all of it again, by log messages.
-    fn begin_anew(&mut self, reason: Text, desk: &Desk<'_>) -> Result<(), Text> {
+    fn begin_anew(&mut self, desk: &Desk<'_>) -> Result<(), Text> {
         let gaps = GapMap::new(self.log.log.size);
         desk.keeper.keep(&self.log, &[], &gaps)?;
-        self.transfer = Transfer::new(self.log.log.number, gaps, None, desk.now);
-        self.route = Route::Messages(Some(reason));
+        self.transfer = Transfer::new(self.log.log.number, gaps, Vec::new(), desk.now);
+        (self.route, self.carrier) = (Route::Messages, LogCarrier::Messages);
+        self.is_again = true;
         Ok(())
     }
 }
 
 impl Route {
-    fn first(log: &ListedLog, files: &LogFiles, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
-        match files.path(log.number) {
-            Ok(path) => Self::file(path.to_owned(), gaps, ftp),
-            Err(reason) => Self::Messages(reason),
-        }
-    }
-
     fn file(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
         let ticket = ask_for(path.clone(), gaps, ftp);
         Self::File(path, ticket)

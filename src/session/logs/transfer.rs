@@ -26,6 +26,9 @@ const LONGEST_WAIT: u32 = 2;
 /// Nothing more will come if there was nothing new for this long.
 const PATIENCE: Duration = Duration::from_secs(30);
 
+/// Gaps that are kept track of; bytes that would split one more are asked for later.
+const MOST_GAPS: usize = 10_000;
+
 /// A stream that was asked for.
 #[derive(Debug, Clone)]
 struct Stream {
@@ -41,7 +44,7 @@ pub(super) struct Transfer {
     number: u16,
     gaps: GapMap,
     /// What has to be the same as before.
-    sample: Option<FileBytes>,
+    samples: Vec<FileBytes>,
     stream: Option<Stream>,
     /// Pieces that were asked for, by their beginning: their end, and when.
     pieces: BTreeMap<u32, (u32, Duration)>,
@@ -50,8 +53,6 @@ pub(super) struct Transfer {
     news_at: Duration,
     fruitless: u8,
     bytes_per_s: f64,
-    /// New bytes since it began.
-    pub received: u32,
 }
 
 /// What a message meant for a transfer.
@@ -65,22 +66,21 @@ pub(super) enum Received {
 }
 
 impl Transfer {
-    /// Begins to read what is missing. If there is a `sample` of what was read before, that is read again first.
-    pub fn new(number: u16, mut gaps: GapMap, sample: Option<FileBytes>, now: Duration) -> Self {
-        if let Some(sample) = &sample {
+    /// Begins to read what is missing, and again what `samples` have of what was read before.
+    pub fn new(number: u16, mut gaps: GapMap, samples: Vec<FileBytes>, now: Duration) -> Self {
+        for sample in &samples {
             gaps.open(sample.range());
         }
         Self {
             number,
             gaps,
-            sample,
+            samples,
             stream: None,
             pieces: BTreeMap::new(),
             heard_at: now,
             news_at: now,
             fruitless: 0,
             bytes_per_s: SLOW,
-            received: 0,
         }
     }
 
@@ -97,8 +97,9 @@ impl Transfer {
     pub fn receive(&mut self, data: &LOG_DATA_DATA, now: Duration) -> Received {
         let count = u32::from(data.count).min(PIECE);
         let end = data.ofs.saturating_add(count).min(self.gaps.size());
-        // The end of a log that is shorter than listed has no bytes.
-        if data.id != self.number || data.ofs > end || count == 0 {
+        // The end of a log that is shorter than listed has no bytes. Short ones elsewhere would only leave gaps.
+        let is_short = count < PIECE && end < self.gaps.size() && !self.asked_until(end);
+        if data.id != self.number || data.ofs > end || count == 0 || is_short {
             return Received::Nothing;
         }
         self.pieces.remove(&data.ofs);
@@ -111,20 +112,30 @@ impl Transfer {
         self.take(bytes, now)
     }
 
+    /// Whether a request ended there.
+    fn asked_until(&self, end: u32) -> bool {
+        let stream = self.stream.as_ref().map(|it| it.range.end);
+        let mut pieces = self.pieces.values().map(|(end, _)| *end);
+        stream == Some(end) || pieces.any(|it| it == end)
+    }
+
     /// Takes in bytes that lie within the log, from wherever they come.
     pub fn take(&mut self, bytes: FileBytes, now: Duration) -> Received {
         if self.differs(&bytes) {
             *self = Self {
                 bytes_per_s: self.bytes_per_s,
-                ..Self::new(self.number, GapMap::new(self.gaps.size()), None, now)
+                ..Self::new(self.number, GapMap::new(self.gaps.size()), Vec::new(), now)
             };
             return Received::Other;
+        }
+        // Bytes all over a large log would make a list of gaps that is longer than the log.
+        if self.gaps.missing().len() >= MOST_GAPS && self.gaps.splits(&bytes.range()) {
+            return Received::Nothing;
         }
         let news = self.gaps.fill(bytes.range());
         if news == 0 {
             return Received::Nothing;
         }
-        self.received += news;
         self.fruitless = 0;
         self.news_at = now;
         Received::Bytes(bytes)
@@ -155,13 +166,13 @@ impl Transfer {
 
     /// Whether bytes are not those that were read before.
     fn differs(&self, bytes: &FileBytes) -> bool {
-        let Some(sample) = &self.sample else {
-            return false;
-        };
-        let (ours, theirs) = (sample.range(), bytes.range());
-        let both = ours.start.max(theirs.start)..ours.end.min(theirs.end);
-        both.clone().any(|at| {
-            sample.bytes[(at - ours.start) as usize] != bytes.bytes[(at - theirs.start) as usize]
+        self.samples.iter().any(|sample| {
+            let (ours, theirs) = (sample.range(), bytes.range());
+            let mut both = ours.start.max(theirs.start)..ours.end.min(theirs.end);
+            both.any(|at| {
+                let theirs = bytes.bytes[(at - theirs.start) as usize];
+                sample.bytes[(at - ours.start) as usize] != theirs
+            })
         })
     }
 
@@ -238,7 +249,7 @@ impl Transfer {
         let pieces = self.gaps.missing().iter().flat_map(|gap| {
             let end = gap.end;
             let starts = gap.clone().step_by(PIECE as usize);
-            starts.map(move |start| start..end.min(start + PIECE))
+            starts.map(move |start| start..end.min(start.saturating_add(PIECE)))
         });
         let due: Vec<Range<u32>> = pieces
             .filter(|piece| !self.pieces.contains_key(&piece.start))

@@ -48,31 +48,47 @@ pub(super) struct WholeLog {
     pub way: Option<LogWay>,
 }
 
-/// How a log came.
+/// How a log came, and whether it is the vehicle's.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum LogWay {
-    /// As a file whose check sum is that of the vehicle.
-    CheckedFile,
-    /// As a file; the vehicle gives no check sum.
-    File,
-    /// As a file that the vehicle has added to since: its check sum says nothing of what was listed.
-    GrownFile,
+pub(super) struct LogWay {
+    pub carrier: LogCarrier,
+    pub check: FileCheck,
+}
+
+/// What carried the last bytes of a log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LogCarrier {
     Messages,
-    /// By log messages, after files failed for a reason.
-    MessagesAfter(Text),
+    File,
+}
+
+/// What came of comparing the check sum with that of the vehicle's file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum FileCheck {
+    Same,
+    /// It differs, although the log was read twice.
+    Other,
+    /// The vehicle has added to the file since: its check sum says nothing of what was listed.
+    Grown,
+    /// The vehicle gives none, and why; no reason if it hands out no files.
+    Unknown(Option<Text>),
 }
 
 impl LogWay {
     fn words(&self) -> Text {
-        match self {
-            Self::CheckedFile => text!("outcome-log-files-checked"),
-            Self::File => text!("outcome-log-files"),
-            Self::GrownFile => text!("outcome-log-files-grown"),
-            Self::Messages => text!("outcome-log-messages"),
-            Self::MessagesAfter(reason) => {
-                text!("outcome-log-messages-after", reason = reason)
-            }
-        }
+        let carrier = match self.carrier {
+            LogCarrier::Messages => text!("outcome-log-by-messages"),
+            LogCarrier::File => text!("outcome-log-by-file"),
+        };
+        let check = match &self.check {
+            FileCheck::Same => Some(text!("outcome-log-sum-same")),
+            FileCheck::Other => Some(text!("outcome-log-sum-other")),
+            FileCheck::Grown => Some(text!("outcome-log-sum-grown")),
+            FileCheck::Unknown(reason) => reason
+                .as_ref()
+                .map(|reason| text!("outcome-log-sum-none", reason = reason)),
+        };
+        Text::joined(", ", [Some(carrier), check].into_iter().flatten().collect())
     }
 }
 

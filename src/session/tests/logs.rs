@@ -23,6 +23,8 @@ mod files;
 struct Memory {
     parts: Mutex<BTreeMap<u16, (Vec<u8>, GapMap)>>,
     whole: Mutex<BTreeMap<u16, Vec<u8>>>,
+    /// The most gaps that were kept.
+    kept_gaps: Mutex<usize>,
 }
 
 impl LogKeeper for Memory {
@@ -31,7 +33,7 @@ impl LogKeeper for Memory {
         let Some((bytes, gaps)) = parts.get(&log.log.number) else {
             return Ok(KeptLog {
                 gaps: GapMap::new(log.log.size),
-                sample: None,
+                samples: Vec::new(),
                 file: None,
             });
         };
@@ -43,12 +45,17 @@ impl LogKeeper for Memory {
         };
         Ok(KeptLog {
             gaps: gaps.clone(),
-            sample: (known > 0).then_some(sample),
+            samples: Some(sample).filter(|_| known > 0).into_iter().collect(),
             file: None,
         })
     }
 
     fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text> {
+        let mut most = self.kept_gaps.lock().expect("no panic");
+        *most = gaps.missing().len().max(*most);
+        if log.log.size == u32::MAX {
+            return Ok(());
+        }
         let mut parts = self.parts.lock().expect("no panic");
         let part = parts.entry(log.log.number);
         let (part, known) = part.or_insert_with(|| (vec![0; log.log.size as usize], gaps.clone()));
@@ -93,6 +100,8 @@ struct Shelf {
     /// Messages of a stream in 10 ms.
     rate: usize,
     requests: usize,
+    /// Requests that are answered; later ones are not.
+    answers: usize,
     /// Bytes that log messages have carried.
     carried: usize,
     /// The files, if the vehicle hands them out.
@@ -117,6 +126,7 @@ impl Shelf {
             sending: None,
             rate: 4,
             requests: 0,
+            answers: usize::MAX,
             carried: 0,
             server: FileServer::default(),
         }
@@ -182,6 +192,9 @@ impl Shelf {
                 MavMessage::LOG_REQUEST_LIST(asked) => self.list(asked.start, asked.end),
                 MavMessage::LOG_REQUEST_DATA(asked) if self.sending.is_none() => {
                     self.requests += 1;
+                    if self.requests > self.answers {
+                        continue;
+                    }
                     let size = self.logs[usize::from(asked.id) - 1].len() as u32;
                     let end = asked.ofs.saturating_add(asked.count).min(size);
                     self.sending = Some((asked.id, asked.ofs..end));
@@ -338,7 +351,7 @@ fn a_download_that_was_broken_off_goes_on_unless_it_is_another_log() {
         assert_eq!(row.state, RowState::Refused);
         let words = row.explanation.expect("words").to_string();
         assert!(
-            words.contains(": 60 %") || words.contains(": 61 %"),
+            words.contains(": 60 % of log 1") || words.contains(": 61 % of log 1"),
             "{words}"
         );
         shelf.sending = None;
@@ -356,6 +369,33 @@ fn a_download_that_was_broken_off_goes_on_unless_it_is_another_log() {
         let bytes = (shelf.passed - before) * 90;
         assert!(bytes < most, "{bytes} bytes");
     }
+}
+
+#[test]
+fn a_download_is_stopped_and_goes_on_later() {
+    let mut shelf = Shelf::new(vec![log(50_000, 2)]);
+    shelf.download(LogChoice::Last);
+    while shelf.last_row().state != RowState::InProgress(30) {
+        shelf.step();
+    }
+    shelf.order(LogCommand::Stop);
+    shelf.step();
+    let states: Vec<_> = shelf.scene.rows.iter().rev().take(2).collect();
+    assert_eq!(states[0].state, RowState::Done);
+    assert_eq!(states[1].state, RowState::Superseded);
+    let requests = shelf.requests;
+    shelf.sending = None;
+    shelf.until_over(ms(3000));
+    assert_eq!(shelf.requests, requests);
+    shelf.order(LogCommand::Stop);
+    shelf.step();
+    assert_eq!(shelf.last_row().state, RowState::Refused);
+    shelf.carried = 0;
+    shelf.download(LogChoice::Last);
+    shelf.step();
+    shelf.until_over(ms(10_000));
+    assert_eq!(shelf.last_row().state, RowState::Done);
+    assert!(shelf.kept(1) == log(50_000, 2) && shelf.carried < 40_000);
 }
 
 #[test]
@@ -388,6 +428,60 @@ fn logs_are_refused_while_armed_and_where_they_cannot_be_kept() {
     scene.session.order(order, scene.now);
     scene.collect();
     assert_eq!(scene.rows.last().expect("a row").state, RowState::Refused);
+}
+
+#[test]
+fn the_highest_number_of_logs_is_listed() {
+    let mut shelf = Shelf::new(vec![log(100, 1)]);
+    shelf.order(LogCommand::List);
+    for id in 1..=u16::MAX {
+        let entry = LOG_ENTRY_DATA {
+            time_utc: 0,
+            size: 1,
+            id,
+            num_logs: u16::MAX,
+            last_log_num: u16::MAX,
+        };
+        shelf.scene.pass(Duration::ZERO);
+        shelf.scene.hear(MavMessage::LOG_ENTRY(entry));
+    }
+    shelf.scene.pass(ms(10));
+    assert_eq!(shelf.last_row().state, RowState::Done);
+    assert!(
+        shelf
+            .explanation()
+            .starts_with("65535 logs, 65.5 kB: 65535")
+    );
+}
+
+#[test]
+fn bytes_all_over_a_huge_log_make_no_endless_list() {
+    let mut shelf = Shelf::new(vec![Vec::new()]);
+    shelf.download(LogChoice::Number(1));
+    let entry = LOG_ENTRY_DATA {
+        time_utc: 0,
+        size: u32::MAX,
+        id: 1,
+        num_logs: 1,
+        last_log_num: 1,
+    };
+    shelf.scene.pass(Duration::ZERO);
+    shelf.scene.hear(MavMessage::LOG_ENTRY(entry));
+    shelf.scene.pass(ms(10));
+    for (step, count) in [(2, 1), (180, 90)] {
+        for place in 0..20_000 {
+            let data = LOG_DATA_DATA {
+                ofs: place * step,
+                id: 1,
+                count,
+                ..LOG_DATA_DATA::DEFAULT
+            };
+            shelf.scene.hear(MavMessage::LOG_DATA(data));
+        }
+        shelf.scene.pass(Duration::from_secs(2));
+    }
+    let parts = shelf.keeper.kept_gaps.lock().expect("kept");
+    assert!(*parts > 5000 && *parts <= 10_000, "{parts} gaps");
 }
 
 proptest! {

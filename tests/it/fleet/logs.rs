@@ -104,7 +104,7 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
     for id in all {
         console.until_done(order, id).await;
     }
-    let by_files = "by MAVFTP, check sum verified";
+    let by_files = "by log messages, check sum verified";
     for id in all {
         let words = console.explanation(order, id);
         assert!(words.contains(by_files), "{words}");
@@ -173,8 +173,11 @@ async fn a_vehicle_that_hands_out_no_files_sends_its_log_in_messages() {
     let mut all = Vec::new();
     // The option is heard of after the next connection; until then nothing answers.
     for (way, parameter) in [
-        ("by MAVFTP, check sum verified", "param set BRD_OPTIONS 2"),
-        ("by log messages after MAVFTP (no answer)", ""),
+        (
+            "by log messages, check sum verified",
+            "param set BRD_OPTIONS 2",
+        ),
+        ("by log messages, no check sum: no answer", ""),
         ("by log messages", ""),
     ] {
         let folder = data.path().join(all.len().to_string());

@@ -1,0 +1,96 @@
+//! Files of logs, off the event loop: a slow disk or network folder must hold up no other vehicle.
+
+use std::sync::Arc;
+
+use tokio::runtime::{Handle, RuntimeFlavor};
+use tokio::task::block_in_place;
+
+use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, VehicleLog};
+use crate::text::Text;
+
+/// A keeper whose work blocks only the vehicle that it is for.
+#[derive(Debug)]
+pub(super) struct BlockingKeeper(pub Arc<dyn LogKeeper>);
+
+impl LogKeeper for BlockingKeeper {
+    fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text> {
+        off_the_loop(|| self.0.find(log))
+    }
+
+    fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text> {
+        off_the_loop(|| self.0.keep(log, bytes, gaps))
+    }
+
+    fn checksum(&self, log: &VehicleLog) -> Result<u32, Text> {
+        off_the_loop(|| self.0.checksum(log))
+    }
+
+    fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
+        off_the_loop(|| self.0.finish(log))
+    }
+}
+
+/// Does blocking work while other threads go on with the other tasks.
+fn off_the_loop<T>(work: impl FnOnce() -> T) -> T {
+    let flavor = Handle::try_current().map(|it| it.runtime_flavor());
+    match flavor {
+        Ok(RuntimeFlavor::MultiThread) => block_in_place(work),
+        // A runtime of one thread has no other to hand its tasks to.
+        Ok(_) | Err(_) => work(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+
+    use super::*;
+    use crate::session::ListedLog;
+
+    /// A disk that answers only after another task has run.
+    #[derive(Debug)]
+    struct SlowDisk(std::sync::Mutex<mpsc::Receiver<()>>);
+
+    impl LogKeeper for SlowDisk {
+        fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text> {
+            let other = self.0.lock().expect("no panic");
+            other.recv().expect("the other task runs meanwhile");
+            Ok(KeptLog {
+                gaps: GapMap::new(log.log.size),
+                samples: Vec::new(),
+                file: None,
+            })
+        }
+
+        fn keep(&self, _: &VehicleLog, _: &[FileBytes], _: &GapMap) -> Result<(), Text> {
+            Ok(())
+        }
+
+        fn checksum(&self, _: &VehicleLog) -> Result<u32, Text> {
+            Ok(0)
+        }
+
+        fn finish(&self, _: &VehicleLog) -> Result<String, Text> {
+            Ok(String::new())
+        }
+    }
+
+    #[tokio::test(flavor = "multi_thread", worker_threads = 1)]
+    async fn a_slow_disk_holds_up_no_other_task() {
+        let (sender, receiver) = mpsc::channel();
+        let keeper = BlockingKeeper(Arc::new(SlowDisk(receiver.into())));
+        let log = VehicleLog {
+            vehicle: 1,
+            log: ListedLog {
+                number: 1,
+                size: 100,
+                time_utc_s: 0,
+            },
+            folder: None,
+        };
+        let reading = tokio::spawn(async move { keeper.find(&log) });
+        let other = tokio::spawn(async move { sender.send(()) });
+        assert!(other.await.expect("it ran").is_ok());
+        assert!(reading.await.expect("it ended").is_ok());
+    }
+}
