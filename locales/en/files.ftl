@@ -20,6 +20,7 @@ file-keymap = keymap
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 
+record-under-way = this flight is not over: its debrief comes when it has ended
 record-none = not a recorded run: the console records every mission, and `sortie run --record DIR` writes a run to a folder
 record-version = this run was recorded in format version { $version }; this program reads version { $known }: use the program that recorded it
 record-head = the first line is damaged: { $error }

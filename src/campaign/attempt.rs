@@ -137,12 +137,12 @@ impl Attempt {
         self.stake != self.wanted
     }
 
-    /// The same layout again. A layout seen before is practice, unless it is common to all trainees.
+    /// The same layout again. A layout seen before is practice; that of a day counts once a day in any case.
     #[must_use]
     pub fn repeated(self) -> Self {
         let stake = match self.stake {
-            Stake::Exam | Stake::Daily => self.stake,
-            Stake::Graded | Stake::Practice => Stake::Practice,
+            Stake::Daily => self.stake,
+            Stake::Exam | Stake::Graded | Stake::Practice => Stake::Practice,
         };
         Self { stake, ..self }
     }
@@ -240,7 +240,12 @@ impl AttemptTerms<'_> {
     /// The seed that the circumstances require; `None` for any.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
-            Stake::Exam => Some(exam_seed(&self.mission.id, self.mission.rev)),
+            Stake::Exam => {
+                let mission = &self.mission;
+                let standing = self.trainee.as_ref().map(|it| it.standing);
+                let taken = standing.map_or(0, |standing| standing.exams(&mission.id));
+                Some(exam_seed(&mission.id, mission.rev, taken))
+            }
             Stake::Daily => Some(daily_seed(self.day)),
             Stake::Graded => self.seed.or_else(|| self.fresh_seed()),
             Stake::Practice => self.seed,

@@ -5,13 +5,15 @@ pub fn daily_seed(day: i64) -> u64 {
     mixed(day as u64 ^ 0x7361_696c_7964_6179)
 }
 
-/// The seed of a mission's exam: the same for all trainees and for good, until the mission is revised.
-pub fn exam_seed(mission: &str, revision: u32) -> u64 {
-    mission
+/// The seed of a mission's exam: the same for all trainees and for good, until the mission is revised. After each exam
+/// that a trainee has taken of it, another one, because the debrief has shown the truth of the last.
+pub fn exam_seed(mission: &str, revision: u32, taken: u32) -> u64 {
+    let first = mission
         .bytes()
         .fold(mixed(u64::from(revision)), |seed, byte| {
             mixed(seed ^ u64::from(byte))
-        })
+        });
+    (0..taken).fold(first, |seed, _| mixed(seed ^ u64::from(taken)))
 }
 
 /// Scatters neighbouring values (the finaliser of `SplitMix64`). Small enough to be typed.

@@ -37,6 +37,8 @@ pub struct Best {
     pub medal: Option<Medal>,
     /// The best exam result, if one was taken.
     pub exam: Option<ExamResult>,
+    /// The number of exams taken.
+    exams: u32,
     /// The most drones in a flight with at least silver.
     silver_with: u8,
     /// The same for gold.
@@ -253,6 +255,11 @@ impl CareerStanding {
         self.missions.get(mission)
     }
 
+    /// The number of exams that were taken of a mission, also those that were left.
+    pub fn exams(&self, mission: &str) -> u32 {
+        self.best(mission).map_or(0, |best| best.exams)
+    }
+
     /// Whether a mission was passed.
     pub fn has_passed(&self, mission: &str) -> bool {
         self.best(mission).is_some_and(|best| best.passed.is_some())
@@ -303,6 +310,7 @@ impl Best {
         }
         self.medal = self.medal.max(flight.medal);
         if flight.stake == Stake::Exam {
+            self.exams += 1;
             self.exam = self.exam.max(Some(ExamResult {
                 passed: flight.passed,
                 score: flight.score,

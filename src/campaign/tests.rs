@@ -401,9 +401,11 @@ fn one_flight_moves_a_skill_a_quarter_at_most_however_often_it_shows_it() {
 fn common_seeds_differ_by_day_and_mission() {
     let days: BTreeSet<u64> = (20_000..20_400).map(daily_seed).collect();
     assert!(days.len() >= 399);
-    assert_ne!(exam_seed("one", 1), exam_seed("two", 1));
-    assert_ne!(exam_seed("one", 1), exam_seed("one", 2));
-    assert_eq!(exam_seed("one", 1), exam_seed("one", 1));
+    assert_ne!(exam_seed("one", 1, 0), exam_seed("two", 1, 0));
+    assert_ne!(exam_seed("one", 1, 0), exam_seed("one", 2, 0));
+    assert_eq!(exam_seed("one", 1, 0), exam_seed("one", 1, 0));
+    let tries: BTreeSet<u64> = (0..50).map(|taken| exam_seed("one", 1, taken)).collect();
+    assert_eq!(tries.len(), 50);
 }
 
 #[test]

@@ -52,6 +52,10 @@ pub(super) fn debrief(
     };
     let text = store::read_run(&path).map_err(|error| faulty(error.to_string().into()))?;
     let stored = Stored::read(&text).map_err(faulty)?;
+    // The debrief shows the truth, which the flight is about.
+    if stored.end().is_none() && store::is_run_written(&path) {
+        return Err(faulty(text!("record-under-way")));
+    }
     let again = stored.rescore().map_err(faulty)?;
     if let Some(damage) = &stored.damage {
         tell!("sortie: {name}: {}", locale.text(damage));

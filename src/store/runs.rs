@@ -239,6 +239,11 @@ pub(super) fn run_id(path: &Path) -> &str {
 }
 
 /// Whether a file has the name of a run.
+/// Whether a program still writes a run.
+pub fn is_run_written(path: &Path) -> bool {
+    is_written(path)
+}
+
 fn is_run(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut stamp = name.bytes().zip(STAMP.bytes());

@@ -4,7 +4,7 @@ mod check;
 mod designs;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use crate::terminal::program;
@@ -179,6 +179,38 @@ fn a_drill_is_flown_by_its_number() {
     assert!(said.starts_with("Drill: upwind\n"), "{said}");
     // The mission gets no messages, so it is not passed.
     assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
+}
+
+#[test]
+fn a_flight_that_is_not_over_has_no_debrief() {
+    let folder = folder_with(&[]);
+    let runs = folder.path().join("runs");
+    let record = runs.to_string_lossy();
+    let arguments = ["run", "d00", "--pilot", "d00", "--record", &record];
+    let flown = sortie_in(folder.path(), &arguments);
+    assert!(flown.status.success(), "{}", text(&flown.stderr));
+    let mut entries = fs::read_dir(&runs).expect("recorded").flatten();
+    let is_run = |path: &PathBuf| path.to_string_lossy().ends_with(".run.jsonl");
+    let path = entries.find_map(|it| Some(it.path()).filter(is_run));
+    let path = path.expect("a run").to_string_lossy().into_owned();
+    let whole = fs::read_to_string(&path).expect("written");
+    let lines: Vec<&str> = whole.lines().collect();
+    let unfinished = lines[..lines.len() - 1].join("\n") + "\n";
+    fs::write(&path, unfinished).expect("written");
+    let writing = fs::File::open(&path).expect("there");
+    writing.lock().expect("no other console has it");
+    for format in [
+        &["debrief", path.as_str()][..],
+        &["debrief", "--json", &path],
+    ] {
+        let refused = sortie_in(folder.path(), format);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(refused.stdout.is_empty());
+        assert!(text(&refused.stderr).contains("this flight is not over"));
+    }
+    drop(writing);
+    let shown = sortie_in(folder.path(), &["debrief", &path]);
+    assert!(!shown.stdout.is_empty());
 }
 
 #[test]

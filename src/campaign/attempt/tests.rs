@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::*;
-use crate::campaign::Offer;
+use crate::campaign::{CareerEntry, CareerFlight, Offer};
 
 const FIRST_FLIGHT: &str = include_str!("../../../missions/00-first-flight.toml");
 const FORMATION: &str = include_str!("../../../missions/02-formation.toml");
@@ -63,13 +63,41 @@ fn a_try_counts_as_wanted_on_the_layout_of_its_stake() {
     for (wanted, seed) in [
         (Stake::Graded, 77),
         (Stake::Practice, FIRST_SEED),
-        (Stake::Exam, exam_seed(&open.id, open.rev)),
+        (Stake::Exam, exam_seed(&open.id, open.rev, 0)),
         (Stake::Daily, daily_seed(20_000)),
     ] {
         let attempt = trainee.terms(wanted).decide();
         assert_eq!((attempt.stake, attempt.seed), (wanted, seed));
         assert!(!attempt.is_reduced());
     }
+}
+
+#[test]
+fn an_exam_that_was_taken_is_never_given_again() {
+    let mut trainee = Newcomer::new();
+    let first = trainee.terms(Stake::Exam).decide();
+    // Restarted at once, the layout is known: that is practice.
+    assert_eq!(first.repeated().stake, Stake::Practice);
+    let left = CareerFlight {
+        mission: trainee.open.id.clone(),
+        drill_of: None,
+        tier: 0,
+        reward: 0,
+        vehicles: 1,
+        stake: Stake::Exam,
+        flown_by: None,
+        day: 20_000,
+        score: 0,
+        passed: false,
+        medal: None,
+        evidence: Vec::new(),
+        wear: 0,
+        imported: false,
+    };
+    trainee.standing.enter(&CareerEntry::Flight(left));
+    let second = trainee.terms(Stake::Exam).decide();
+    assert_eq!(second.stake, Stake::Exam);
+    assert_ne!(second.seed, first.seed);
 }
 
 #[test]

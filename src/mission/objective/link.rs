@@ -17,6 +17,8 @@ use crate::text;
 struct LinkObjective {
     zone: Zone,
     margin_db: f64,
+    /// Vehicles above this height do not count.
+    max_height_m: Option<f64>,
     /// The vehicle seconds required in the zone.
     needed: Duration,
     /// The share of that time with a good link.
@@ -32,11 +34,17 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
     let margin_db = table.need("margin", number(-20.0, 60.0, "dB"), "minimum link margin");
+    let max_height_m = table.may(
+        "max_height",
+        number(1.0, 1000.0, "m"),
+        "vehicles that fly higher do not count; without it, all do",
+    );
     let time = seconds(1.0, LONGEST_S);
     let needed = table.need("time", time, "time in the zone, all vehicles together");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(LinkObjective {
         margin_db: margin_db?,
+        max_height_m,
         zone: zone?,
         needed: needed?,
         target: target?,
@@ -83,10 +91,9 @@ impl Tracker for LinkTracker {
             .iter()
             .filter(|craft| craft.airborne && !craft.lost)
         {
-            if craft
-                .truly_at()
-                .is_some_and(|at| self.link.zone.shape.contains(at))
-            {
+            let most_m = self.link.max_height_m.unwrap_or(f64::INFINITY);
+            let at = craft.truly_at().filter(|_| craft.height_m <= most_m);
+            if at.is_some_and(|at| self.link.zone.shape.contains(at)) {
                 self.inside += TICK;
                 let margin_db = scene.margins_db.get(&craft.id);
                 if margin_db.is_none_or(|margin_db| *margin_db >= self.link.margin_db) {

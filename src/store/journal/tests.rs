@@ -197,7 +197,7 @@ fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
 fn the_exam_seed() -> u64 {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Mission::parse(source).expect("no faults");
-    exam_seed(&mission.id, mission.rev)
+    exam_seed(&mission.id, mission.rev, 0)
 }
 
 #[test]

@@ -196,9 +196,9 @@ proptest! {
         shelf.rate = rate;
         shelf.download(LogChoice::Last);
         shelf.until_over(Duration::from_secs(600));
-        if answers == usize::MAX || refuses_from.is_none() {
-            prop_assert_eq!(shelf.last_row().state, RowState::Done);
-            prop_assert!(shelf.kept(1) == log(len, 7));
-        }
+        // Where messages cease, files may have failed before.
+        let is_done = shelf.last_row().state == RowState::Done;
+        prop_assert!(is_done || answers < usize::MAX);
+        prop_assert!(!is_done || shelf.kept(1) == log(len, 7));
     }
 }

@@ -160,8 +160,9 @@ impl Claims<'_> {
             day,
             random: None,
         };
-        let has_other_seed =
-            stake == Stake::Exam && report.seed != exam_seed(&report.mission, report.revision);
+        let taken = self.standing.exams(&report.mission);
+        let has_other_seed = stake == Stake::Exam
+            && report.seed != exam_seed(&report.mission, report.revision, taken);
         let mut reasons = terms.practice_reasons();
         reasons.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
         reasons
