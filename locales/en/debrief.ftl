@@ -115,4 +115,4 @@ workload-figures = from { $commands ->
     }: you were busy for { $interaction } s; the drones worked by themselves for { $neglect } s and waited for { $wait } s, all together
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
-workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers, as in `workload 3`. Never scored.
+workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers, never scored

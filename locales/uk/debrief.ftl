@@ -112,4 +112,4 @@ workload-how = частка останньої хвилини, зайнята к
 workload-figures = команд: { $commands }; ви були зайняті { $interaction } s; дрони разом працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
-workload-question = Наскільки ви завантажені, від 1 (майже нічого) до 5 (забагато)? { $key } відповідає, як-от `workload 3`. Не оцінюється.
+workload-question = Ваша завантаженість, від 1 (майже нічого) до 5 (забагато)? { $key } відповідає.

@@ -37,6 +37,9 @@ pub(super) struct VerifyArguments {
     json: bool,
 }
 
+/// The exit code of a flight that cannot be flown again, and whose telemetry gives the recorded score.
+const RESCORED: u8 = 3;
+
 /// The result of a verification.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -57,6 +60,9 @@ enum Verdict {
 #[derive(Debug, Serialize)]
 struct VerifyDocument {
     verdict: Verdict,
+    /// The id of the mission that was compared, and its seed; `None` without a mission.
+    mission: Option<String>,
+    seed: Option<u64>,
     /// The score that follows from the record; `None` without a mission.
     score: Option<u16>,
     /// The score that the record states.
@@ -144,7 +150,7 @@ pub(super) fn verify(
     } else {
         say!("{}", locale.text(&document.words))?;
     }
-    Ok(ExitCode::from(u8::from(!document.is_good)))
+    Ok(document.exit_code())
 }
 
 fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFiles, Failure> {
@@ -205,12 +211,14 @@ fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDoc
         MissionFile::Course | MissionFile::Own => true,
         MissionFile::OtherRevision | MissionFile::Altered => false,
     };
-    let document = if !is_known {
+    // The head names the mission apart from its text.
+    let is_named = head.mission == mission.id;
+    let document = if !is_known || !is_named {
         let hash = format!("{:016x}", crate::hash::fnv1a(head.source.as_bytes()));
         VerifyDocument {
             words: text!(
                 "verify-other-mission",
-                mission = mission.id.as_str(),
+                mission = head.mission.as_str(),
                 hash = hash
             ),
             ..VerifyDocument::new(Verdict::OtherMission, program)
@@ -221,6 +229,8 @@ fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDoc
             None => VerifyDocument {
                 words: text!(
                     "verify-verified",
+                    mission = mission.id.as_str(),
+                    seed = head.seed.to_string(),
                     score = verification.rescored.report.score
                 ),
                 is_good: true,
@@ -232,6 +242,8 @@ fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDoc
         rescored(&stored.rescore()?, head.backend, program)
     };
     Ok(VerifyDocument {
+        mission: Some(mission.id.clone()),
+        seed: Some(head.seed),
         score: Some(stored.rescore()?.report.score),
         recorded_score: stored.end().map(|end| end.score),
         flown_by: head.flown_by.map(FlyingHand::from),
@@ -259,6 +271,8 @@ impl VerifyDocument {
     fn new(verdict: Verdict, program: String) -> Self {
         Self {
             verdict,
+            mission: None,
+            seed: None,
             score: None,
             recorded_score: None,
             at_s: None,
@@ -270,6 +284,13 @@ impl VerifyDocument {
             witnessed: None,
             words: Text::default(),
             is_good: false,
+        }
+    }
+
+    fn exit_code(&self) -> ExitCode {
+        match (self.is_good, self.verdict) {
+            (true, Verdict::Rescored) => ExitCode::from(RESCORED),
+            (is_good, _) => ExitCode::from(u8::from(!is_good)),
         }
     }
 

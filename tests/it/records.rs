@@ -329,6 +329,7 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     };
     let good = verify(0);
     assert_eq!(good["verdict"], "verified");
+    assert_eq!(good["seed"], 1);
     assert_eq!(
         (&good["score"], &good["flown_by"]),
         (&good["recorded_score"], &"bundled".into())
@@ -338,6 +339,7 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     for (from, to, verdict) in [
         ("weights = {", "weights = { ", "other_mission"),
         ("\"seed\":1,", "\"seed\":2,", "differs"),
+        ("\"mission\":\"", "\"mission\":\"x", "other_mission"),
         (
             "{\"tick\":{\"t\":40000,",
             "{\"tick\":{\"t\":39900,",
@@ -357,4 +359,9 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     fs::write(&file, &record).expect("it is written");
     fs::remove_file(name.replace(".run.", ".inputs.")).expect("it was there");
     assert_eq!(verify(1)["verdict"], "rescored");
+    // Called one of ArduPilot, it is taken at its word, but not as verified.
+    let relabelled = record.replacen("\"backend\":\"embedded\"", "\"backend\":\"ardupilot\"", 1);
+    assert_ne!(relabelled, record);
+    fs::write(&file, relabelled).expect("it is written");
+    assert_eq!(verify(3)["verdict"], "rescored");
 }
