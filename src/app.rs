@@ -73,7 +73,7 @@ impl Default for Setup {
     }
 }
 
-/// The console: its state, which only [`App::update`] changes.
+/// The console. Only [`App::update`] changes its state.
 #[derive(Debug, Clone)]
 pub struct App {
     state: State,

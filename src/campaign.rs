@@ -1,8 +1,8 @@
 //! A trainee's career: unlocks, earnings, possessions and skills.
 //!
-//! A career is a history of [`CareerEntry`]s, flights and purchases, which is append-only. Everything else follows
-//! from it: [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills, so that the
-//! figures are always consistent and a corrected formula applies to past flights too. Every figure can be traced to
+//! A career is an append-only history of [`CareerEntry`]s, which are flights and purchases. Everything else follows
+//! from it: [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills. The figures
+//! are therefore always consistent, and a corrected formula applies to past flights too. Every figure can be traced to
 //! its entries.
 
 mod aids;
@@ -54,7 +54,7 @@ pub enum CareerEntry {
     Purchase(Purchase),
 }
 
-/// A finished flight in a career. It stores the mission's rewards, so that later changes of the mission do not affect
+/// A finished flight in a career. It stores the mission's rewards, so that later changes to the mission do not affect
 /// it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CareerFlight {

@@ -89,7 +89,7 @@ pub struct CliArguments {
 
 #[derive(Debug, Subcommand)]
 enum CliCommand {
-    /// Starts a mission, or free flight without one.
+    /// Starts a mission, or free flight if none is named.
     Fly(fly::FlyArguments),
     /// Connects the console to running vehicles.
     #[command(after_help = "Examples:\n  \
@@ -102,11 +102,10 @@ enum CliCommand {
         /// serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
-        /// The vehicles that belong to the swarm, such as 1-4,7: `all` does not address any other vehicle that is
-        /// heard.
+        /// Limit the swarm to these vehicles, such as 1-4,7: `all` does not address any other vehicle in contact.
         #[arg(long, value_name = "IDS", value_parser = vehicle_ids)]
         expect: Option<String>,
-        /// Print lines of text instead of a screen: for screen readers and pipes.
+        /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
     },
@@ -119,17 +118,17 @@ enum CliCommand {
     Records(records::RecordsArguments),
     /// Flies a mission with a pilot script, without a console, and prints the debrief.
     Run(run::RunArguments),
-    /// Flies a recorded flight again in the embedded simulator and says whether the record follows from it.
+    /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
     /// Serves the embedded simulator to any ground station.
     Sim(sim::SimArguments),
-    /// Checks this machine and says how to repair what is missing: terminal, folders, SITL, ports.
+    /// Checks this machine (terminal, folders, SITL, ports) and shows how to fix each problem.
     Doctor(doctor::DoctorArguments),
-    /// Runs ArduPilot SITL processes on this host as a service; prints how to start one by hand.
+    /// Runs ArduPilot SITL processes on this host as a service, or prints how to start one by hand.
     Hangar(Box<hangar::HangarArguments>),
-    /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
+    /// Checks missions, pilot scripts, themes, keymaps and configurations, and prints each fault with its line and
     /// column.
     #[command(after_help = "Examples:\n  \
                             sortie check missions/*.toml missions/pilots/*.pilot\n  \
@@ -144,7 +143,7 @@ enum CliCommand {
     Workshop(workshop::WorkshopArguments),
     /// Prints every setting and its source: flag, environment, file or default.
     Config(config::ConfigArguments),
-    /// Measures the cost of the program in time, bytes and memory.
+    /// Measures how much time, output and memory the program uses.
     #[command(subcommand)]
     Bench(bench::BenchCommand),
     /// Prints the completions of this command line for a shell.

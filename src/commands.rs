@@ -67,22 +67,23 @@ pub enum Command {
     Device(DeviceCommand),
     Query(QueryCommand),
     Parameter(ParameterCommand),
-    /// The logs that the vehicle keeps of its flights.
+    /// The logs that the vehicle stores of its flights.
     Log(LogCommand),
     /// Sent as typed, without interpretation.
     Raw(RawCommand),
 }
 
 impl Command {
-    /// The messages for `vehicle` in its present state.
+    /// The messages for `vehicle` in its current state.
     ///
-    /// Relative commands (an offset, the present height) are resolved here from the vehicle's state, so call it once
+    /// Relative commands (an offset, the current height) are resolved here from the vehicle's state, so call it once
     /// per transaction and resend the same messages for another attempt ([`Request::again`]): a second call would move
     /// the target.
     ///
     /// # Errors
     /// A text if it is not possible for this vehicle now: a mode that its class lacks, a setpoint outside GUIDED
-    /// (ArduCopter would ignore it silently), a relative target without a position, a value that is no finite number.
+    /// (ArduCopter would ignore it silently), a relative target without a position, a value that is not a finite
+    /// number.
     pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
         let long = |fields| Request::long(vehicle, &fields, confirmation);
         match self {
@@ -92,7 +93,7 @@ impl Command {
             Self::Device(command) => long(command.fields(vehicle)?),
             Self::Query(command) => long(command.fields()),
             Self::Parameter(command) => command.request(vehicle),
-            // A session reads logs beside its commands.
+            // A session reads logs separately from its commands.
             Self::Log(_) => Err(text!("refused-logs-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
         }
@@ -123,7 +124,7 @@ impl Command {
         }
     }
 
-    /// Its risk, whichever form it was given in.
+    /// Its risk, in whatever form it was given.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Arming(command) => command.risk(),

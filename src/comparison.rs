@@ -1,8 +1,8 @@
 //! Two flights of a mission side by side: the positions of the other flight's vehicles, the first difference, and its
 //! cost.
 //!
-//! Times are those of the mission's own clock, so that flights compare at any speed-up. The data of a flight come from
-//! its record, or from a pilot script that has just flown it; both give the same.
+//! Times are those of the mission's own clock, so that flights can be compared at any speed-up. The data of a flight
+//! come from its record, or from a pilot script that has just flown it; both give the same data.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -78,7 +78,7 @@ pub struct TrackPoint {
 }
 
 impl ComparedFlight {
-    /// The flight of a record, as far as it was recorded.
+    /// The flight of a record, up to the end of the record.
     ///
     /// # Errors
     /// The record's mission cannot be read.
@@ -184,7 +184,7 @@ fn sample_of(time: Duration) -> usize {
     usize::try_from(sample).unwrap_or(usize::MAX)
 }
 
-/// The course of a flight, noted during the flight.
+/// The course of a flight, recorded during the flight.
 #[derive(Debug, Default)]
 pub struct FlightCourse {
     samples: u32,
@@ -194,12 +194,12 @@ pub struct FlightCourse {
 }
 
 impl FlightCourse {
-    /// The mission time of the next note.
+    /// The mission time of the next sample.
     pub fn next(&self) -> Duration {
         SAMPLE_EVERY * self.samples
     }
 
-    /// Notes the state of the flight at the time that [`next`](Self::next) returned.
+    /// Records the state of the flight at the time that [`next`](Self::next) returned.
     pub fn note(&mut self, vehicles: &Vehicles, flight: &Flight) {
         let now = self.next();
         for (&id, vehicle) in vehicles {

@@ -35,7 +35,7 @@ pub struct Config {
     /// The name of the profile in use.
     pub profile: Option<String>,
     pub theme: String,
-    /// The most frames per second.
+    /// The maximum number of frames per second.
     pub fps: u8,
     /// The symbols for curves and maps; `None` follows the terminal.
     pub symbols: Option<Symbols>,

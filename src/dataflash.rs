@@ -1,4 +1,4 @@
-//! `DataFlash` logs: what a vehicle wrote of its own flight, brought onto the timeline of a record.
+//! `DataFlash` logs: a vehicle's own recording of its flight, converted to the timeline of a record.
 
 mod clock;
 mod curves;

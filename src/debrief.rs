@@ -1,6 +1,6 @@
 //! The debrief: a report as plain text, at most 80 columns wide.
 //!
-//! Every loss of points names its causes; improvements are ordered by the size of their gain, as `scoring` orders them
+//! Every loss of points is shown with its causes; improvements are ordered by their gain, as in `scoring`
 //! (`scoring::advice`).
 
 use std::fmt::Write as _;
@@ -133,7 +133,7 @@ impl DebriefPage<'_> {
         );
         self.line(&rule);
         for line in [first, second] {
-            // A long title takes a line of its own, so that the outcome stays visible.
+            // A long title gets a separate line, so that the outcome stays visible.
             let words = sanitised(&self.locale.text(&line));
             let lines = if words.width() > WIDTH - 4 {
                 wrap(&words, WIDTH - 4)
@@ -173,7 +173,8 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// Who gave the commands (a person or a script), and whether the mission differs from the one of the course.
+    /// Writes the source of the commands (a person or a script), and whether the mission differs from that of the
+    /// course.
     fn origin(&mut self, report: &Report) {
         let flown_by = report.flown_by.map(|flown_by| match flown_by {
             FlownBy::Hand => text!("debrief-by-hand"),
@@ -198,7 +199,7 @@ impl DebriefPage<'_> {
         }
     }
 
-    /// The attempt, the cost of hints, and the trainee's prediction and goal from before the launch.
+    /// Writes the attempt, the cost of hints, and the trainee's prediction and goal from before the launch.
     fn said_before(&mut self, report: &Report) {
         let count = report.hints.len();
         if report.attempt > 1 || count > 0 {
@@ -256,7 +257,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// One row, or more if the words would not fit between the columns.
+    /// Writes an objective as one row, or more if the words do not fit between the columns.
     fn objective(&mut self, objective: &ObjectiveReport) {
         let locale = self.locale;
         let met = if objective.met { 'x' } else { ' ' };
@@ -357,7 +358,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// The one thing to do next.
+    /// Writes the most important thing to do next.
     fn next(&mut self, report: &Report) {
         self.heading("debrief-next");
         let improvement = report.improvements.first().map(|first| &first.text);
@@ -375,7 +376,8 @@ impl DebriefPage<'_> {
         self.wrapped("  ", &text);
     }
 
-    /// Writes text behind a lead, broken between words to the page's width, later lines indented to the lead's end.
+    /// Writes text after a lead, wrapped at words to the page's width, with later lines indented to the end of the
+    /// lead.
     fn wrapped(&mut self, lead: &str, text: &Text) {
         let indent = lead.width();
         let room = WIDTH.saturating_sub(indent).max(1);
@@ -401,12 +403,12 @@ impl DebriefPage<'_> {
     }
 }
 
-/// Whether a component is a success: the objectives are not if one is missed, even if they earned many points.
+/// Whether a component counts as a success. The objectives do not if one is missed, even if they earned many points.
 fn is_praise(component: &ComponentReport, report: &Report) -> bool {
     component.name != Component::Objective.title() || report.objectives.iter().all(|it| it.met)
 }
 
-/// The remarks beside the sum: why the score is not the sum of the components, and what gold still requires.
+/// The remarks next to the sum: why the score is not the sum of the components, and what gold still requires.
 fn beside_sum(report: &Report) -> Text {
     let mut remarks = Vec::new();
     if report.given_up {

@@ -26,9 +26,9 @@ mod vehicle_task;
 
 pub use clock::FleetClock;
 
-/// The most reports in the queue to the console; further notices are dropped.
+/// The maximum number of reports in the queue to the console; further notices are dropped.
 const EVENTS_KEPT: usize = 4096;
-/// The most requests in the queue to the hub.
+/// The maximum number of requests in the queue to the hub.
 const REQUESTS_KEPT: usize = 1024;
 
 /// An event of the fleet.

@@ -1,7 +1,7 @@
 //! The hangar: ArduPilot SITL processes on this host, started, watched and ended.
 //!
-//! A [`Hangar`] owns its processes: they end with it, however it ends. Each instance runs in a folder of its own and
-//! connects to a listener of the hangar on loopback, so that no other program can reach it; a program can
+//! A [`Hangar`] owns its processes: they end with it, however it ends. Each instance runs in its own folder and
+//! connects to a listener of the hangar on loopback, so that no other program can reach it. A program can
 //! [attach](Hangar::attach) to its byte stream.
 //!
 //! - `launcher` starts a process so that it cannot outlive this one; `folder` manages the instances' folders, and finds
@@ -62,7 +62,7 @@ use roster::Roster;
 /// The number of an instance within its hangar.
 pub type InstanceId = u16;
 
-/// The most requests that wait for one instance.
+/// The maximum number of requests that wait for one instance.
 const REQUESTS_KEPT: usize = 16;
 
 /// The state of an instance.
@@ -109,11 +109,11 @@ pub struct Instance {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Limits)]
 pub struct HangarLimits {
-    /// The most instances at once.
+    /// The maximum number of instances at once.
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory_mib: u64,
-    /// The most starts per second.
+    /// The maximum number of starts per second.
     pub starts_per_s: u16,
 }
 
@@ -160,7 +160,7 @@ enum InstanceRequest {
 /// The public state of the instances, by number.
 pub type Instances = Arc<BTreeMap<InstanceId, Instance>>;
 
-/// What the hangar's handle and its instances' tasks share.
+/// The state shared by the hangar's handle and its instances' tasks.
 struct Shared {
     config: HangarSetup,
     launcher: launcher::Launcher,
@@ -212,7 +212,7 @@ impl Hangar {
         })
     }
 
-    /// The processes that dead hangars had left in the same folder, once they have been ended as far as possible.
+    /// The processes that dead hangars had left in the same folder, once they have been ended, if possible.
     pub async fn leftovers(&self) -> Vec<Leftover> {
         let mut leftovers = self.leftovers.clone();
         let ended = leftovers.wait_for(Option::is_some).await;
@@ -226,7 +226,7 @@ impl Hangar {
     /// stages.
     ///
     /// # Errors
-    /// The reason why it cannot be started.
+    /// It cannot be started.
     pub async fn launch(&self, launch: Launch) -> Result<InstanceId, HangarRefusal> {
         let shared = &self.shared;
         if shared.cancel.is_cancelled() {
@@ -256,7 +256,7 @@ impl Hangar {
     pub async fn stop(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let (done, over) = oneshot::channel();
         match self.ask(id, InstanceRequest::Stop(done)).await {
-            // A task that is gone has ended its process.
+            // If the task is gone, it has ended its process.
             Ok(()) => drop(over.await),
             Err(HangarRefusal::Closing) => {}
             Err(other) => return Err(other),
@@ -265,7 +265,7 @@ impl Hangar {
     }
 
     /// Ends an instance's process, if there is one, and starts it again in the same folder with its last parameters.
-    /// An attached program stays attached. For a fresh one, stop it and launch another.
+    /// An attached program stays attached. For a new instance, stop it and launch another.
     ///
     /// # Errors
     /// No instance has that number, or it has ended and others have taken its place.
@@ -286,7 +286,7 @@ impl Hangar {
             .ok_or(HangarRefusal::Attached(id))
     }
 
-    /// An instance's output from the line with this number on, as far as it is kept; with 0 all of it.
+    /// An instance's output from the line with this number on, if it is still stored; with 0, all of it.
     ///
     /// # Errors
     /// No instance has that number.
@@ -310,7 +310,7 @@ impl Hangar {
         self.shared.roster.watch()
     }
 
-    /// The folder of its instances' folders; a new one below the root it was opened with.
+    /// The folder of its instances' folders; a new one below the root that it was opened with.
     pub fn folder(&self) -> &Path {
         self.shared.run.path()
     }
@@ -319,7 +319,7 @@ impl Hangar {
         self.shared.roster.capacity()
     }
 
-    /// Ends all instances and waits until their processes are gone; nothing can be launched any more.
+    /// Ends all instances and waits until their processes are gone; nothing can be launched afterwards.
     pub async fn close(&self) {
         self.shared.cancel.cancel();
         let all_gone = |all: &Instances| all.is_empty();

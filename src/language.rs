@@ -3,9 +3,9 @@
 //! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all use it. One table
 //! ([`rows`]) declares every verb once; parser, completion, hints, help and the manual are generated from it.
 //!
-//! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they precede the verb,
-//! or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A number may carry its unit
-//! (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
+//! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they come before the
+//! verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A number may carry its
+//! unit (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -63,18 +63,18 @@ pub type Groups = BTreeMap<String, Vec<VehicleId>>;
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
     pub groups: &'a Groups,
-    /// Named places; names with blanks cannot be used. `None` if they are not known yet: then every name is accepted,
+    /// Named places; names with spaces cannot be used. `None` if they are not known yet: then every name is accepted,
     /// which suffices for a check, but the built command has no position.
     pub places: Option<&'a BTreeMap<String, LatLon>>,
     /// Named areas; `None` if they are not known yet, as with places.
     pub areas: Option<&'a BTreeMap<String, Outline>>,
     /// The known vehicles; empty if they are not known yet, and then every number is accepted.
     pub vehicles: &'a [VehicleId],
-    /// The vehicles that `all` means; empty for every one.
+    /// The vehicles that `all` means; empty for all vehicles.
     pub expected: &'a BTreeSet<VehicleId>,
     /// The class whose mode names are valid. [`VehicleClass::Other`] accepts those of every class.
     pub class: VehicleClass,
-    /// The parameters of the line's first target, as far as known.
+    /// The known parameters of the line's first target.
     pub parameters: Option<&'a ParameterList>,
     /// The names that only the console knows.
     pub names: &'a dyn Names,
@@ -111,7 +111,7 @@ pub struct Statement {
     /// Where the verb is allowed.
     pub scope: Scope,
     pub meaning: Meaning,
-    /// The line in its canonical spelling: single blanks, no comment, no aliases.
+    /// The line in its canonical spelling: single spaces, no comment, no aliases.
     pub line: String,
 }
 
@@ -119,7 +119,7 @@ impl Statement {
     /// The order that it gives; the selection replaces missing targets.
     ///
     /// # Errors
-    /// A text without a target vehicle (see [`Targets::resolve`]), or if the line is no order.
+    /// A text if there is no target vehicle (see [`Targets::resolve`]), or if the line is not an order.
     pub fn into_order(self, selection: &[VehicleId], context: &Context) -> Result<Order, Text> {
         let targets = self.targets.resolve(selection, context)?;
         let Meaning::Act(act) = self.meaning else {

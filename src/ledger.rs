@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::verb::Verb;
 
-/// The most entries; the oldest are dropped, so that a console left open for days stays small.
+/// The maximum number of entries; the oldest are dropped, so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
 
 /// The number of an entry of the ledger.

@@ -21,7 +21,7 @@
 //! | | [`operator`] | from a line to the vehicles, and back to the ledger |
 //! | | [`campaign`] | a career: what is unlocked, earned and owned, how surely each skill is mastered, and what a try counts for |
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
-//! | | [`comparison`] | two flights of a mission beside each other: where the other one was, what differed, what it cost |
+//! | | [`comparison`] | two flights of a mission side by side: where the other one was, what differed, what it cost |
 //! | | [`debrief`] | a report as text |
 //! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, radio, objectives, events |
 //! | | [`scoring`] | marks, medals, and the report of a flight |

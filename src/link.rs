@@ -50,15 +50,15 @@ pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
 pub use tlog::{TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
 
-/// The most messages that wait for a link; more are dropped.
+/// The maximum number of messages that wait for a link; more are dropped.
 const OUTBOX_LEN: usize = 256;
 
 /// The number of a link within this program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkId(pub u16);
 
-/// A sender on a link: TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote address, `tcpin`
-/// one per client. Numbers are not reused while the link is open.
+/// A sender on a link. TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote address, and
+/// `tcpin` has one per client. Numbers are not reused while the link is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkPeer(pub u32);
 
@@ -96,7 +96,7 @@ pub struct LinkConfig {
     pub system: SystemId,
     /// The component id to send as.
     pub component: ComponentId,
-    /// How fast a recording is played.
+    /// The speed at which a recording is played.
     pub playback: Playback,
 }
 
@@ -111,7 +111,7 @@ impl Default for LinkConfig {
     }
 }
 
-/// How fast a recording is played.
+/// The speed at which a recording is played.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Playback {
     /// By its time stamps, at this multiple of the recorded speed.
@@ -127,7 +127,7 @@ pub enum LinkState {
     Up,
     /// Failed or lost; another attempt follows.
     Waiting {
-        /// The delay after this state was published.
+        /// The delay before the next attempt, from when this state was published.
         retry_in: Duration,
     },
     /// Closed for good: cancelled, a recording's end, or a pipe whose other end is gone.
@@ -173,17 +173,17 @@ pub struct LinkStatus {
     pub name: String,
     /// Whether it carries data.
     pub state: LinkState,
-    /// The socket's local address, if open; it shows the port of a listener.
+    /// The socket's local address, if it is open; it contains the port of a listener.
     pub local: Option<SocketAddr>,
     /// The number of peers: always 1 for an open stream.
     pub peers: usize,
     /// The counters of its decoders.
     pub decoder: Counters,
-    /// Bytes sent or queued: a peer that does not read may miss the last ones.
+    /// Bytes sent or queued; a peer that does not read may miss the last ones.
     pub sent_bytes: u64,
-    /// Messages sent or queued, with heartbeats; one to three peers counts three times.
+    /// Messages sent or queued, including heartbeats; a message to three peers counts three times.
     pub sent_messages: u64,
-    /// Dropped messages: the queue was full, the link down, the peer gone or not reading.
+    /// Dropped messages: the queue was full, the link was down, or the peer was gone or not reading.
     pub dropped_out: u64,
     pub rates: Rates,
     /// The sequence numbers of each sender.
@@ -219,7 +219,7 @@ impl LinkStatus {
     }
 }
 
-/// The handle of a link's task. The task does not end with it.
+/// The handle of a link's task. The task does not end when the handle is dropped.
 #[derive(Debug, Clone)]
 pub struct LinkHandle {
     id: LinkId,
@@ -242,8 +242,9 @@ impl LinkHandle {
         self.id
     }
 
-    /// Queues a message; returns whether it was accepted. It is not while the link is down, since a command after a
-    /// reconnection would come too late, nor when the queue is full; both count as dropped. A recording accepts none.
+    /// Queues a message; returns whether it was accepted. It is not accepted while the link is down, since a command
+    /// after a reconnection would come too late, nor when the queue is full; both cases count as dropped. A recording
+    /// accepts no messages.
     pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
         let taken = self.can_send
             && self.status.borrow().state == LinkState::Up
@@ -254,12 +255,12 @@ impl LinkHandle {
         taken
     }
 
-    /// The tap to watch the link's frames.
+    /// The tap for watching the link's frames.
     pub fn tap(&self) -> Tap {
         self.tap.clone()
     }
 
-    /// The link's status, to be followed, which is published about four times a second and at every change of state.
+    /// A receiver of the link's status, which is published about four times a second and at every change of state.
     pub fn status(&self) -> watch::Receiver<LinkStatus> {
         self.status.clone()
     }
@@ -291,7 +292,7 @@ pub fn open_recorded(
     open_tapped(id, transport, config, tap, inbound, cancel)
 }
 
-/// Opens a link under another identity or at another playback speed than [`open`].
+/// Opens a link under another identity or at another playback speed from those of [`open`].
 pub fn open_with(
     id: LinkId,
     transport: Transport,

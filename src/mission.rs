@@ -1,15 +1,16 @@
 //! Missions: training tasks with a hazard world, virtual sensors and objectives.
 //!
-//! A mission is a TOML file; [`Mission::parse`] reads it and names every fault in it. A [`Flight`] is one try at
-//! it: it watches telemetry and the ledger in steps of [`TICK`], knows when the try is over, and writes the
-//! [`Report`]. Everything is a function of the file, the seed, and what was flown.
+//! A mission is a TOML file; [`Mission::parse`] reads it and reports every fault in it. A [`Flight`] is one attempt at
+//! it: it watches telemetry and the ledger in steps of [`TICK`], decides when the attempt is over, and writes the
+//! [`Report`]. Everything is a function of the file, the seed, and the inputs of the flight.
 //!
 //! # The file
-//! - `format` knows how a table is read and described: one function per table does both. The JSON schema ([`schema`])
-//!   and the reference in `docs/missions.md` ([`reference()`]) are written from that description.
-//! - `file` reads the sections, each on its own, so that one fault does not hide the others. A section may refer to those
+//! - `format` contains how a table is read and described: one function per table does both. The JSON schema
+//!   ([`schema`]) and the reference in `docs/missions.md` ([`reference()`]) are generated from that description.
+//! - `file` reads the sections separately, so that one fault does not hide the others. A section may refer to those
 //!   that were read before it.
-//! - Hazards and objectives have kinds. A kind is a file of its own with a `read` and a line in the list `KINDS`.
+//! - Hazards and objectives have kinds. A kind is a separate file with a `read` function, and a line in the list
+//!   `KINDS`.
 //! - Points are `[east, north]` metres from the origin, as on a map; the grammar's `goto n .. e ..` names its axes.
 //! - Cells are named like chess squares: `A1` is the south-west one, letters go east, numbers go north.
 
@@ -90,7 +91,7 @@ pub use stake::Stake;
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
-/// Whether an action that repeats every `every` is due at `now`; both are whole steps.
+/// Whether an action that repeats every `every` is due at `now`; both are multiples of the step.
 pub(crate) fn is_due(now: Duration, every: Duration) -> bool {
     now.as_millis().is_multiple_of(every.as_millis())
 }
@@ -105,12 +106,12 @@ pub(crate) const NEXT_CELL: &str = "{next_cell}";
 /// or switch off its safeguards.
 const PROTECTED: [&str; 5] = ["SIM_", "BATT_", "FENCE_", "FS_", "ARMING_"];
 
-/// A mission, read and checked.
+/// A mission that was read and checked.
 #[derive(Debug)]
 pub struct Mission {
     /// The id that files and results use.
     pub id: String,
-    /// Its revision; results compare only within one.
+    /// Its revision; results are comparable only within one revision.
     pub rev: u32,
     /// The file that it was read from.
     pub source: String,
@@ -132,7 +133,7 @@ pub struct Mission {
     pub requires: Requires,
     /// Credits, experience and unlocks for passing it.
     pub rewards: Rewards,
-    /// What its fleet may cost, and the drones it lends.
+    /// The limit on the fleet's price, and the drones that the mission lends.
     pub outlay: Outlay,
     /// Whether pausing is allowed.
     pub pausable: bool,
@@ -158,11 +159,11 @@ pub struct Mission {
     pub(crate) pads: Vec<Point>,
     /// Every sensor that some vehicle carries.
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
-    /// What each vehicle carries, in the order of the pads.
+    /// The equipment of each vehicle, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
     /// The equipment of the mission's own drones, which is also what it requires of built drones.
     pub(crate) asked: Vec<fit::Fit>,
-    /// The drones that were built for it, in the order of the pads; empty where its own drones fly.
+    /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
     pub(crate) fleet: Vec<Design>,
     pub(crate) zones: Vec<zone::Zone>,
     pub(crate) places: Vec<(String, Point)>,
@@ -170,10 +171,10 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
-    /// The least distance between vehicles in the air, in metres; `None` where the mission sets none.
+    /// The minimum distance between vehicles in the air, in metres; `None` if the mission does not set it.
     pub(crate) separation_m: Option<f64>,
     pub(crate) events: Vec<event::Event>,
-    /// The radio model; `None` where radio does not matter.
+    /// The radio model; `None` if radio does not matter.
     pub(crate) radio: Option<radio::Radio>,
     /// Threats that an instructor may trigger, besides the mission's own.
     pub(crate) may_inject: Vec<event::standard::Standard>,
@@ -229,7 +230,7 @@ impl Mission {
     /// Reads a mission file.
     ///
     /// # Errors
-    /// Every fault that was found, each with its place; at least one.
+    /// Every fault that was found, each with its position; at least one.
     pub fn parse(source: &str) -> Result<Self, Vec<Diagnostic>> {
         file::read(source)
     }
@@ -244,8 +245,8 @@ impl Mission {
         self.pads.iter().map(pad).collect()
     }
 
-    /// The same mission with more vehicles than the file has, for measurements: the added pads lie in a row south of
-    /// the last one, and their vehicles carry what the last one carries.
+    /// The same mission with more vehicles than the file has, for measurements. The added pads are in a row south of
+    /// the last one, and their vehicles carry the equipment of the last one.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {
@@ -283,7 +284,8 @@ impl Mission {
         }
     }
 
-    /// Places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad and `pad1`, `pad2` for each.
+    /// The places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad, and `pad1`,
+    /// `pad2`\nand so on for each.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let named = self.places.iter();
         let mut places: BTreeMap<String, LatLon> = named

@@ -1,14 +1,14 @@
-//! The recording of a flight: beside the frames of its links, a journal of everything that the frames do not contain.
+//! The recording of a flight: the frames of its links, and a journal of everything that the frames do not contain.
 //!
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
-//! command, each change of its rows, each bookmark, and each other event beside the links. `STEM.run.jsonl` is the
-//! mission's own record, from which it is scored again ([`mission::record`](crate::mission::record)).
+//! command, each change of its rows, each bookmark, and each other event that is not in the frames. `STEM.run.jsonl` is
+//! the mission's own record, from which it is scored again ([`mission::record`](crate::mission::record)).
 //! `STEM.inputs.jsonl` holds the inputs of simulated vehicles, with which the flight can be repeated ([`InputsHead`],
-//! [`InputLine`]). The console writes the journal through `shell::session::recorder`, and the run record through its
+//! [`InputLine`]). The console writes the journal with `shell::session::recorder`, and the run record with its
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
 //!
-//! Times count from the beginning of the record, without the pauses in which everything stood still.
+//! Times count from the beginning of the record, without the pauses in which everything was stopped.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -139,7 +139,7 @@ impl Journal {
     /// Reads a journal. A damaged line, or one that goes back in time, ends it.
     ///
     /// # Errors
-    /// The text is not a journal, or one of another version.
+    /// The text is not a journal, or comes from another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let first = all.next().unwrap_or_default();
@@ -161,7 +161,7 @@ impl Journal {
         let mut since = Duration::ZERO;
         for (index, line) in all.enumerate() {
             let Ok(line) = serde_json::from_str::<JournalLine>(line) else {
-                // Lines of a later program are skipped.
+                // Lines written by a later version of the program are skipped.
                 if line.ends_with("}\n") && serde_json::from_str::<serde_json::Value>(line).is_ok()
                 {
                     journal.unknown += 1;

@@ -1,4 +1,4 @@
-//! Replays recorded flights as the events that the console received in the flight, from any moment on.
+//! Replays recorded flights as the events that the console received during the flight, from any moment on.
 //!
 //! A stage lets the vehicles' sessions receive the recorded frames again and returns their events and those of the
 //! journal, a tenth of a second at a time. An index reads the whole recording once, in its own thread, and keeps a key
@@ -42,13 +42,14 @@ use index::Index;
 pub use logs::join_log;
 use stage::Stage;
 
-/// The interval of the frames of a replay.
+/// The time between frames of a replay.
 pub const FRAME: Duration = Duration::from_millis(100);
-/// The interval of key frames taken while playing forward.
+/// The time between key frames taken while playing forward.
 const KEY_AHEAD: Duration = Duration::from_secs(3);
 /// The most frames of the replay that are played between two checks for keys.
 const STEPS_AT_ONCE: usize = 1000;
-/// The most MAVLink frames that are read between two checks for keys: at half a microsecond each, a tenth of a second.
+/// The maximum number of MAVLink frames that are read between two checks for keys. At half a microsecond each, that
+/// takes a tenth of a second.
 const HEARD_AT_ONCE: u64 = 200_000;
 
 /// A recording that is replayed.
@@ -205,7 +206,7 @@ impl Replay {
         }
     }
 
-    /// The present traffic for the room of messages.
+    /// The current traffic for the room of messages.
     pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
         self.stage.inspect(wanted)
     }
@@ -214,17 +215,17 @@ impl Replay {
         &self.film
     }
 
-    /// The present time in the recording.
+    /// The current time in the recording.
     pub fn now(&self) -> Duration {
         self.stage.now()
     }
 
-    /// Whether it has reached the time to go to.
+    /// Whether it has reached the goal.
     pub fn is_there(&self) -> bool {
         self.goal < self.stage.now() + FRAME
     }
 
-    /// The length of the recording, as far as known.
+    /// The length of the recording, if known; otherwise an estimate.
     pub fn length(&self) -> Duration {
         self.index.length().unwrap_or_else(|| self.film.length())
     }
@@ -235,7 +236,7 @@ impl Replay {
         self.merge();
     }
 
-    /// The faults of the recording and of the files beside it.
+    /// The faults of the recording and of the files next to it.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         self.film.damage()
     }
@@ -254,11 +255,11 @@ impl Replay {
         self.index.report()
     }
 
-    /// Stores the user's review beside the recording. It applies to this replay even if it cannot be written.
+    /// Stores the user's review next to the recording. It applies to this replay even if it cannot be written.
     fn keep(&mut self, review: Review) -> Result<(), Text> {
         self.review = review;
         self.merged = None;
-        // An unreadable review is not replaced: it may be of a later version.
+        // An unreadable review is not replaced: it may come from a later version.
         if let Some(fault) = self.film.review_fault() {
             return Err(text!("review-not-kept", fault = fault.clone()));
         }
@@ -277,7 +278,7 @@ impl Replay {
             return false;
         }
         let bookmarks = self.review.bookmarks(&self.film.bookmarks());
-        // A file may have been changed by hand.
+        // The file may have been changed by hand.
         let length = self.film.length();
         let logged = self.film.logs().iter().flat_map(JoinedLog::moments);
         let logged = logged.filter(|it| it.at <= length);
@@ -337,7 +338,7 @@ impl Replay {
         if from <= to {
             times.filter(|&at| at > from && at <= to).min()
         } else {
-            // A moment shown at the start has been stopped at before.
+            // The replay has already stopped at a moment that is shown at the start.
             times
                 .filter(|&at| showing(at) < from && showing(at) >= to)
                 .max()
@@ -349,7 +350,7 @@ impl Replay {
         let now = self.stage.now();
         let is_meant = |it: &&Moment| kind.is_none_or(|kind| it.kind == kind);
         let mut moments = self.moments.iter().filter(is_meant);
-        // A moment that was just reached is skipped: pressing the key again goes further back.
+        // A moment that was just reached is skipped, so that pressing the key again goes further back.
         let found = if forward {
             moments.find(|it| it.at >= now + FRAME)
         } else {
@@ -358,7 +359,7 @@ impl Replay {
         found.map(|it| showing(it.at).min(self.length()))
     }
 
-    /// Plays towards the time to go to, as far as one tick allows.
+    /// Plays towards the goal, as far as one tick allows.
     fn approach(&mut self) -> Vec<Event> {
         let mut events = Vec::new();
         let now = self.stage.now();
@@ -411,7 +412,7 @@ fn warning(text: Text) -> Event {
     Event::Notice(Notice::general(Duration::ZERO, Severity::Warning, text))
 }
 
-/// The frame that shows a time: a frame contains the events before its end.
+/// The frame that shows a time; a frame contains the events before its end.
 fn showing(at: Duration) -> Duration {
     let frames = at.as_millis() / FRAME.as_millis() + 1;
     FRAME * u32::try_from(frames).unwrap_or(u32::MAX)

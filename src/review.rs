@@ -1,9 +1,9 @@
-//! The after-action review of a flight: the pilot's own conclusions. It is stored beside the record, which it never
+//! The after-action review of a flight: the pilot's own conclusions. It is stored next to the record, which it never
 //! changes.
 //!
 //! A review has four questions: what was planned, what happened, why, and what next. The record answers the first two.
-//! The pilot answers the other two before the program explains the score: people learn from what they find out
-//! themselves. The pilot can note up to three points to keep and three to improve, each tied to a moment of the
+//! The pilot answers the other two before the program explains the score, because people learn more from their own
+//! conclusions. The pilot can note up to three points to keep and three to improve, each tied to a moment of the
 //! flight; the next brief of the mission repeats them.
 
 use std::time::Duration;
@@ -21,12 +21,12 @@ pub use markdown::{ReviewedFlight, markdown};
 
 /// The version of the format.
 const VERSION: u32 = 1;
-/// The most points of one kind: more would not be remembered.
+/// The maximum number of points of one kind, since more would not be remembered.
 pub const MOST_POINTS: usize = 3;
-/// The most bookmarks of a review.
+/// The maximum number of bookmarks of a review.
 const MOST_BOOKMARKS: usize = 1000;
 
-/// A review: what is stored beside a record.
+/// A review, as stored next to a record.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Review {
     /// The version of the format.
@@ -41,13 +41,13 @@ pub struct Review {
     /// The pilot's answer to why the flight went as it did.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub why: String,
-    /// The pilot's answer to what comes next time.
+    /// The pilot's answer to what to do next time.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub next: String,
     /// The points to keep and to improve, in the order of their input.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     points: Vec<ReviewPoint>,
-    /// The present bookmarks, earliest first; `None` while they are those of the record.
+    /// The current bookmarks, earliest first; `None` while they are those of the record.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     bookmarks: Option<Vec<Bookmark>>,
 }
@@ -67,7 +67,7 @@ pub struct ReviewPoint {
 pub enum PointKind {
     /// It went well and should stay so.
     Sustain,
-    /// It should be done differently.
+    /// It should be done differently next time.
     Improve,
 }
 
@@ -138,7 +138,7 @@ impl Review {
     /// Reads a review from the text of its file.
     ///
     /// # Errors
-    /// The text is not a review, or one of a later version.
+    /// The text is not a review, or comes from a later version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let review: Self = serde_json::from_str(text)
             .map_err(|error| text!("review-unreadable", error = error.to_string()))?;
@@ -174,7 +174,7 @@ impl Review {
     /// Adds a point at a time of the recording.
     ///
     /// # Errors
-    /// The review already has the most points of this kind.
+    /// The review already has the maximum number of points of this kind.
     pub fn add(&mut self, kind: PointKind, at: Duration, text: String) -> Result<(), Text> {
         if self.points_of(kind).count() >= MOST_POINTS {
             return Err(text!("review-full", kind = kind.text(), most = MOST_POINTS));
@@ -203,10 +203,10 @@ impl Review {
         }
     }
 
-    /// Sets a bookmark at a time, or changes the text of an existing one; `now` is the present list of bookmarks.
+    /// Sets a bookmark at a time, or changes the text of an existing one; `now` is the current list of bookmarks.
     ///
     /// # Errors
-    /// The review already has the most bookmarks.
+    /// The review already has the maximum number of bookmarks.
     pub fn set_bookmark(&mut self, now: &[Moment], at: Duration, text: String) -> Result<(), Text> {
         let mut all = stored(now);
         let at_ms = milliseconds(at);
@@ -222,7 +222,7 @@ impl Review {
         Ok(())
     }
 
-    /// Removes the bookmark at a time; `now` is the present list of bookmarks.
+    /// Removes the bookmark at a time; `now` is the current list of bookmarks.
     pub fn remove_bookmark(&mut self, now: &[Moment], at: Duration) {
         let mut all = stored(now);
         all.retain(|it| it.at_ms != milliseconds(at));

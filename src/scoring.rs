@@ -1,7 +1,7 @@
 //! The score of a flight: eight components between 0 and 1, their weights, medals and grades.
 //!
-//! `score = 1000 * hint factor * sum(weight * value)`. The input is the facts of a flight, the output points with
-//! reasons; only [`CommandLog`] depends on more, since it reads the ledger. Points are kept in tenths, so that the
+//! `score = 1000 * hint factor * sum(weight * value)`. The input is the facts of a flight; the output is points with
+//! reasons. Only [`CommandLog`] depends on more, since it reads the ledger. Points are stored in tenths, so that the
 //! components printed in a debrief add up to the score exactly.
 
 use std::time::Duration;
@@ -86,7 +86,7 @@ impl Medals {
     }
 }
 
-/// A medal. Every medal needs all mandatory objectives.
+/// A medal. Every medal requires all mandatory objectives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Medal {
@@ -114,7 +114,7 @@ pub struct ObjectiveFact {
     pub title: Text,
     /// Its weight among the objectives.
     pub value: f64,
-    /// How far it was reached, 0 to 1.
+    /// The share of it that was reached, 0 to 1.
     pub fraction: f64,
     /// The measured quantity that gates compare, such as cells sampled.
     pub measure: f64,
@@ -151,7 +151,7 @@ pub struct Facts {
     /// The results of the objectives, in file order.
     pub objectives: Vec<ObjectiveFact>,
     pub elapsed: Duration,
-    /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
+    /// Energy used by all vehicles in Wh; `None` if no vehicle reports it.
     pub energy_wh: Option<f64>,
     pub safety: Vec<SafetyEvent>,
     /// The tally of commands.
@@ -193,7 +193,7 @@ impl Score {
     }
 }
 
-/// The most points of a flight that harmed people.
+/// The maximum number of points of a flight that harmed people.
 pub const HARM_POINTS: u16 = 300;
 
 /// The score of a flight from its facts.

@@ -1,8 +1,8 @@
 //! The conversation with one vehicle, without any input or output of its own.
 //!
-//! A [`Session`] takes frames and orders with the time, updates the [`Vehicle`] model, and returns messages to send
+//! A [`Session`] takes frames and orders, with the time, updates the [`Vehicle`] model, and returns messages to send
 //! and reports. The fleet drives one per vehicle from a task; an exercise drives them in lock step with the simulator.
-//! Both therefore behave the same, and every time-out and retry can be tested without waiting for it.
+//! Both therefore behave the same, and every time-out and retry can be tested without waiting.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -60,9 +60,9 @@ pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
 
-/// The most time between polls while an answer is awaited or something is repeated.
+/// The maximum time between polls while an answer is awaited or something is repeated.
 const BUSY_POLL: Duration = Duration::from_millis(50);
-/// The most time between polls otherwise.
+/// The maximum time between polls otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
 
 /// A session's messages and reports.
@@ -75,7 +75,7 @@ struct Output {
 }
 
 impl Output {
-    /// Repeats speeds that the vehicle was given before.
+    /// Repeats speeds that were set before.
     fn say_speeds(&mut self, speeds: Vec<Outgoing>) {
         let count = u8::try_from(speeds.len()).unwrap_or(u8::MAX);
         self.speed_acks = self.speed_acks.saturating_add(count);
@@ -133,14 +133,14 @@ impl Session {
         }
     }
 
-    /// Requests other telemetry than the console's.
+    /// Requests different telemetry from that of the console.
     #[must_use]
     pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
         self.streams = Streams::new(streams, now);
         self
     }
 
-    /// Keeps the vehicle's logs that are downloaded.
+    /// Stores the vehicle's downloaded logs with `keeper`.
     #[must_use]
     pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
         self.logs.keep_in(keeper);
@@ -166,7 +166,7 @@ impl Session {
         self.poll(now);
     }
 
-    /// Sets the number of the link by which the vehicle is heard. Must also be called when that link comes up again:
+    /// Sets the number of the link on which the vehicle is heard. Must also be called when that link comes up again:
     /// the vehicle may have rebooted, and requests are repeated.
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
@@ -175,7 +175,7 @@ impl Session {
         self.download.resume(now);
     }
 
-    /// Takes one frame from this vehicle's system. Only its autopilot counts as heard: a companion computer with the
+    /// Handles one frame from this vehicle's system. Only its autopilot counts as heard: a companion computer with the
     /// same system id may keep sending when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
         self.now = now;
@@ -268,7 +268,7 @@ impl Session {
             .clear(&newer, &self.vehicle, now, &mut self.output);
     }
 
-    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
+    /// Queues an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);
@@ -279,7 +279,7 @@ impl Session {
         line.order(order, moment);
     }
 
-    /// Sends a vehicle's setpoint in a joint manoeuvre: it is no command, has no answer, and only ends earlier
+    /// Sends a vehicle's setpoint in a joint manoeuvre: it is not a command, has no answer, and only ends earlier
     /// movements.
     ///
     /// # Errors
@@ -289,7 +289,7 @@ impl Session {
         line.steer(steering, moment)
     }
 
-    /// Advances time: retries, deadlines, silence. Must be called at least as often as [`Self::patience`] says.
+    /// Advances time: retries, deadlines, silence. Must be called within the time that [`Self::patience`] returns.
     pub fn poll(&mut self, now: Duration) {
         self.now = now;
         self.take_in_arrived(now);
@@ -317,7 +317,7 @@ impl Session {
         self.advance(now);
     }
 
-    /// The most time until the next poll if nothing arrives.
+    /// The maximum time until the next poll if nothing arrives.
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
@@ -361,7 +361,7 @@ impl Session {
         self.say(back);
     }
 
-    /// Looks for answers to our requests, and answers the vehicle's.
+    /// Handles answers to our requests, and answers the vehicle's requests.
     fn answer(&mut self, frame: &Frame, now: Duration) {
         if let Content::Message(message) = &frame.content {
             let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
@@ -383,7 +383,7 @@ impl Session {
         self.line.receive(frame, now, &mut self.output);
     }
 
-    /// Lets the client for files go on, and hands out what came of its tasks.
+    /// Advances the client for files, and passes on the events of its tasks.
     fn handle_files(&mut self, incoming: Option<&FtpPayload>, now: Duration) {
         let round_trip = self.vehicle.link.round_trip.unwrap_or_default();
         let step = self.ftp.step(incoming, round_trip, now);
@@ -401,7 +401,7 @@ impl Session {
         }
     }
 
-    /// A command that waits for its answer takes precedence over lists.
+    /// Reads plans, unless a command waits for its answer.
     fn read_plans(&mut self, now: Duration) {
         if self.line.is_free() || self.plans.is_busy() {
             let mut messages = Vec::new();

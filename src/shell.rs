@@ -49,12 +49,12 @@ use session::{RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
 use signals::{Happened, Signals};
 
-/// The interval of checks for changes by other consoles and commands.
+/// The time between checks for changes by other consoles and commands.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
 
-/// The most keys handled before a frame, so that a flood of them cannot block the screen.
+/// The maximum number of keys handled before a frame, so that a flood of them cannot block the screen.
 const KEYS_PER_FRAME: usize = 64;
-/// How long the program waits at its end for answers of the terminal.
+/// How long the program waits for answers from the terminal when it ends.
 const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
 /// Runs the console until the user quits or the terminal disappears.
@@ -104,7 +104,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                     break;
                 };
                 console.hear(input, &mut screen).await;
-                // Keys typed meanwhile share one frame.
+                // Keys typed in the meantime share one frame.
                 for _ in 0..KEYS_PER_FRAME {
                     let Some(input) = keyboard.ready() else {
                         break;
@@ -170,7 +170,7 @@ struct Console {
     replaying: Option<Replay>,
     /// When to count the replay's messages again.
     next_traffic: Duration,
-    /// The number of the present attempt.
+    /// The number of the current attempt.
     attempt: Attempt,
     /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,
@@ -184,7 +184,7 @@ struct Console {
     ending: SessionEnding,
     /// Warnings to show at the start.
     warnings: Vec<Text>,
-    /// The last history line in its file.
+    /// The last history line written to its file.
     kept: Option<String>,
     over: bool,
     /// Whether the terminal has disappeared or the program was told to end: the trainee did not abandon the flight.
@@ -250,7 +250,7 @@ impl Console {
         self.show_reviews();
         self.take_in().await;
         self.open().await;
-        // In reverse, because the last one stays on the last line of the screen.
+        // In reverse order, because the last warning stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
             self.post(Event::Failed(warning));
         }
@@ -268,7 +268,7 @@ impl Console {
         self.tell_failure(outcome);
     }
 
-    /// Draws if something changed and the terminal is ready for a frame.
+    /// Draws a frame if something has changed and the terminal is ready for it.
     async fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if self.sight.next_frame_in(self.app.state(), screen) != Some(Duration::ZERO) {
             return Ok(());

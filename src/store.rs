@@ -1,5 +1,5 @@
-//! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar keeps
-//! the folders of its processes, and a link plays recordings, themselves.
+//! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar itself
+//! keeps the folders of its processes, and a link itself reads the recordings that it plays.
 //!
 //! Missions, designs and themes are embedded in the program. A file of the same name in an administrator's folder
 //! replaces the embedded one, one in the user's configuration folder replaces both, and a path on the command line is
@@ -61,7 +61,7 @@ mod shipped {
 
 use shipped::{DESIGNS, MISSIONS, PILOTS};
 
-/// A mission by path, by the id in its file, by name or by number, in this order: `missions/01-air-sample.toml`,
+/// A mission by path, by the id in its file, by name or by number, tried in this order: `missions/01-air-sample.toml`,
 /// `01-air-sample` and `01` are all valid.
 ///
 /// # Errors
@@ -83,8 +83,7 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     })
 }
 
-/// The names of the missions whose file gives this id, without those whose file has another one. The id alone finds
-/// the first.
+/// The names of the missions whose file has this id. The id alone finds the first.
 pub fn missions_with_id(id: &str) -> Vec<String> {
     let all = missions().into_iter();
     let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
@@ -154,7 +153,7 @@ fn course_missions() -> Vec<Mission> {
         let Ok(mission) = Mission::parse(&source.text) else {
             continue;
         };
-        // The first file with an id is the one that the id finds.
+        // Of the files with the same id, the id finds the first one.
         let stands_in = is_embedded(&mission.id) && mission.id != name;
         if !stands_in && known.iter().all(|other| other.id != mission.id) {
             known.push(mission);
@@ -163,7 +162,7 @@ fn course_missions() -> Vec<Mission> {
     known
 }
 
-/// How the text of a mission compares with the mission of the course that has its id.
+/// How the text of a mission compares with that of the course's mission with the same id.
 pub fn mission_file(mission: &Mission) -> MissionFile {
     let known = course_missions();
     match known.iter().find(|of_course| of_course.id == mission.id) {
@@ -174,14 +173,14 @@ pub fn mission_file(mission: &Mission) -> MissionFile {
     }
 }
 
-/// Adds to a report two things from outside the flight: the drill for its mission, and how the mission compares with
-/// that of the course.
+/// Completes a report with two facts from outside the flight: the drill for its mission, and how the mission compares
+/// with that of the course.
 pub fn complete(report: &mut Report, mission: &Mission) {
     report.drill = drill_of(&report.mission);
     report.mission_file = Some(mission_file(mission));
 }
 
-/// What a pilot script makes of a flight: flown by the reference pilot or by a script.
+/// The source of commands that a pilot script stands for: the reference pilot, or a script.
 pub fn script_kind(pilot: &Source) -> FlownBy {
     if PILOTS.iter().any(|(_, text)| *text == pilot.text) {
         FlownBy::BundledPilot
@@ -240,13 +239,13 @@ pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     paths
 }
 
-/// The file of that path, if there is one. A folder does not count: it may have the name of a mission.
+/// The file at that path, if there is one. A folder does not count, since it may have the name of a mission.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);
     (path.exists() && !path.is_dir()).then(|| read(path, kind))
 }
 
-/// All files of a kind by name: the user's own replace the administrator's, and those the embedded ones.
+/// All files of a kind by name: the user's own files replace the administrator's, which replace the embedded ones.
 fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str) -> Vec<Source> {
     let mut all: BTreeMap<String, Source> = known
         .iter()

@@ -45,7 +45,7 @@ use planner::Planner;
 /// The rules of all manoeuvres in a session.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rules {
-    /// The least distance between two vehicles, in metres.
+    /// The minimum distance between two vehicles, in metres.
     pub separation_m: f64,
     /// The strip that the sensor covers: the default line spacing; `None` without a sensor.
     pub swath: Option<Swath>,
@@ -87,7 +87,7 @@ struct Call<'a> {
     targets: &'a [VehicleId],
 }
 
-/// An order that each vehicle carries out by itself.
+/// An order that each vehicle carries out on its own.
 #[derive(Debug, Clone, Copy)]
 struct Ordered<'a> {
     entry: EntryId,
@@ -108,7 +108,7 @@ pub struct Assignment {
 /// The result of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StepOutcome {
-    /// The vehicles' present setpoints.
+    /// The vehicles' current setpoints.
     pub steering: Vec<(VehicleId, Steering)>,
     pub rows: Vec<RowUpdate>,
     /// Notices for the user.

@@ -1,4 +1,4 @@
-//! The screens: they draw a [`State`] and change nothing.
+//! The screens, which draw a [`State`] and do not change it.
 
 use ratatui::Frame;
 

@@ -1,7 +1,7 @@
 //! The model of one vehicle: its latest telemetry.
 //!
-//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, other code reads snapshots. `None`
-//! means that the vehicle has not reported the value (yet). Times are durations since the start of the program's
+//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, all other code reads snapshots.
+//! `None` means that the vehicle has not reported the value (yet). Times are durations since the start of the program's
 //! clock, the same clock that every `now` argument of the pure modules reads.
 
 use std::collections::BTreeMap;
@@ -43,7 +43,7 @@ pub type VehicleId = u16;
 /// The newest snapshots of vehicles, shared by reference.
 pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
 
-/// The highest number of a vehicle; a table has room for four digits.
+/// The highest number of a vehicle, since tables have room for four digits.
 pub const HIGHEST_VEHICLE: VehicleId = 9999;
 
 /// Everything known about one vehicle.
@@ -108,7 +108,7 @@ pub struct Vehicle {
     pub texts: Vec<StatusText>,
 }
 
-/// How many status texts a vehicle keeps.
+/// The number of status texts that a vehicle keeps.
 pub const TEXTS_KEPT: usize = 32;
 
 impl Vehicle {
@@ -168,7 +168,7 @@ impl Vehicle {
         self.heartbeat.map(|heartbeat| heartbeat.mode)
     }
 
-    /// Whether its motors are armed, as far as known.
+    /// Whether its motors are known to be armed.
     pub fn armed(&self) -> bool {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.armed)
     }
@@ -215,7 +215,7 @@ impl Vehicle {
         self.batteries.first()
     }
 
-    /// Whether an arm command should succeed in the present mode: the pre-arm bit is set and the filter has a
+    /// Whether an arm command should succeed in the current mode: the pre-arm bit is set and the filter has a
     /// position.
     pub fn ready_to_arm(&self) -> bool {
         self.health.is_some_and(|health| health.prearm_ok())
@@ -224,7 +224,7 @@ impl Vehicle {
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
     }
 
-    /// Whether it is on the ground, by `EXTENDED_SYS_STATE`, otherwise by not being airborne.
+    /// Whether it is on the ground according to `EXTENDED_SYS_STATE`; without that, whether it is not airborne.
     pub fn is_on_the_ground(&self) -> bool {
         match self.landed {
             LandedState::OnGround => true,
@@ -233,7 +233,7 @@ impl Vehicle {
         }
     }
 
-    /// Whether it is off the ground, by `EXTENDED_SYS_STATE`, else by being armed and above 1 m.
+    /// Whether it is off the ground according to `EXTENDED_SYS_STATE`; without that, whether it is armed and above 1 m.
     pub fn airborne(&self) -> bool {
         match self.landed {
             LandedState::InAir | LandedState::Takeoff | LandedState::Landing => true,

@@ -51,7 +51,7 @@ pub enum Danger {
 /// the deadline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Retry {
-    /// The most attempts, the first included.
+    /// The maximum number of attempts, the first included.
     pub tries: u8,
     /// The time between two attempts.
     pub every: Duration,

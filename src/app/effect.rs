@@ -112,7 +112,7 @@ impl IntoIterator for Effects {
     }
 }
 
-/// A file to read or to write. Paths are as the user typed them.
+/// A file to read or write. Paths are as the user typed them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {
     Read {

@@ -82,7 +82,7 @@ pub enum TerminalEvent {
     },
     /// A line was entered at the prompt of the plain console.
     Line(String),
-    /// The plain console has printed what a screen would show: messages and overlays close, except a question.
+    /// The plain console has printed what a screen would show: messages and overlays close, except for a question.
     Told,
     /// The bytes per second that the line to the terminal carries, while it cannot keep up.
     SlowLine(Option<u32>),
@@ -132,7 +132,7 @@ pub enum ProcessEvent {
     Instances(Vec<Instance>),
     /// The processes could not be started.
     NotLaunched(Text),
-    /// A process printed output.
+    /// A process has printed output.
     Printed {
         vehicle: VehicleId,
         /// Whether to drop the lines shown so far.

@@ -78,13 +78,13 @@ pub enum Meaning {
     Do(Action),
     /// Opens the command line with this text.
     Write(Cow<'static, str>),
-    /// Gives this line as if typed and followed by Enter.
+    /// Runs this line as if typed and followed by Enter.
     Give(Cow<'static, str>),
     /// Adds the character to the vehicle list being typed.
     Type,
 }
 
-/// A key with its meaning; the table it is in sets where it applies.
+/// A key with its meaning; the table that contains it determines where it applies.
 pub type KeyRow = (Press, Meaning);
 
 /// One row of the keymap.
@@ -99,7 +99,7 @@ pub struct Binding {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Keymap {
     bindings: Vec<Binding>,
-    /// Keys without a meaning in a place, even if they have one anywhere.
+    /// Keys disabled in a place, even if they have a meaning in every other one.
     silent: Vec<(Press, Place)>,
 }
 
@@ -121,7 +121,7 @@ impl Keymap {
         })
     }
 
-    /// The meaning of a key, without a change of the keyboard layout.
+    /// The meaning of a key, without converting it from another keyboard layout.
     fn written(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
         let at = |place: Place| {
             let mut found = self.bindings.iter().filter(move |it| it.place == place);

@@ -1,4 +1,4 @@
-//! Commands in files: macros and keys. Whether they are possible depends on the flight, but their syntax can be
+//! Commands in files: macros and keys. Whether they can be run depends on the flight, but their syntax can be
 //! checked at once.
 
 use super::room_list::Room;
@@ -7,7 +7,7 @@ use crate::language::{self, Channel, Context, Groups, Listed, NameList, Named, N
 use crate::text;
 use crate::vehicle::VehicleClass;
 
-/// Names that a command in a file may use: themes are known; missions, macros and injects may be any.
+/// Names that a command in a file may use: themes are known; missions, macros and injects may have any name.
 #[derive(Debug)]
 struct NamesInFiles<'a> {
     themes: &'a [String],

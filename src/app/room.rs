@@ -52,7 +52,7 @@ pub trait RoomModel: Default {
         None
     }
 
-    /// Cancels the last thing.
+    /// Undoes the last thing that was opened, selected or filtered.
     fn escape(_state: &mut State) -> Answer {
         None
     }
@@ -147,13 +147,13 @@ pub const fn keys(room: Room) -> &'static [KeyRow] {
     behaviour(room).keys
 }
 
-/// The key hints of the present room.
+/// The key hints of the current room.
 pub fn hints(state: &State) -> impl Iterator<Item = KeyHint> {
     let all = (behaviour(state.room).hints)(state).iter().copied();
     all.filter(|&hint| footer_keys::is_of_use(state, hint))
 }
 
-/// Performs an action in the present room.
+/// Performs an action in the current room.
 pub fn act(state: &mut State, action: Action) -> Answer {
     let room = behaviour(state.room);
     match action {
@@ -198,7 +198,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
 }
 
 impl Room {
-    /// Performs an action that only this room has, if it is the present one.
+    /// Performs an action that only one room has, if that room is the current one.
     fn alone(self, state: &mut State, act: impl FnOnce(&mut State) -> Vec<RoomRequest>) -> Answer {
         (state.room == self).then(|| act(state))
     }

@@ -1,4 +1,4 @@
-//! The list of rooms. A new room is a line here, a module of its own in `app::room`, and one in `ui::screen`.
+//! The list of rooms. A new room needs a line here, a module in `app::room`, and one in `ui::screen`.
 
 use crate::language::{Listed, Named};
 use crate::text::Text;
@@ -48,7 +48,7 @@ macro_rules! declare_rooms {
             /// Every room, in the order of the help.
             pub const ALL: [Self; [$($key),+].len()] = [$(Self::$Room),+];
 
-            /// The key that leads there by default.
+            /// The default key that opens it.
             pub const fn key(self) -> char {
                 match self {
                     $(Self::$Room => $key,)+
@@ -74,7 +74,7 @@ impl Default for Room {
 }
 
 impl Room {
-    /// Whether keys select and command vehicles there.
+    /// Whether keys select and command vehicles in this room.
     pub const fn shows_vehicles(self) -> bool {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
     }

@@ -20,7 +20,7 @@ pub struct FlightSnapshot {
 }
 
 impl FlightSnapshot {
-    /// A snapshot of the present state.
+    /// A snapshot of the current state.
     pub fn of(state: &State) -> Self {
         Self {
             session: state.session.clone(),

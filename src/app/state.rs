@@ -88,7 +88,7 @@ pub struct State<R> {
     pub(in crate::app) session: FlightView,
     /// The vehicle list being typed, `3-9`; empty without one.
     pub(in crate::app) typed: String,
-    /// Time since the start of the program by the wall clock: it also runs during a pause.
+    /// Time since the start of the program by the wall clock: this also runs during a pause.
     pub(in crate::app) wall: Duration,
     /// When the previous key answered a question that changed the session, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
@@ -121,7 +121,7 @@ pub struct State<R> {
     pub(in crate::app) keymap: Keymap,
     /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
-    /// Columns and rows of the terminal.
+    /// The size of the terminal: columns and rows.
     pub(in crate::app) size: (u16, u16),
     /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
@@ -248,7 +248,7 @@ impl<R> State<R> {
         });
     }
 
-    /// The key of an action in the present room, for messages.
+    /// The key of an action in the current room, for messages.
     pub fn key(&self, action: Action) -> Text {
         self.keymap.key(action, Place::In(self.room))
     }
@@ -325,7 +325,8 @@ impl<R> State<R> {
         self.session.listing.as_deref()
     }
 
-    /// Whether the trainee is asked now how much there is to do: in the air, outside of exams, until it was answered.
+    /// Whether the trainee is asked now how much there is to do: in the air, except in exams, until the question is
+    /// answered.
     pub fn asks_workload(&self) -> bool {
         let session = &self.session;
         let Some(progress) = session.mission.as_ref().filter(|_| !session.over) else {
@@ -343,13 +344,13 @@ impl<R> State<R> {
         is_open && !is_exam && self.replay.is_none() && self.config.workload.ask
     }
 
-    /// Whether the trainee can still say what is to come of the flight.
+    /// Whether the trainee can still enter a prediction and a goal for the flight.
     pub fn can_pledge(&self) -> bool {
         let progress = self.session.mission.as_ref();
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The trainee's best attempt that counts and earned points; of equal ones the first.
+    /// The trainee's best attempt that counts and earned points; of several equal ones, the first.
     pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
         let tries = self.tries.get(mission)?.iter();
         let ended = tries.filter(|one| one.score > Some(0) && !one.is_practice);

@@ -99,7 +99,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
     Effects::none()
 }
 
-/// Clears messages and overlays that have been printed as lines.
+/// Clears the messages and overlays that the plain console has printed.
 fn told(state: &mut State) {
     state.hush();
     if !matches!(state.overlay, Some(Overlay::Confirm(_))) {

@@ -9,7 +9,7 @@ use crate::text::Text;
 /// The skill probabilities at which hints of levels 1 to 3 fade out.
 const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 
-/// A level of help: it changes the advice, never the physics or the score.
+/// A level of help. It changes the advice, but never the physics or the score.
 #[derive(
     Debug,
     Clone,
@@ -27,7 +27,7 @@ const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 #[strum(serialize_all = "snake_case")]
 pub enum Aids {
     Full,
-    /// Less advice the better a skill is mastered.
+    /// Less advice, the better a skill is mastered.
     #[default]
     Fading,
     None,
@@ -57,7 +57,7 @@ impl Aids {
         }
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Full => text!("aids-full"),
@@ -75,8 +75,8 @@ impl Aids {
         }
     }
 
-    /// Whether a hint is shown automatically, from its level, 1 (the routine) to 3 (the steps), and the probability of
-    /// its skill, 0 to 1.
+    /// Whether a hint is shown automatically, depending on its level, 1 (the routine) to 3 (the steps), and the
+    /// probability of its skill, 0 to 1.
     pub fn shows_hint(self, level: u8, chance: f64) -> bool {
         match self {
             Self::Full => true,

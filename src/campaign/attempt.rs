@@ -30,7 +30,7 @@ pub struct Attempt {
 /// flown.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTerms<'a> {
-    /// The mission, under the rules of what it is flown for ([`Mission::flown_for`]).
+    /// The mission, under the rules of its stake ([`Mission::flown_for`]).
     pub mission: &'a Mission,
     pub wanted: Stake,
     /// The seed chosen by the user.
@@ -41,7 +41,7 @@ pub struct AttemptTerms<'a> {
     pub means: AttemptMeans,
     /// The day of the flight, in days since 1970 (UTC).
     pub day: i64,
-    /// A random number for an unknown layout; `None` if the system has none.
+    /// A random number for an unknown layout; `None` if the system does not provide one.
     pub random: Option<u64>,
 }
 
@@ -60,7 +60,7 @@ pub struct AttemptMeans {
     pub mission_file: MissionFile,
     /// The source of the commands.
     pub flown_by: FlownBy,
-    /// Whether the airframes are replaced by files of the user.
+    /// Whether files of the user replace the airframes.
     pub has_own_airframes: bool,
     /// The speed-up of simulated time.
     pub speedup: f64,
@@ -73,9 +73,9 @@ pub enum PracticeReason {
     ChosenSeed,
     /// A pilot script, or a pipe, gives the commands.
     Script,
-    /// The course has no such mission.
+    /// The course does not contain the mission.
     OwnMission,
-    /// The mission's text is not that of the course.
+    /// The mission's text differs from that of the course.
     AlteredMission,
     /// The mission is locked for the trainee.
     Locked(Vec<LockReason>),
@@ -102,7 +102,7 @@ pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !by_hand
 }
 
-/// The number of the attempt after these, from 1. Unfinished flights and practice do not count: they use up no free
+/// The number of the attempt after these, from 1. Unfinished flights and practice do not count, and use up no free
 /// hints.
 pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     let finished = earlier
@@ -137,7 +137,7 @@ impl Attempt {
         self.stake != self.wanted
     }
 
-    /// The same layout again. A layout seen before is practice; that of a day counts once a day in any case.
+    /// The same layout again. A layout seen before is practice; the layout of the day counts once a day in any case.
     #[must_use]
     pub fn repeated(self) -> Self {
         let stake = match self.stake {
@@ -183,7 +183,7 @@ impl AttemptTerms<'_> {
         self.with_seed(self.layout().unwrap_or(FIRST_SEED))
     }
 
-    /// The next attempt: on another layout, unless the user chose it or it is common to all trainees.
+    /// The next attempt, on another layout, unless the user chose the layout or it is the same for all trainees.
     pub fn decide_after(&self, previous: &Attempt) -> Attempt {
         self.with_seed(
             self.layout()

@@ -1,4 +1,4 @@
-//! The missions of a campaign, and which of them are open to a trainee.
+//! The missions of a campaign, and which ones are open to a trainee.
 
 use super::{CareerFlight, CareerStanding, Mastery, Skill};
 use crate::mission::{Mission, Requires, Unlock};
@@ -6,7 +6,7 @@ use crate::scoring::{Component, Medal};
 use crate::text;
 use crate::text::Text;
 
-/// A mission in a campaign.
+/// A mission offered in a campaign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offer {
     /// The id of the mission.
@@ -48,18 +48,18 @@ pub enum MissionStage {
 /// Why a mission is locked.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LockReason {
-    /// Another mission has to be passed.
+    /// Another mission must be passed.
     Pass(Text),
     /// Another mission needs at least this medal.
     Medal(Text, Medal),
-    /// A skill needs the first probability, in percent, and has the second.
+    /// A skill needs the first probability, but has the second; both in percent.
     Skill(Skill, u8, u8),
     /// The mission needs the first number of drones; the licence covers only the second.
     Licence(u8, u8),
 }
 
 impl LockReason {
-    /// What to do, as text.
+    /// The required action, as text.
     pub fn text(&self) -> Text {
         match self {
             Self::Pass(title) => text!("locked-pass", mission = title.clone()),
@@ -137,7 +137,7 @@ impl MissionCourse {
         &self.offers
     }
 
-    /// A flight with its evidence in all languages: profiles store the English names of objectives and components.
+    /// A flight with the names of its evidence in all languages, since profiles store only the English ones.
     #[must_use]
     pub fn translated(&self, mut flight: CareerFlight) -> CareerFlight {
         let objectives = self.offer(&flight.mission).map(|it| it.objectives.clone());
@@ -207,8 +207,9 @@ impl MissionCourse {
             .collect()
     }
 
-    /// The recommended skill, and the best open mission for it: a skill due for a refresher; otherwise the weakest one
-    /// that a new mission trains; otherwise the weakest one. Weak skills get drills first, better ones whole missions.
+    /// The recommended skill, and the best open mission for it. The skill is one that is due for a refresher, otherwise
+    /// the weakest one that a new mission trains, otherwise the weakest one. Weak skills get drills first, better ones
+    /// get whole missions.
     pub fn next(&self, standing: &CareerStanding, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .iter()
@@ -236,14 +237,14 @@ impl MissionCourse {
                         && (may_be_known(!is_fresh) || !is_known(offer))
                         && (offer.drill_of.is_none() || chance < SHAKY)
                 });
-                // New missions before known ones; among equals the easiest.
+                // New missions come before known ones; among these, the easiest first.
                 let best = trains.min_by_key(|offer| {
                     let is_drill = offer.drill_of.is_some();
                     (is_known(offer), is_drill != (chance < SHAKY), tier(offer))
                 });
                 best.map(|offer| (is_fresh, skill, offer))
             });
-            // Due skills first, then new and easy missions; of equals the weakest skill.
+            // Due skills first, then new and easy missions; among these, the weakest skill.
             let first =
                 best.min_by_key(|(is_fresh, _, offer)| (*is_fresh, is_known(offer), tier(offer)));
             first.map(|(_, skill, offer)| (skill, offer))
@@ -258,7 +259,7 @@ fn is_advisable(offer: &Offer, standing: &CareerStanding) -> bool {
     of.is_none_or(|mission| standing.best(mission).is_some())
 }
 
-/// Below this probability, a skill is better drilled than used.
+/// Below this probability, a drill suits a skill better than a whole mission.
 const SHAKY: f64 = 0.4;
 
 fn percent(share: f64) -> u8 {

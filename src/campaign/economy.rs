@@ -52,8 +52,8 @@ pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts, given the best score before it. A failed flight earns none, nor credits:
-/// otherwise a few reports from above the pad would earn some.
+/// Experience for a flight that counts, given the best score before it. A failed flight earns neither experience nor
+/// credits; otherwise a few reports from above the pad would earn some.
 pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
     if !flight.passed {
         return 0;

@@ -5,14 +5,14 @@ use crate::mission::Mission;
 use crate::scoring::Report;
 
 impl CareerFlight {
-    /// A flight of a mission that ended on a day (since 1970, UTC).
+    /// A flight of a mission that ended on `day`, in days since 1970 (UTC).
     pub fn of(mission: &Mission, report: &Report, stake: Stake, day: i64) -> Self {
         Self {
             mission: mission.id.clone(),
             drill_of: mission.drill_of.clone(),
             tier: mission.rewards.xp_tier,
             reward: mission.rewards.credits,
-            // One abandoned before any drone was heard counts as well.
+            // A flight abandoned before any drone was heard counts as well.
             vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX).max(1),
             stake,
             flown_by: report.flown_by,

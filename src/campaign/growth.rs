@@ -20,7 +20,7 @@ pub struct Growth {
 pub struct Wealth {
     /// Credits left after the entry.
     pub credits: u32,
-    /// Experience points in all.
+    /// Total experience points.
     pub experience: u64,
 }
 
@@ -45,11 +45,11 @@ pub struct SkillMove {
     pub mission: String,
     /// The day, in days since 1970 (UTC).
     pub day: i64,
-    /// The basis of the evidence.
+    /// The name of the evidence's basis.
     pub what: Text,
     /// The outcome, 0 to 1.
     pub outcome: f64,
-    /// The probability of mastery on that day before, 0 to 1.
+    /// The probability of mastery on that day before the flight, 0 to 1.
     pub before: f64,
     pub after: f64,
 }

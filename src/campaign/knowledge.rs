@@ -32,9 +32,9 @@ const MISSIONS: usize = 2;
 const DAYS: usize = 2;
 /// The probability below which a mastered skill is due for a refresher.
 const DUE: f64 = 0.80;
-/// The greatest change by one flight, which proves little.
+/// The maximum change by one flight, since a single flight proves little.
 const MOST_AT_ONCE: f64 = 0.25;
-/// The least outcome of a success.
+/// The minimum outcome of a success.
 const SUCCESS: f64 = 0.5;
 
 /// The knowledge of one skill.
@@ -63,16 +63,16 @@ pub enum Mastery {
     Due,
 }
 
-/// What mastery still requires.
+/// A requirement of mastery that is not met yet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lack {
     /// This probability, in percent.
     Chance(u8),
     /// This many more flights.
     Flights(usize),
-    /// This many other missions.
+    /// This many more missions.
     Missions(usize),
-    /// This many other days.
+    /// Flights on this many more days.
     Days(usize),
 }
 
@@ -89,7 +89,7 @@ impl Lack {
 }
 
 impl Mastery {
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Unknown => text!("mastery-unknown"),
@@ -143,13 +143,13 @@ impl Knowledge {
         if !self.was_mastered {
             return None;
         }
-        // Solved for the day on which chance(day) falls to DUE, and no later than the half-life.
+        // This solves chance(day) = DUE for the day; the result is no later than the half-life.
         let above = (self.chance - FLOOR).max(1e-9) / (DUE - FLOOR);
         let days = self.half_life_days() * maths::log2(above).clamp(0.0, 1.0);
         Some(self.last_day + days.ceil() as i64)
     }
 
-    /// What mastery still requires on a day; empty once mastered.
+    /// The requirements of mastery that are not met on a day; empty once mastered.
     pub fn lacks(&self, day: i64) -> Vec<Lack> {
         if self.was_mastered {
             return Vec::new();
@@ -166,7 +166,7 @@ impl Knowledge {
         let days = more(self.days.len(), DAYS);
         lacks.extend((days > 0).then_some(Lack::Days(days)));
         if lacks.is_empty() {
-            // Everything was met at some time, but not together: the next good flight decides.
+            // All requirements were met, but not at the same time: one more good flight is needed.
             lacks.push(Lack::Flights(1));
         }
         lacks

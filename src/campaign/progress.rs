@@ -14,19 +14,19 @@ use crate::text::Text;
 pub struct CareerProgress {
     /// Credits that can be spent.
     pub credits: u32,
-    /// Experience points in all.
+    /// Total experience points.
     pub experience: u64,
     pub level: u32,
     /// Experience that the next level needs.
     pub next_level_experience: u64,
-    /// The most drones that may be flown at a time.
+    /// The maximum number of drones that may be flown at a time.
     pub licence: u8,
     /// The number of finished flights.
     pub flights: u32,
-    /// The number of them from an imported profile, which are unverified.
+    /// The number of flights from an imported profile, which are unverified.
     pub imported_flights: usize,
     pub next: Option<TrainingAdvice>,
-    /// The missions, in the order of the course; others that were flown come last.
+    /// The missions, in the order of the course; other flown missions come last.
     pub missions: Vec<MissionProgress>,
     /// The skills, in their order.
     pub skills: Vec<SkillProgress>,
@@ -36,11 +36,11 @@ pub struct CareerProgress {
 pub struct TrainingAdvice {
     /// The skill to train.
     pub skill: Skill,
-    /// Its name for people.
+    /// The name of the skill on the screen.
     pub skill_title: Text,
     /// Id of the mission that trains it best.
     pub mission: String,
-    /// Its name for people.
+    /// The name of the mission on the screen.
     pub mission_title: Text,
 }
 
@@ -49,7 +49,7 @@ pub struct TrainingAdvice {
 pub struct MissionProgress {
     /// The id of the mission.
     pub id: String,
-    /// Its name for people.
+    /// Its name on the screen.
     pub title: Text,
     /// The number of drones.
     pub vehicles: u8,
@@ -57,7 +57,7 @@ pub struct MissionProgress {
     pub state: MissionState,
     /// Why it is locked, if it is.
     pub reasons: Vec<Text>,
-    /// The number of attempts: flights by hand that were no practice.
+    /// The number of attempts: flights by hand that were not practice.
     pub tries: usize,
     /// The best score of flights that count.
     pub best: Option<u16>,
@@ -76,7 +76,7 @@ pub struct MissionProgress {
 #[serde(rename_all = "snake_case")]
 pub enum MissionState {
     Locked,
-    /// Open, not passed yet.
+    /// Open, but not passed yet.
     Open,
     /// Passed at least once.
     Passed,
@@ -86,7 +86,7 @@ pub enum MissionState {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
     pub skill: Skill,
-    /// Its name for people.
+    /// Its name on the screen.
     pub title: Text,
     /// The probability of mastery today, in percent.
     pub percent: u8,

@@ -26,11 +26,11 @@ pub struct Reward {
     pub level_before: u32,
     /// The level after the flight.
     pub level: u32,
-    /// Experience missing for the next level.
+    /// The experience still required for the next level.
     pub experience_left: u64,
-    /// The number of drones of the licence before.
+    /// The number of drones that the licence covered before.
     pub licence_before: u8,
-    /// The number of drones of the licence now.
+    /// The number of drones that the licence covers now.
     pub licence: u8,
     /// The newly opened missions.
     pub missions: Vec<OpenedItem>,
@@ -38,7 +38,7 @@ pub struct Reward {
     pub parts: Vec<OpenedItem>,
     /// The skills with evidence, in order.
     pub skills: Vec<SkillChange>,
-    /// Why no credits were paid, if so.
+    /// Why no credits were paid; `None` if any were.
     pub unpaid: Option<Text>,
 }
 
@@ -46,7 +46,7 @@ pub struct Reward {
 pub struct OpenedItem {
     /// The id of the mission or part.
     pub id: String,
-    /// Its name for people.
+    /// Its name on the screen.
     pub title: Text,
 }
 
@@ -54,7 +54,7 @@ pub struct OpenedItem {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillChange {
     pub skill: Skill,
-    /// Its name for people.
+    /// Its name on the screen.
     pub title: Text,
     /// Whether it was shown for the first time.
     pub is_new: bool,

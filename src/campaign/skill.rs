@@ -32,14 +32,15 @@ pub struct Evidence {
     pub what: Text,
 }
 
-/// The error of a prediction, in points, at which the outcome is zero.
+/// The error of a prediction at which the outcome is zero, in points.
 const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are rounded to this fraction, so that a career is unchanged by storage.
 const STEPS: f64 = 1000.0;
 /// An outcome below this counts against a skill in any flight.
 const FAULT: f64 = 0.1;
 
-/// A flight's evidence on one skill. It counts once: showing it three times in one flight is no stronger evidence.
+/// A flight's evidence on one skill. It counts once: showing a skill three times in one flight is not stronger
+/// evidence.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SkillShown {
     pub skill: Skill,
@@ -75,8 +76,8 @@ impl Evidence {
     }
 
     /// A flight's evidence: every attempted objective for the skill of its kind, the components of the score that show
-    /// a skill, and the prediction. None for a flight abandoned before any command; for a failed flight, only what
-    /// went wrong: a hover with a few blind reports keeps all rules.
+    /// a skill, and the prediction. A flight abandoned before any command gives none. A failed flight gives only
+    /// evidence of faults, because a hover with a few blind reports would keep all rules.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
             return Vec::new();
@@ -95,14 +96,14 @@ impl Evidence {
                     Some(Trying::Report) => !report.truth.marks.is_empty(),
                     Some(Trying::Progress) | None => false,
                 };
-            // Arming alone shows nothing yet.
+            // Arming alone is not evidence yet.
             (is_tried && (has_flown || share <= 0.0)).then_some(())?;
             Some(Self::new(skill, share, objective.title.clone()))
         });
         let components = report.components.iter().filter_map(|shown| {
             let component = Component::ALL.into_iter().find(|it| shown.is(*it))?;
             let skill = shown_by(component)?;
-            // A component without weight, or of a flight that never began, has nothing to judge; energy is not judged
+            // A component without weight, or of a flight that never began, is not evidence; energy is not judged
             // if too little was reached.
             let is_shown = match component {
                 Component::Command => true,
@@ -179,7 +180,7 @@ mod tests {
         pilot.land();
         pilot.flight.abandon();
         let (mission, mut report) = (pilot.flight.mission(), pilot.report());
-        // Regardless of the objective's share.
+        // The result does not depend on the objective's share.
         for objective in &mut report.objectives {
             objective.points = objective.points_max * 0.9;
         }

@@ -5,19 +5,19 @@ use std::ops::RangeInclusive;
 
 use super::{CareerEntry, CareerFlight, Purchase};
 
-/// Days since 1970 with dates of four-digit years.
+/// The days since 1970 whose dates have a four-digit year.
 const DAYS: RangeInclusive<i64> = 0..=1_000_000;
 const TIERS: RangeInclusive<u8> = 0..=3;
 const SCORES: RangeInclusive<u16> = 0..=1000;
 const OUTCOMES: RangeInclusive<f64> = 0.0..=1.0;
-/// Possible rewards of a mission and prices of a part, in credits.
+/// The possible rewards of a mission and prices of a part, in credits.
 const CREDITS: RangeInclusive<u32> = 0..=100_000;
-/// Possible costs of a lost swarm, in credits.
+/// The possible costs of a lost swarm, in credits.
 const WEAR: RangeInclusive<u32> = 0..=1_000_000;
 const LONGEST_ID: usize = 64;
 
 impl CareerEntry {
-    /// Why this is impossible, in English; `None` if it is possible.
+    /// Why this entry is impossible, in English; `None` if it is possible.
     pub fn fault(&self) -> Option<String> {
         match self {
             Self::Flight(flight) => flight.fault(),
@@ -60,7 +60,7 @@ fn beyond<T: Copy + PartialOrd + Debug>(
     (!range.contains(&value)).then(|| format!("`{name}` is {value:?}, not {least:?} to {most:?}"))
 }
 
-/// A fault unless `id` has only lower-case letters, digits and a few marks.
+/// A fault, unless `id` contains only lower-case letters, digits and characters of `marks`.
 fn malformed(name: &str, id: &str, marks: &str) -> Option<String> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || marks.contains(c);
     let is_fine = (1..=LONGEST_ID).contains(&id.len()) && id.chars().all(plain);

@@ -39,9 +39,9 @@ pub struct Best {
     pub exam: Option<ExamResult>,
     /// The number of exams taken.
     exams: u32,
-    /// The most drones in a flight with at least silver.
+    /// The maximum number of drones in a flight with at least silver.
     silver_with: u8,
-    /// The same for gold.
+    /// The maximum number of drones in a flight with gold.
     gold_with: u8,
 }
 
@@ -70,11 +70,11 @@ pub enum PartState {
 pub enum PurchaseRefusal {
     /// The part is unknown.
     Unknown,
-    /// It is owned already.
+    /// The part is already owned.
     Owned,
     /// A mission must be passed first.
     Locked(String),
-    /// It costs the first amount, but only the second is available.
+    /// The part costs the first number of credits, but only the second is available.
     TooDear(u32, u32),
 }
 
@@ -145,7 +145,7 @@ impl CareerStanding {
         }
         self.credits = self.credits.saturating_sub(flight.wear);
         self.flights += 1;
-        // A layout seen before shows memory, not skill.
+        // A flight on a known layout shows memory, not skill.
         if counts {
             for shown in flight.shown_skills() {
                 let known = self.skills.entry(shown.skill).or_default();
@@ -162,7 +162,7 @@ impl CareerStanding {
         }
     }
 
-    /// Whether a flight counts for more than practice. Of daily flights, the first one of the day does.
+    /// Whether a flight counts for more than practice. Of daily flights, only the first one of the day counts.
     pub(super) fn counts(&self, flight: &CareerFlight) -> bool {
         match flight.stake {
             Stake::Graded | Stake::Exam => true,
@@ -180,7 +180,7 @@ impl CareerStanding {
         economy::pay(flight, best.and_then(|best| best.passed))
     }
 
-    /// A purchase of a part's licence.
+    /// The purchase of a part's licence.
     ///
     /// # Errors
     /// Why it cannot be bought.
@@ -255,7 +255,7 @@ impl CareerStanding {
         self.missions.get(mission)
     }
 
-    /// The number of exams that were taken of a mission, also those that were left.
+    /// The number of a mission's exams that were taken, including abandoned ones.
     pub fn exams(&self, mission: &str) -> u32 {
         self.best(mission).map_or(0, |best| best.exams)
     }
@@ -270,12 +270,12 @@ impl CareerStanding {
         self.skills.get(&skill).cloned().unwrap_or_default()
     }
 
-    /// The most drones that may be flown in missions at a time.
+    /// The maximum number of drones that may be flown in missions at a time.
     pub fn licence(&self) -> u8 {
         self.licence
     }
 
-    /// The licence by results: two drones after the first pass, four after the second, eight after silver in two
+    /// The licence earned by results: two drones after the first pass, four after the second, eight after silver in two
     /// missions with three drones or more, 16 after silver with eight, 32 after gold with eight.
     fn earned_licence(&self) -> u8 {
         let missions = || self.missions.values();

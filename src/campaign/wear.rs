@@ -18,8 +18,8 @@ pub struct FlownDesign<'a> {
     pub has_crashed: bool,
 }
 
-/// The costs of a flight in credits: wear of batteries and motors, and half the price of crashed drones. A drone that
-/// stayed on its pad costs nothing, nor do lent ones.
+/// The costs of a flight in credits: the wear of batteries and motors, and half the price of crashed drones. A drone
+/// that stayed on its pad costs nothing, and neither do lent ones.
 pub fn wear<'a>(flown: impl IntoIterator<Item = FlownDesign<'a>>) -> u32 {
     let credits: f64 = flown.into_iter().map(|one| one.wear()).sum();
     credits.round() as u32

@@ -19,7 +19,7 @@ use crate::store;
 /// The program that simulates the vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum SimulatorChoice {
-    /// The simulator within this program.
+    /// The simulator inside this program.
     Embedded,
     /// ArduPilot's SITL: one process for each vehicle.
     Ardupilot,
@@ -29,15 +29,15 @@ pub(super) enum SimulatorChoice {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "What flies")]
 pub(super) struct BackendArguments {
-    /// The simulator; embedded unless a hangar or a program is named.
+    /// Use this simulator; by default the embedded one, unless a hangar or a program is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
     services: ServiceOptions,
     #[command(flatten)]
     programs: ProgramOptions,
-    /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
-    /// vehicles, or several times: one file per vehicle, the last one for all that follow.
+    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
+    /// times: one file for each vehicle, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
 }

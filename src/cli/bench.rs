@@ -21,27 +21,26 @@ mod sim;
 /// The measurement to make.
 #[derive(Debug, Subcommand)]
 pub(super) enum BenchCommand {
-    /// The course played through by the reference pilots: scores, credits, level, licence and skills after each
-    /// flight.
+    /// Flies the whole course with the reference pilots: scores, credits, level, licence and skills after each flight.
     Campaign(campaign::CampaignArguments),
-    /// Decoding and model update per message, compared with a loop that only finds frames.
+    /// Measures decoding and model update per message, compared with a loop that only finds frames.
     Decode(decode::DecodeArguments),
-    /// The embedded simulator compared with recordings of the real vehicle, manoeuvre by manoeuvre.
+    /// Compares the embedded simulator with recordings of the real vehicle, manoeuvre by manoeuvre.
     Fidelity(fidelity::FidelityArguments),
-    /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
+    /// Measures time and bytes per frame of the console, while a tenth of the vehicles changes.
     Frame(frame::FrameArguments),
-    /// The time from a key to the bytes that show it, compared with a program that only echoes.
+    /// Measures the time from a key press to the bytes that show its effect, compared with a program that only echoes.
     Latency(latency::LatencyArguments),
-    /// The share of a core that the whole process needs while embedded vehicles fly.
+    /// Measures the share of a core that the whole process uses while embedded vehicles fly.
     Load(load::LoadArguments),
-    /// How much faster than real time the reference pilots fly the shipped missions.
+    /// Measures how much faster than real time the reference pilots fly the shipped missions.
     Missions(missions::MissionsArguments),
-    /// A recording of flying vehicles: the time to open it, the time to show any moment of it, and the cost of
-    /// recording.
+    /// Measures a recording of flying vehicles: the time to open it, the time to show any moment of it, and the cost
+    /// of recording.
     Replay(replay::BenchReplayArguments),
-    /// The cost of a growing number of vehicles for the simulator and the console, as the paper measured it.
+    /// Measures the cost of more and more vehicles for the simulator and the console, with the method of the paper.
     Scale(scale::ScaleArguments),
-    /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
+    /// Measures the cost of simulated vehicles that fly and stream position and attitude, from one to thousands.
     Sim(sim::BenchSimArguments),
 }
 

@@ -22,25 +22,25 @@ mod script;
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Files that end in .pilot or .toml, or folders with such files. The kind of a .toml file follows from its
-    /// content.
+    /// Files that end in .pilot or .toml, or folders of such files. The content of a .toml file shows which kind it
+    /// is.
     #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Fly missions with their reference pilot, a naive pilot and no pilot: the first must earn silver, the second
-    /// must not earn a medal, and the third must not pass or score. The scripts are MISSION.pilot and NN-naive.pilot,
-    /// beside the mission's file, in its folder `pilots`, or among the shipped scripts.
+    /// must not earn a medal, and the third must neither pass nor score. The scripts are MISSION.pilot and
+    /// NN-naive.pilot, next to the mission's file, in the folder `pilots` there, or among the shipped scripts.
     #[arg(long, value_name = "MISSION", num_args = 1.., conflicts_with = "files")]
     fly: Vec<String>,
-    /// The number of seeds to fly, from 1 on.
+    /// Fly this many seeds, starting with 1.
     #[arg(long, default_value_t = 5, requires = "fly", value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
     /// Print the JSON schema of mission files, for editors.
     #[arg(long, conflicts_with_all = ["files", "fly"])]
     schema: bool,
-    /// Print the reference of mission files, as in the mission guide.
+    /// Print the reference of mission files, as it stands in the mission guide.
     #[arg(long, conflicts_with_all = ["files", "fly", "schema"])]
     reference: bool,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long, requires = "fly")]
     json: bool,
 }

@@ -24,10 +24,10 @@ pub(super) struct ConfigArguments {
     /// Print the files and folders instead of the values.
     #[arg(long, conflicts_with = "keys")]
     paths: bool,
-    /// Print the meaning of the keys as a keymap file, instead of the values.
+    /// Print the keys and their actions as a keymap file, instead of the values.
     #[arg(long)]
     keys: bool,
-    /// Every setting as a Markdown table: default, environment variable, meaning.
+    /// Print a Markdown table of all settings: default, environment variable, meaning.
     #[arg(long, conflicts_with_all = ["paths", "keys"])]
     reference: bool,
 }

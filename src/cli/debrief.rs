@@ -23,7 +23,7 @@ pub(super) struct DebriefArguments {
     /// A recorded run, or `last`: the newest one that the console has recorded.
     #[arg(default_value = "last", value_name = "FILE")]
     run: String,
-    /// One JSON document instead of the debrief.
+    /// Print one JSON document instead of the debrief.
     #[arg(long)]
     json: bool,
 }

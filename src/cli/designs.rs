@@ -14,9 +14,9 @@ use crate::workshop::Design;
 /// Options of commands that fly a mission.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct DesignArguments {
-    /// A drone of the workshop for the mission: a design file, or the name of a design. One design is for all seats;
-    /// with several, each seat takes the next one and the last is for all that follow. Separate several by commas, or
-    /// repeat the option.
+    /// Fly this drone of the workshop in the mission: a design file, or the name of a design. One design is for all
+    /// drones; with several, each drone takes the next one, and the last is for all that follow. Separate them with
+    /// commas, or repeat the option.
     #[arg(
         long = "design",
         value_name = "DESIGN",

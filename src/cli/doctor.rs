@@ -20,7 +20,7 @@ mod terminal;
     sortie doctor\n  \
     sortie doctor --json | jq '.[] | select(.verdict == \"fault\")'")]
 pub(super) struct DoctorArguments {
-    /// One JSON document instead of lines.
+    /// Print one JSON document instead of lines.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

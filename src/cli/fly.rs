@@ -32,21 +32,21 @@ const VEHICLES: u8 = 4;
     sortie fly missions/my-mission.toml --seed 7\n  \
     sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter")]
 pub(super) struct FlyArguments {
-    /// A mission file, or the name or number of an embedded mission; free flight without one.
+    /// A mission file, or the name or number of a mission; without one, free flight.
     mission: Option<String>,
-    /// Simulated vehicles in free flight.
+    /// Start this many simulated vehicles in free flight.
     #[arg(long, default_value_t = VEHICLES, value_parser = clap::value_parser!(u8).range(1..=250))]
     vehicles: u8,
-    /// Fly running vehicles at these addresses instead of simulated ones.
+    /// Connect to running vehicles at these addresses instead of starting simulated ones.
     #[arg(long, value_name = "ADDR", num_args = 1.., conflicts_with_all = ["mission", "vehicles"])]
     connect: Vec<Address>,
-    /// Seed of the mission's world; without it, each new attempt has another one.
+    /// Use this seed for the mission's world; by default a new one for each attempt.
     #[arg(long)]
     seed: Option<u64>,
-    /// Simulated seconds per second.
+    /// Run this many times as fast as real time.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// Print lines of text instead of a screen: for screen readers and pipes.
+    /// Print lines of text instead of drawing a screen, for screen readers and pipes.
     #[arg(long)]
     plain: bool,
     #[command(flatten)]
@@ -58,10 +58,10 @@ pub(super) struct FlyArguments {
 /// Options of `sortie` without a command.
 #[derive(Debug, Args)]
 pub(super) struct HomeArguments {
-    /// Seed of the missions' worlds; without it, each new attempt has another one.
+    /// Use this seed for the missions' worlds; by default a new one for each attempt.
     #[arg(long)]
     seed: Option<u64>,
-    /// Simulated seconds per second.
+    /// Run this many times as fast as real time.
     #[arg(long, value_parser = parse_speedup)]
     speedup: Option<f64>,
 }

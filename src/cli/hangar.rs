@@ -30,9 +30,9 @@ pub(super) struct HangarArguments {
 enum HangarTask {
     /// Prints how to start SITL by hand: folders, files and command lines, ready to paste into a shell.
     Command(command::CommandArguments),
-    /// Asks SITL programs for their vehicle type and their version.
+    /// Prints the vehicle type and the version of SITL programs.
     Identify(identify::IdentifyArguments),
-    /// Shows the state of services: what they can start, how many instances run, and which.
+    /// Shows the state of services: the programs that they can start, and the instances that run.
     Status(status::StatusArguments),
 }
 

@@ -37,27 +37,27 @@ enum ProfileCommand {
         after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course"
     )]
     List {
-        /// One JSON document instead of a table.
+        /// Print one JSON document instead of a table.
         #[arg(long)]
         json: bool,
     },
-    /// Credits, level, licence, missions, skills, and what to train next.
+    /// Shows credits, level, licence, missions, skills, and what to train next.
     #[command(after_help = "Examples:\n  sortie profile show anna\n  sortie profile show --json")]
     Show {
-        /// The profile; by default the one of the settings, or the only one.
+        /// The profile; by default the one in the settings, or the only one.
         name: Option<String>,
-        /// One JSON document instead of tables.
+        /// Print one JSON document instead of tables.
         #[arg(long)]
         json: bool,
     },
-    /// Writes a profile with all its flights as JSON, to carry it to another machine.
+    /// Exports a profile with all its flights as JSON, to move it to another machine.
     #[command(after_help = "Examples:\n  \
                             sortie profile export anna > anna.json\n  \
                             sortie profile export anna --output anna.json")]
     Export {
-        /// The profile; by default the one of the settings, or the only one.
+        /// The profile; by default the one in the settings, or the only one.
         name: Option<String>,
-        /// The file to write; `-` is standard output.
+        /// Write to this file; `-` is standard output.
         #[arg(long, value_name = "FILE", default_value = "-")]
         output: PathBuf,
     },
@@ -66,13 +66,13 @@ enum ProfileCommand {
                             sortie profile import anna.json\n  \
                             sortie profile import anna.json --name anna-2")]
     Import {
-        /// The file that `sortie profile export` has written.
+        /// A file written by `sortie profile export`.
         file: PathBuf,
-        /// The name of the profile here; by default the exported name.
+        /// Store the profile under this name; by default the exported one.
         #[arg(long)]
         name: Option<String>,
     },
-    /// Removes a profile with all its flights and designs; recordings stay.
+    /// Deletes a profile with all its flights and designs, but keeps its recordings.
     #[command(after_help = "Examples:\n  \
                             sortie profile export anna --output anna.json\n  \
                             sortie profile delete anna --yes")]
@@ -88,7 +88,7 @@ enum ProfileCommand {
                             sortie workshop parts radio\n  \
                             sortie profile buy r_rfd900 --profile anna")]
     Buy {
-        /// Id of the part; `sortie workshop parts` lists them.
+        /// The id of the part; `sortie workshop parts` lists all ids.
         part: String,
     },
 }

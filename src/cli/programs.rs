@@ -12,17 +12,17 @@ use crate::sitl::SitlKind;
 /// Options of commands that start SITL.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct ProgramOptions {
-    /// SITL's program for multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or
-    /// in a usual build folder.
+    /// Use this SITL program for multirotors; by default the one from the configuration, from `SORTIE_ARDUCOPTER`, on
+    /// the PATH or in a usual build folder.
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arducopter: Option<PathBuf>,
-    /// SITL's program for planes (`SORTIE_ARDUPLANE`).
+    /// Use this SITL program for planes (`SORTIE_ARDUPLANE`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arduplane: Option<PathBuf>,
-    /// SITL's program for rovers and boats (`SORTIE_ARDUROVER`).
+    /// Use this SITL program for rovers and boats (`SORTIE_ARDUROVER`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardurover: Option<PathBuf>,
-    /// SITL's program for submarines (`SORTIE_ARDUSUB`).
+    /// Use this SITL program for submarines (`SORTIE_ARDUSUB`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardusub: Option<PathBuf>,
 }

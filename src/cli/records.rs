@@ -35,7 +35,7 @@ enum RecordsCommand {
     /// Lists the records, the newest first.
     #[command(after_help = "Examples:\n  sortie records list\n  sortie records list --json")]
     List {
-        /// One JSON document instead of a table.
+        /// Print one JSON document instead of a table.
         #[arg(long)]
         json: bool,
     },
@@ -45,11 +45,11 @@ enum RecordsCommand {
         /// The number in the list, or a file; by default the newest record.
         #[arg(default_value = "1")]
         record: String,
-        /// One JSON document instead of tables.
+        /// Print one JSON document instead of tables.
         #[arg(long)]
         json: bool,
     },
-    /// Exports a record, or any tlog, for other programs, with all vehicles and all messages; or its review.
+    /// Exports a record or any tlog, with all vehicles and messages, for other programs; or exports its review.
     #[command(after_help = "Examples:\n  \
                             sortie records export 1 --format kml --output flight.kml\n  \
                             sortie records export flight.tlog --format csv --output tables\n  \
@@ -58,11 +58,11 @@ enum RecordsCommand {
     Export {
         /// The number in the list, or a file.
         record: String,
-        /// The format: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap, or md (the
-        /// review).
+        /// Write this format: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap, or md
+        /// (the review).
         #[arg(long, value_enum)]
         format: Format,
-        /// The file or folder, which must not exist yet.
+        /// Write to this file or folder, which must not exist yet.
         #[arg(long, value_name = "PATH")]
         output: PathBuf,
     },
@@ -71,13 +71,13 @@ enum RecordsCommand {
         after_help = "Examples:\n  sortie records key\n  sortie records key --output keys --no-password"
     )]
     Key(KeyArguments),
-    /// Signs the files of a record with your key; `sortie verify --public-key` and `minisign -V` check that.
+    /// Signs the files of a record with your key; `sortie verify --public-key` and `minisign -V` check the signatures.
     #[command(
         after_help = "Examples:\n  sortie records sign\n  sortie records sign 3 --key keys/minisign.key"
     )]
     Sign(SignArguments),
-    /// Joins the `DataFlash` log of a vehicle to a record: modes, errors, events, changed parameters, vibration, EKF and
-    /// battery become moments.
+    /// Joins the `DataFlash` log of a vehicle to a record: modes, errors, events, changed parameters, and the state of
+    /// vibration, EKF and battery become moments.
     #[command(
         after_help = "Examples:\n  sortie records join logs/v3-log12.bin\n  sortie records join flight.bin 4 --vehicle 3"
     )]

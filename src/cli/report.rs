@@ -22,13 +22,13 @@ use crate::text::Locale;
     sortie report --format json --output anna.json\n  \
     sortie report --format csv --table missions > missions.csv")]
 pub(super) struct ReportArguments {
-    /// The format of the report.
+    /// Write the report in this format.
     #[arg(long, value_enum, default_value = "md")]
     format: Format,
-    /// The table for a CSV file.
+    /// Write this table, if the format is CSV.
     #[arg(long, value_enum, default_value = "runs")]
     table: Which,
-    /// The file to write; `-` is standard output.
+    /// Write to this file; `-` is standard output.
     #[arg(long, value_name = "FILE", default_value = "-")]
     output: PathBuf,
 }

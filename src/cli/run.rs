@@ -48,41 +48,41 @@ use recorder::{RecordingPlan, RunRecorder};
     reason = "each is a flag of the command line"
 )]
 pub(super) struct RunArguments {
-    /// A mission file, or the name or number of an embedded mission.
+    /// A mission file, or the name or number of a mission.
     mission: String,
-    /// A pilot script, or the name of an embedded one.
+    /// Fly with this pilot script: a file, or the name of a shipped one.
     #[arg(long, value_name = "FILE")]
     pilot: String,
-    /// One JSON document instead of the debrief.
+    /// Print one JSON document instead of the debrief.
     #[arg(long)]
     json: bool,
-    /// Seed of the mission's world; by default 1, or another one for each attempt with --profile. A seed given with
-    /// --profile makes the flight practice.
+    /// Use this seed for the mission's world; by default 1, or a new one for each attempt with --profile. With
+    /// --profile, a flight with a chosen seed counts as practice.
     #[arg(long)]
     seed: Option<u64>,
     /// Fly the seed of the day (UTC), the same for all trainees.
     #[arg(long, conflicts_with = "seed")]
     daily: bool,
-    /// Refused: exams are flown by hand.
+    /// Fly an exam: always refused, because exams are flown by hand.
     #[arg(long, hide = true)]
     exam: bool,
-    /// Simulated seconds per second, or `max`: as fast as the embedded simulator can run, or as fast as all of
-    /// ArduPilot's SITL processes can run together (20 with a processor for each).
+    /// Run this many times as fast as real time, or at `max`: as fast as the embedded simulator can run, or as fast as
+    /// all SITL processes of ArduPilot can run together (20 times with a processor for each).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     #[command(flatten)]
     designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
-    /// The number of this attempt at the mission, from 1: hints are free on the first one. With --profile, attempts
-    /// are counted.
+    /// Set the number of this attempt at the mission, from 1: on the first, only the third hint costs points. With
+    /// --profile, the profile counts the attempts, and this option is refused.
     #[arg(long = "try", value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=9999))]
     attempt: Option<u32>,
-    /// Record the run in this folder instead of the data folder; its files stay. With --profile, runs are recorded in
-    /// the data folder.
+    /// Record the run in this folder instead of the data folder, and never delete its files automatically. Refused
+    /// with --profile: such runs are recorded in the data folder.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
-    /// Leave out the duration of the run, so that equal runs print equal bytes.
+    /// Leave out the duration of the run, so that identical runs print identical output.
     #[arg(long)]
     no_timing: bool,
 }
@@ -196,7 +196,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     }
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
-        // Whole seconds, since finer ones would differ between equal runs.
+        // Whole seconds, since finer ones would differ between identical runs.
         let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         let document = RunResultDocument {
             report: &report,

@@ -20,37 +20,37 @@ use crate::sim::{SYSTEMS, World, WorldConfig};
     sortie sim --vehicles 4\n  \
     sortie sim --udp 127.0.0.1:14550 --home 50.45,30.52,180,90")]
 pub(super) struct SimArguments {
-    /// The number of vehicles; their system ids are 1 to 254 and then begin again at 1.
+    /// Simulate this many vehicles; their system ids are 1 to 254 and then start again at 1.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=5000))]
     vehicles: u16,
-    /// Serve TCP: vehicle i on PORT + 10 * i (serial 0), and on the ports 2 and 3 above that (serial 1 and 2), as
-    /// ArduPilot's SITL does. By default on 127.0.0.1:5760.
+    /// Serve TCP: vehicle i, counted from 0, on PORT + 10 * i (serial 0), and on the ports 2 and 3 above that (serial 1
+    /// and 2), as ArduPilot's SITL does. By default on 127.0.0.1:5760.
     #[arg(long, value_name = "HOST:PORT")]
     tcp: Option<HostPort>,
-    /// Send UDP to a ground station that listens at this address, often on port 14550.
+    /// Send over UDP to a ground station that listens on this address, often on port 14550.
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_target)]
     udp: Option<HostPort>,
-    /// Once a vehicle has a signing key, drop unsigned packets on serial 0, too.
+    /// Once a vehicle has a signing key, drop unsigned packets on serial 0 as well.
     #[arg(long)]
     strict_signing: bool,
-    /// Simulated seconds per second.
+    /// Run this many times as fast as real time.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// Seed of the simulation's noise.
+    /// Use this seed for the noise of the simulation.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Boot as slowly as the real autopilot: the first heartbeat after 1 s, ready for GUIDED after 42 s.
     #[arg(long)]
     realistic_boot: bool,
-    /// Home of the first vehicle: latitude, longitude, height above sea level in metres, heading in degrees.
+    /// Place the first vehicle here: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
         default_value = "-35.363262,149.165237,584,0",
         allow_hyphen_values = true
     )]
     home: StartPlace,
-    /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
-    /// vehicles, or several times: one file per vehicle, the last one for all that follow.
+    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
+    /// times: one file for each vehicle, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
 }

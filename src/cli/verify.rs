@@ -26,10 +26,10 @@ use crate::vehicle::VehicleId;
     sortie verify 3 --public-key keys/minisign.pub\n  \
     sortie verify runs/2026-11-20T14-03-22Z_01-air-sample_4711-00.run.jsonl")]
 pub(super) struct VerifyArguments {
-    /// The number in the list of `sortie records list`, or a file of the record.
+    /// The number in `sortie records list`, or a file of the record.
     #[arg(default_value = "1")]
     record: String,
-    /// The key that the record must be signed with: the text of a minisign public key, or its file.
+    /// Require a signature with this key: the text of a minisign public key, or its file.
     #[arg(long, value_name = "KEY")]
     public_key: Option<String>,
     /// Print one JSON document instead of text.

@@ -40,11 +40,11 @@ enum WorkshopCommand {
         design: String,
         #[command(flatten)]
         air: AirArguments,
-        /// One JSON document instead of a sheet.
+        /// Print one JSON document instead of a sheet.
         #[arg(long)]
         json: bool,
     },
-    /// Compares two designs side by side: before, after, and the difference.
+    /// Compares two designs side by side and shows the differences.
     #[command(after_help = "Examples:\n  \
                             sortie workshop compare starter scout\n  \
                             sortie workshop compare mine.toml theirs.toml --temperature 35")]
@@ -73,7 +73,7 @@ enum WorkshopCommand {
     Export {
         /// A design file, or the name of a design.
         design: String,
-        /// The folder to write to.
+        /// Write the files to this folder.
         #[arg(long, default_value = ".", value_name = "FOLDER")]
         to: PathBuf,
     },
@@ -82,13 +82,13 @@ enum WorkshopCommand {
 /// The conditions of the flight.
 #[derive(Debug, Args)]
 struct AirArguments {
-    /// Altitude above sea level, in metres.
+    /// Assume this altitude above sea level, in metres.
     #[arg(long, default_value_t = 0.0, value_parser = within::<-400, 6000>, allow_negative_numbers = true, value_name = "M")]
     altitude: f64,
-    /// Temperature of the air, in degrees Celsius.
+    /// Assume this air temperature, in degrees Celsius.
     #[arg(long, default_value_t = 15.0, value_parser = within::<-40, 50>, allow_negative_numbers = true, value_name = "C")]
     temperature: f64,
-    /// Temperature of the battery, in degrees Celsius.
+    /// Assume this battery temperature, in degrees Celsius.
     #[arg(long, default_value_t = 25.0, value_parser = within::<-40, 60>, allow_negative_numbers = true, value_name = "C")]
     battery_temperature: f64,
 }

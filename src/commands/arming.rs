@@ -1,4 +1,4 @@
-//! Motors on and off.
+//! Commands that arm and disarm the motors.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
@@ -9,13 +9,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Motors on and off.
+/// Arms and disarms the motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArmingCommand {
     Arm,
     /// Disarm on the ground.
     Disarm,
-    /// Stop the motors at once, in flight too (disarm with the magic number 21196).
+    /// Stop the motors at once, even in flight (disarm with the magic number 21196).
     Kill,
 }
 
@@ -65,7 +65,7 @@ impl ArmingCommand {
 
 /// The magic number that makes ArduPilot disarm in flight.
 const FORCE_DISARM: f32 = 21196.0;
-/// The magic number that makes ArduPilot arm regardless of its checks; [`FORCE_DISARM`] does too.
+/// The magic number that makes ArduPilot arm regardless of its checks; [`FORCE_DISARM`] has the same effect.
 const FORCE_ARM: f32 = 2989.0;
 /// The parameter that arms rather than disarms.
 const ARM: f32 = 1.0;

@@ -6,8 +6,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle};
 
-/// The state of a vehicle while a command is in effect. When it ends, another source controls the vehicle: another
-/// ground station, a failsafe, a pilot's stick, or the autopilot that disarms by itself.
+/// The state of a vehicle while a command is in effect. If it ends, another source controls the vehicle: another
+/// ground station, a failsafe, a pilot's stick, or the autopilot that disarms on its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Claim {
     mode: Option<Mode>,
@@ -20,7 +20,7 @@ impl Claim {
         self.mode.is_none() && self.armed.is_none()
     }
 
-    /// Its description: what shows that it holds.
+    /// Its description: the state that shows that it holds.
     pub fn describe(&self) -> Text {
         match self.mode {
             Some(mode) => text!("effect-mode", mode = mode.to_string()),
@@ -65,7 +65,7 @@ impl Command {
     }
 }
 
-/// A claim to fly in the present mode.
+/// A claim to fly in the current mode.
 fn flight_in_this_mode(before: &Vehicle) -> Claim {
     Claim {
         mode: before.mode(),
@@ -73,7 +73,7 @@ fn flight_in_this_mode(before: &Vehicle) -> Claim {
     }
 }
 
-/// A claim to be in a mode, on the ground too.
+/// A claim to be in a mode, also on the ground.
 fn mode(before: &Vehicle, name: &str) -> Claim {
     Claim {
         mode: mode_named(before, name),

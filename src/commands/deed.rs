@@ -33,9 +33,9 @@ pub enum Deed {
         /// The expected score, 0 to 1000.
         points: u16,
     },
-    /// Say how much there is to do, when asked: 1 (next to nothing) to 5 (too much).
+    /// Rate the workload when asked, from 1 (almost nothing to do) to 5 (too much).
     Workload {
-        /// 1 to 5.
+        /// The rating, 1 to 5.
         level: u8,
     },
     /// Set a goal for the flight.
@@ -83,7 +83,7 @@ pub enum Subject {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spot {
-    /// Where the vehicle is.
+    /// The vehicle's position.
     Here,
     At(LatLon),
     /// Metres from the mission's origin.
@@ -126,7 +126,7 @@ impl Goal {
 }
 
 impl fmt::Display for Goal {
-    /// In the grammar's notation after `goal`.
+    /// Writes the goal in the grammar's notation after `goal`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Time(within) => write!(f, "time {}s", within.as_secs_f64()),

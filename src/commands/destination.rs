@@ -5,13 +5,13 @@ use crate::geo::LatLon;
 /// The destination of a `goto`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Destination {
-    /// A point on the earth; `None` keeps the present height.
+    /// A point on the earth; `None` keeps the current height.
     Global {
         at_point: LatLon,
         /// Metres above home; `None` keeps the height.
         altitude_m: Option<f64>,
     },
-    /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the present height.
+    /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the current height.
     Local {
         /// North of the origin.
         north_m: f64,

@@ -1,4 +1,4 @@
-//! Outputs, and the autopilot as a device.
+//! Commands about outputs, and about the autopilot as a device.
 
 use std::time::Duration;
 
@@ -47,7 +47,7 @@ impl DeviceCommand {
 
     pub(super) fn effect(self, before: &Vehicle) -> Effect {
         match self {
-            // Outputs that are not in the telemetry stay at 0 and show nothing.
+            // Outputs that are not in the telemetry stay at 0, so they show no effect.
             Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
                 Effect::new(Watched::Servo { output, pulse_us }, SOON)
             }

@@ -14,7 +14,7 @@ use crate::vehicle::{Mode, Vehicle, VehicleClass};
 const ARRIVED_M: f64 = 1.5;
 /// The vertical tolerance of a reached place.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
-/// The last part of a climb, which is slower: an earlier setpoint would abort a takeoff.
+/// The last part of a climb, which is slower. A setpoint before it would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
 /// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;
@@ -22,7 +22,7 @@ const TURNED_DEG: f64 = 5.0;
 const HOME_M: f64 = 5.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f64 = 0.5;
-/// A change of a state bit shows with the next heartbeat.
+/// How long a change of a state bit takes to appear, which is with the next heartbeat.
 pub(super) const SOON: Duration = Duration::from_secs(3);
 
 /// The effect to watch for after a command was accepted.
@@ -37,7 +37,7 @@ pub(super) enum Watched {
     Nothing,
     Armed(bool),
     Mode(Mode),
-    /// On the ground, landed by a mode.
+    /// The vehicle is on the ground, landed by a mode.
     Landed(Mode),
     Still,
     Altitude {
@@ -58,7 +58,7 @@ pub(super) enum Watched {
 }
 
 impl Effect {
-    /// Whether it shows; `None` if there is nothing to watch beyond the acceptance.
+    /// Whether the effect shows; `None` if there is nothing to watch beyond the acceptance.
     pub fn seen(&self, vehicle: &Vehicle) -> Option<bool> {
         Some(match &self.watched {
             Watched::Nothing => return None,
@@ -157,8 +157,8 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Within a share of the height, limited to 1 to 1.5 m and to half the height, so that the ground does not count. The
-/// time limit assumes 0.5 m/s.
+/// Within a share of the height, limited to 1 to 1.5 m and to half the height, so that the ground does not count as
+/// reached. The time limit assumes 0.5 m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)

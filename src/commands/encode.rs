@@ -120,7 +120,7 @@ pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, Tex
     Ok(outgoing(COMMAND_INT, payload))
 }
 
-/// A message of the dialect if that has names for all numbers in the payload, otherwise the raw payload.
+/// A message of the dialect if the dialect has names for all numbers in the payload, otherwise the raw payload.
 fn outgoing(id: u32, payload: Vec<u8>) -> Outgoing {
     match MavMessage::parse(MavlinkVersion::V2, id, &payload) {
         Ok(message) => message.into(),

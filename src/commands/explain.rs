@@ -59,7 +59,7 @@ impl AckResult {
     }
 }
 
-/// "arm refused: `PreArm`: Need Position Estimate": the result of a command with the status texts that came with it.
+/// The result of a command with the status texts that came with it: "arm refused: `PreArm`: Need Position Estimate".
 /// ArduPilot refuses many commands without a text; then the reason is derived from the vehicle's state.
 pub fn explain(
     verb: &'static str,

@@ -45,7 +45,7 @@ impl FindKind {
         self.into()
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Mine => text!("contact-mine"),

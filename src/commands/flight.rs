@@ -24,7 +24,7 @@ pub enum FlightCommand {
         /// Height above home to climb to.
         altitude_m: f64,
     },
-    /// Land at the present position.
+    /// Land at the current position.
     Land,
     ReturnToLaunch,
     /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).

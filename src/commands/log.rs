@@ -1,23 +1,23 @@
-//! Commands about the `DataFlash` logs that a vehicle keeps of its flights.
+//! Commands about the `DataFlash` logs that a vehicle stores of its flights.
 
-/// What is to be done with a vehicle's logs.
+/// A command about a vehicle's logs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LogCommand {
     List,
-    /// End the orders about logs; what was read of a log stays.
+    /// End the orders about logs; the parts of a log that were read are kept.
     Stop,
     /// Copy logs from the vehicle into files.
     Download {
         which: LogChoice,
-        /// Where the files go, as the user wrote it; by default the folder for logs.
+        /// The folder for the files, as the user wrote it; `None` for the default folder.
         folder: Option<String>,
     },
 }
 
-/// Which logs of a vehicle are meant.
+/// A choice among a vehicle's logs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LogChoice {
-    /// That of the last flight.
+    /// The log of the last flight.
     Last,
     All,
     /// The log of this number in the vehicle's list.

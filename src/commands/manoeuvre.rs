@@ -1,14 +1,14 @@
 //! Manoeuvres of several vehicles.
 //!
-//! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into setpoints for each of them.
+//! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into setpoints for each vehicle.
 
 use crate::geo::{LatLon, Outline};
 use crate::vehicle::VehicleId;
 
-/// A manoeuvre of several vehicles. A single one can do it, too.
+/// A manoeuvre of several vehicles. A single vehicle can also fly it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Manoeuvre {
-    /// Fly parallel lines over an area, each vehicle a part of it.
+    /// Fly parallel lines over an area, each vehicle over a part of it.
     Survey {
         ground: Ground,
         /// The line spacing; `None` for the width that the sensor covers.

@@ -1,6 +1,6 @@
 //! The `MAV_CMD`s that have names.
 
-/// The number of a `MAV_CMD` by its name, upper or lower case, with or without the `MAV_CMD_` before it.
+/// The number of a `MAV_CMD` by its name, upper or lower case, with or without the prefix `MAV_CMD_`.
 pub fn command_by_name(name: &str) -> Option<u16> {
     let name = name.to_ascii_uppercase();
     let bare = name.strip_prefix("MAV_CMD_").unwrap_or(&name);
@@ -10,7 +10,7 @@ pub fn command_by_name(name: &str) -> Option<u16> {
         .map(|&(number, _)| number)
 }
 
-/// The name of a `MAV_CMD`, without the `MAV_CMD_` before it.
+/// The name of a `MAV_CMD`, without the prefix `MAV_CMD_`.
 pub fn command_name(number: u16) -> Option<&'static str> {
     COMMANDS
         .iter()
@@ -18,12 +18,12 @@ pub fn command_name(number: u16) -> Option<&'static str> {
         .map(|&(_, name)| name)
 }
 
-/// Numbers and names, without the `MAV_CMD_` before them, in order of number.
+/// Numbers and names, without the prefix `MAV_CMD_`, in order of number.
 pub fn command_names() -> &'static [(u16, &'static str)] {
     COMMANDS
 }
 
-/// The dialect's commands, since its enum can neither be listed nor queried by name.
+/// The dialect's commands, listed here because its enum can neither be listed nor queried by name.
 const COMMANDS: &[(u16, &str)] = &[
     (16, "NAV_WAYPOINT"),
     (17, "NAV_LOITER_UNLIM"),

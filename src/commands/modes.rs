@@ -4,7 +4,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
-/// The mode that holds the position; `None` where pausing does it.
+/// The mode that holds the position; `None` if pausing does that.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
     let mode = vehicle.mode()?;
     match mode.class {

@@ -16,7 +16,7 @@ use crate::geo::{LatLon, wrap_360};
 use crate::text::Text;
 use crate::vehicle::{SpeedAxis, Vehicle};
 
-/// How often a velocity is repeated; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
+/// The time between repetitions of a velocity; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
 const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 
 /// Sets where and how a vehicle flies, its point of interest, and its home.
@@ -28,7 +28,7 @@ pub enum MotionCommand {
         /// The heading on the way.
         heading: Heading,
     },
-    /// Change the height at the present position, in GUIDED.
+    /// Change the height at the current position, in GUIDED.
     Altitude {
         /// New height above home.
         altitude_m: f64,
@@ -40,9 +40,9 @@ pub enum MotionCommand {
         speed_m_s: f64,
     },
     Yaw {
-        /// Degrees: clockwise from north, or from the present heading where `relative`.
+        /// Degrees: clockwise from north, or from the current heading if `relative`.
         angle_deg: f64,
-        /// Whether the angle counts from the present heading (clockwise positive).
+        /// Whether the angle counts from the current heading (clockwise positive).
         relative: bool,
         /// The turn rate in deg/s; `None` leaves it to the autopilot.
         rate_deg_s: Option<f64>,
@@ -53,7 +53,7 @@ pub enum MotionCommand {
         ned_m_s: [f64; 3],
         lasting: Duration,
     },
-    /// Circle around a point in GUIDED-capable autopilots.
+    /// Circle around a point, with autopilots that support it in GUIDED.
     Orbit {
         /// Radius in metres; negative turns counter-clockwise.
         radius_m: f64,
@@ -61,10 +61,10 @@ pub enum MotionCommand {
         speed_m_s: f64,
         /// The centre; `None` for the vehicle's position.
         centre: Option<LatLon>,
-        /// Height above home; `None` for the present one.
+        /// Height above home; `None` for the current one.
         altitude_m: Option<f64>,
     },
-    /// Point the nose and camera at a place; `None` stops that.
+    /// Point the nose and camera at a place; `None` ends that.
     RegionOfInterest {
         /// The place and its height above home.
         target: Option<(LatLon, f64)>,
@@ -169,7 +169,7 @@ impl MotionCommand {
     }
 }
 
-/// Circles around a centre at a height above home; by default, around the present position.
+/// Circles around a centre at a height above home; by default, around the current position.
 fn orbit(
     vehicle: &Vehicle,
     ring: [f32; 4],

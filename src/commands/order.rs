@@ -11,7 +11,7 @@ pub struct Order {
     /// The line in its canonical spelling, always with its targets.
     pub line: String,
     pub verb: &'static Verb,
-    /// The vehicles; where the order matters, the leader is first.
+    /// The vehicles; if their order matters, the leader is first.
     pub targets: Vec<VehicleId>,
     pub act: Act,
 }

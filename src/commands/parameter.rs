@@ -1,4 +1,4 @@
-//! Commands about parameters, which have messages and answers of their own.
+//! Commands about parameters, which have their own messages and answers.
 
 use super::encode;
 use super::request::{Answer, Request};
@@ -37,8 +37,8 @@ impl ParameterCommand {
     /// value.
     ///
     /// # Errors
-    /// A text if the vehicle has another value than was set. Integer parameters truncate the fraction, which is no
-    /// fault.
+    /// A text if the vehicle has a different value from the one that was set. Integer parameters truncate the fraction,
+    /// which is not a fault.
     pub fn outcome(&self, value: f32) -> Result<Text, Text> {
         let (name, wanted) = match self {
             Self::Set { name, value } => (name, *value),

@@ -1,4 +1,4 @@
-//! Bare MAVLink.
+//! Raw MAVLink commands.
 
 use super::arming::risk_of_number;
 use super::encode::{IntFields, LongFields};

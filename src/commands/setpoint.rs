@@ -13,13 +13,13 @@ use crate::text::Text;
 use crate::vehicle::{LandedState, Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
-/// The least height above home of a setpoint: below it the vehicle flies into the ground.
+/// The minimum height above home of a setpoint: below it the vehicle flies into the ground.
 const LOWEST_M: f64 = 0.5;
 /// A takeoff counts as under way this far below its height, or with more climb than this. Near its end it slows down
-/// (to about 1 m/s at 90 % of the height), and a setpoint does no harm any more.
+/// (to about 1 m/s at 90 % of the height), and a setpoint no longer does harm.
 const TAKEOFF_BELOW_M: f64 = 1.5;
 const TAKEOFF_CLIMB_M_S: f32 = 1.5;
-/// A vehicle with more climb than this has left the ground, whatever its status says.
+/// A vehicle with more climb than this has left the ground, whatever its status.
 const LIFTING_M_S: f32 = 0.3;
 
 pub(super) fn goto(
@@ -88,7 +88,7 @@ pub(super) enum TravelEnd {
     Local { ned_m: [f64; 3] },
 }
 
-/// Resolves relative and missing parts of a destination from the vehicle's position.
+/// Resolves the relative and missing parts of a destination, using the vehicle's position.
 pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<TravelEnd, Text> {
     match destination {
         Destination::Global {
@@ -255,7 +255,7 @@ impl Setpoint {
     /// The message for a vehicle.
     ///
     /// # Errors
-    /// A text if it would lead into the ground or is no place.
+    /// A text if it would lead into the ground or is not a place.
     pub fn message(&self, vehicle: &Vehicle) -> Result<Outgoing, Text> {
         above_ground(vehicle, self.altitude_m)?;
         match self.velocity_m_s {
@@ -270,7 +270,7 @@ impl Setpoint {
 /// Whether a vehicle can take part in the manoeuvre `verb`.
 ///
 /// # Errors
-/// A text with what is missing: GUIDED, motors, height, a position.
+/// A text if something is missing: GUIDED, armed motors, height or a position.
 pub fn ready_for(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     needs_guided(verb, vehicle)?;
     position(vehicle)?;

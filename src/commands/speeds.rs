@@ -1,7 +1,7 @@
 //! Speed limits, and when they must be sent again.
 //!
 //! ArduCopter resets them to its parameters whenever GUIDED begins another kind of control: a speed that was set
-//! before or during a takeoff is gone with the first `goto` (`ModeGuided::pva_control_start`). Each place to fly to is
+//! before or during a takeoff is lost with the first `goto` (`ModeGuided::pva_control_start`). Each place to fly to is
 //! therefore followed by the commanded speeds.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, SpeedType};
@@ -15,7 +15,7 @@ use crate::wire::Outgoing;
 pub const CHANGE_SPEED: u16 = MavCmd::MAV_CMD_DO_CHANGE_SPEED as u16;
 
 pub(super) fn fields(axis: SpeedAxis, speed_m_s: f64) -> LongFields {
-    // -1 leaves the throttle alone.
+    // -1 leaves the throttle unchanged.
     let changed = [speed_type(axis), speed_m_s as f32, -1.0];
     LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed)
 }
@@ -23,7 +23,7 @@ pub(super) fn fields(axis: SpeedAxis, speed_m_s: f64) -> LongFields {
 /// Repeats the commanded speeds, one message each.
 ///
 /// # Errors
-/// When the vehicle cannot be addressed.
+/// The vehicle cannot be addressed.
 pub fn asked_again(vehicle: &Vehicle) -> Result<Vec<Outgoing>, Text> {
     let asked = vehicle.asked_speeds.all();
     asked

@@ -365,7 +365,7 @@ fn any_number() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    /// A NaN in a setpoint crashes the real simulator.
+    /// A NaN in a setpoint crashes ArduPilot's simulator.
     #[test]
     fn nothing_but_finite_numbers_goes_out(a in any_number(), b in any_number(), c in any_number()) {
         let point = LatLon::new(a, b);

@@ -1,4 +1,4 @@
-//! What differs between two flights of a mission.
+//! The differences between two flights of a mission.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use crate::text::{Text, clock, rounded};
 /// One difference between two flights.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// The mission time at which it shows first; `None` if it is only known at the end.
+    /// The mission time at which it first shows; `None` if it is only known at the end.
     pub at: Option<Duration>,
     /// The subject of the difference.
     pub what: Text,
@@ -19,7 +19,7 @@ pub struct Difference {
     pub own: Text,
     /// The value in the other flight.
     pub other: Text,
-    /// The score gained over the other flight; `None` if the difference has no points of its own.
+    /// The score gained over the other flight; `None` if the difference itself has no points.
     pub points: Option<f64>,
 }
 
@@ -140,7 +140,7 @@ fn alerts(own: &Report, other: &Report) -> Option<Difference> {
     })
 }
 
-/// How often commands were refused and rules were broken.
+/// The differences in the number of refused commands and of broken rules.
 fn counts(own: &Report, other: &Report) -> Vec<Difference> {
     let refused = |report: &Report| {
         let entries = report.ledger.iter();

@@ -11,7 +11,7 @@ pub enum LiveSetting {
     Lang(Language),
     /// The symbols for curves and maps.
     Symbols(Symbols),
-    /// The most frames per second.
+    /// The maximum number of frames per second.
     Fps(u8),
     /// Whether serious alerts ring the bell.
     Bell(bool),

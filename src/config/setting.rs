@@ -251,7 +251,7 @@ const fn setting(
 impl Setting {
     /// The range of frames per second.
     pub const FPS_LEAST: i64 = 1;
-    /// The most frames per second.
+    /// The maximum number of frames per second.
     pub const FPS_MOST: i64 = 60;
 
     /// The setting with a name.

@@ -1,9 +1,9 @@
-//! Lays the clock of an autopilot on that of a record.
+//! Aligns the clock of an autopilot with that of a record.
 //!
 //! Logs count microseconds since the autopilot booted. So does telemetry, in milliseconds (`SYSTEM_TIME`, `ATTITUDE`,
-//! `GLOBAL_POSITION_INT`), and a record says when each message came: that is the way from one to the other, also where time
-//! passed faster in a simulator. GPS time, which log and telemetry both tell, says whether they are of the same boot. A
-//! record without boot times is laid by when the vehicle was armed.
+//! `GLOBAL_POSITION_INT`), and a record contains the time at which each message arrived. This connects the two clocks,
+//! even if time passed faster in a simulator. GPS time, which is in both log and telemetry, shows whether they belong
+//! to the same boot. A record without boot times is aligned by the times at which the vehicle was armed.
 
 use std::time::Duration;
 
@@ -13,27 +13,28 @@ use serde::{Deserialize, Serialize};
 use super::LoggedFlight;
 use crate::wire::{Content, Frame};
 
-/// Boot time that goes back by more means that the autopilot was started anew.
+/// If the boot time goes back by more than this, the autopilot has rebooted.
 const REBOOT_US: u64 = 2_000_000;
-/// Boots by GPS time that differ by less are the same: telemetry comes late.
+/// Boots count as the same if their GPS times differ by less than this, since telemetry arrives late.
 const SAME_BOOT_US: u64 = 5_000_000;
-/// Arming shows in telemetry within this.
+/// The time within which telemetry shows that the vehicle was armed.
 const ARMING_US: u64 = 3_000_000;
-/// Armings that are compared, of a log and of a recording: every pair of them may be the same.
+/// The maximum number of armings that are compared, of a log and of a recording each, since every pair of them may
+/// match.
 pub(super) const MOST_ARMINGS: usize = 100;
-/// Places of a clock that are kept, so far apart at least.
+/// The minimum time between the readings of a clock that are kept.
 const EVERY_US: u64 = 200_000;
 
-/// One start of an autopilot, as telemetry tells it.
+/// One start of an autopilot, according to telemetry.
 #[derive(Debug, Clone, Default)]
 struct Boot {
-    /// Microseconds since boot, and when that was, from the beginning of the record.
+    /// Pairs of microseconds since boot and microseconds from the beginning of the record.
     places: Vec<(u64, u64)>,
     /// When it booted, by its clock: microseconds since 1970 (UTC).
     booted_unix_us: Option<u64>,
 }
 
-/// What a record tells of a vehicle's clock.
+/// The data of a record on a vehicle's clock.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleClock {
     boots: Vec<Boot>,
@@ -42,30 +43,30 @@ pub struct VehicleClock {
     is_armed: Option<bool>,
 }
 
-/// By what a log was laid on a record.
+/// The data by which a log was aligned with a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AlignedBy {
-    /// The time since boot in telemetry, and GPS time shows that it is the same boot.
+    /// The time since boot in telemetry; GPS time shows that it is the same boot.
     GpsTime,
-    /// The time since boot in telemetry, and both say when the vehicle was armed.
+    /// The time since boot in telemetry; both contain the time at which the vehicle was armed.
     BootTime,
     /// The time since boot in telemetry alone: nothing shows that it is the same flight.
     BootTimeOnly,
-    /// When the vehicle was armed.
+    /// The time at which the vehicle was armed.
     Arming,
 }
 
-/// The way from the clock of a log to that of a record.
+/// The conversion from the clock of a log to that of a record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alignment {
     pub by: AlignedBy,
-    /// Microseconds since boot, and from the beginning of the record; earliest first, at least one.
+    /// Pairs of microseconds since boot and from the beginning of the record; earliest first, at least one.
     places: Vec<(u64, u64)>,
 }
 
 impl VehicleClock {
-    /// Takes in a frame of the vehicle's autopilot, heard at a time of the record.
+    /// Adds a frame of the vehicle's autopilot, received at a time of the record.
     pub fn hear(&mut self, frame: &Frame, at: Duration) {
         let at_us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
         let Content::Message(message) = &frame.content else {
@@ -130,13 +131,13 @@ impl VehicleClock {
         by_clock.or_else(|| self.align_by_arming(flight))
     }
 
-    /// How often log and record agree that the vehicle was armed; `None` where one of them contradicts the other.
+    /// The number of times that log and record agree that the vehicle was armed; `None` if they contradict each other.
     fn armed_together(&self, alignment: &Alignment, flight: &LoggedFlight) -> Option<usize> {
         let (from, to) = flight.span_us?;
         let (first, last) = (alignment.places.first()?.1, alignment.places.last()?.1);
         let from = alignment.place_us(from).map_or(first, |at| at.max(first));
         let to = alignment.place_us(to).unwrap_or(last).min(last);
-        // Near its ends, one of them may have missed it.
+        // Near the ends of the common time, one of them may have missed the arming.
         let common = from + ARMING_US..to;
         let logged: Vec<u64> = flight
             .armed_us
@@ -146,7 +147,7 @@ impl VehicleClock {
         let within = |times: &[u64]| times.iter().any(|at| common.contains(at));
         let same = logged.iter().filter(|at| self.has_armed_at(**at)).count();
         let is_quiet = !within(&logged) && !within(&self.armed_us);
-        // Some logs and some recordings never name it.
+        // Some logs and some recordings never contain it.
         let is_unsaid = logged.is_empty() || self.armed_us.is_empty();
         let is_sure = alignment.by == AlignedBy::GpsTime;
         (same > 0 || is_quiet || (is_sure && is_unsaid)).then_some(same)
@@ -173,7 +174,7 @@ impl VehicleClock {
             let at = logged.filter_map(|us| alignment.place_us(*us));
             at.filter(|at| self.has_armed_at(*at)).count()
         };
-        // Of equally good ones the first, which `max_by_key` finds from the end.
+        // Of equally good alignments the first one counts; `max_by_key` finds it because the order is reversed.
         let pairs: Vec<Alignment> = pairs.collect();
         pairs.into_iter().rev().max_by_key(same)
     }
@@ -194,7 +195,7 @@ impl Boot {
 }
 
 impl Alignment {
-    /// The clock of the log is that of the record.
+    /// The alignment of a log whose clock is that of the record.
     #[cfg(test)]
     pub(super) fn identity() -> Self {
         Self {
@@ -203,7 +204,7 @@ impl Alignment {
         }
     }
 
-    /// How much of a log's time is in the record; `None` if nothing is.
+    /// The part of a log's time that is in the record, in microseconds; `None` if none is.
     fn common_us(&self, flight: &LoggedFlight) -> Option<u64> {
         let (from, to) = flight.span_us?;
         let (first, last) = (self.places.first()?.0, self.places.last()?.0);
@@ -211,7 +212,7 @@ impl Alignment {
         to.checked_sub(from).filter(|common| *common > 0)
     }
 
-    /// When a time of the log was, from the beginning of the record; `None` before it.
+    /// Converts a time of the log to a time from the beginning of the record; `None` before it.
     pub fn place(&self, boot_us: u64) -> Option<Duration> {
         self.place_us(boot_us).map(Duration::from_micros)
     }
@@ -229,7 +230,7 @@ impl Alignment {
         let Some((boot, at)) = after else {
             return Some(before.1 + since);
         };
-        // Time between two messages passed evenly.
+        // Between two messages, time is taken to pass evenly.
         let share = since as f64 / (boot - before.0) as f64;
         let passed = at.saturating_sub(before.1) as f64 * share;
         Some(before.1 + passed as u64)
@@ -297,7 +298,7 @@ mod tests {
     #[test]
     fn what_only_one_of_them_says_of_arming_contradicts() {
         let places = [(10, 0), (100, 90)];
-        // The record arms at 31 s since boot; the log lasts over that and says nothing of it.
+        // The record has an arming at 31 s since boot; the log covers that time, but does not contain it.
         let armed = clock(&places, None, &[21]);
         assert_eq!(armed.align(&flight(12, 90, None, &[])), None);
         assert_eq!(armed.align(&flight(12, 90, None, &[60])), None);

@@ -1,14 +1,14 @@
-//! Readings of a log as curves: one value a second, the worst of that second.
+//! Readings of a log as curves: one value per second, the worst of that second.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-/// The most that a reading may be, in any unit.
+/// The maximum of a reading, in any unit.
 const MOST: f64 = 1e6;
 
-/// A reading that a log gives as a curve.
+/// A reading of a log that is shown as a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LogChannel {
@@ -31,7 +31,7 @@ impl LogChannel {
         Self::Current,
     ];
 
-    /// Whether its low readings are the bad ones.
+    /// Whether low readings are worse than high ones.
     pub fn is_low_worse(self) -> bool {
         match self {
             Self::Voltage => true,
@@ -58,9 +58,9 @@ pub struct LogCurves {
 }
 
 impl LogCurves {
-    /// Adds a reading to its second; of several, the worst is kept.
+    /// Adds a reading to its second; if there are several, the worst is kept.
     pub(super) fn add(&mut self, channel: LogChannel, time_us: u64, value: f64) {
-        // Beyond that, bytes only look like a reading.
+        // A larger value is not a real reading.
         if value.abs() < MOST {
             let value = (value * 100.0).round() / 100.0;
             self.add_to_second(channel, time_us / 1_000_000, value as f32);
@@ -86,13 +86,13 @@ impl LogCurves {
         placed
     }
 
-    /// The channels of which there is a reading, in display order.
+    /// The channels with readings, in display order.
     pub fn channels(&self) -> impl Iterator<Item = LogChannel> + '_ {
         self.by_channel.keys().copied()
     }
 
     /// The readings of a channel in the span that ends with the second of `until`, oldest first, one per second; `None`
-    /// where the log has none.
+    /// if the log has none.
     pub fn readings(&self, channel: LogChannel, until: Duration, seconds: u16) -> Vec<Option<f32>> {
         let known = self.by_channel.get(&channel);
         let last = until.as_secs();

@@ -36,11 +36,11 @@ const WEEK_MS: f64 = 7.0 * 24.0 * 3600.0 * 1000.0;
 /// `EV.Id` of arming and disarming.
 const ARMED: u8 = 10;
 
-/// Something that a log says.
+/// An event in a log.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum LoggedEvent {
-    /// A mode was entered, by name, and why where that is known.
+    /// A mode was entered: its name, and the reason if known.
     Mode {
         name: String,
         reason: Option<String>,
@@ -59,15 +59,15 @@ pub enum LoggedEvent {
         value: f32,
         before: f32,
     },
-    /// Vibration was too strong from here on; the strongest of it, in m/s².
+    /// Vibration was too strong from this time on; with its maximum in m/s².
     Vibration {
         most_m_s2: f64,
     },
-    /// Accelerometers reached their limit; how often in all.
+    /// Accelerometers reached their limit; with the total number of times.
     Clipping {
         count: u32,
     },
-    /// The estimator rejected measurements from here on; the greatest test ratio of it.
+    /// The estimator rejected measurements from this time on; with the maximum test ratio.
     Estimator {
         of: Measured,
         most: f64,
@@ -80,7 +80,7 @@ pub enum LoggedEvent {
     },
 }
 
-/// What an estimator measures.
+/// A measurement that an estimator checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measured {
@@ -101,7 +101,7 @@ impl Measured {
     }
 }
 
-/// An event, and when it was.
+/// An event with its time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoggedMoment {
     /// Microseconds since the autopilot booted.
@@ -109,14 +109,14 @@ pub struct LoggedMoment {
     pub event: LoggedEvent,
 }
 
-/// What is wrong with a log, or was not taken from it.
+/// The faults of a log, and the parts that were left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct LogDamage {
-    /// Bytes that belong to no record.
+    /// The number of bytes that do not belong to any record.
     pub skipped: usize,
-    /// Bytes of a last record that is not whole.
+    /// The number of bytes of an incomplete last record.
     pub cut_off: usize,
-    /// Events beyond the most of their kind.
+    /// The number of events beyond the maximum for their kind.
     #[serde(default)]
     pub left_out: usize,
 }
@@ -124,7 +124,7 @@ pub struct LogDamage {
 /// The flight data read from a log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LoggedFlight {
-    /// The vehicle, by the system id among the parameters.
+    /// The vehicle, according to the system id in the parameters.
     pub vehicle: Option<VehicleId>,
     pub moments: Vec<LoggedMoment>,
     pub curves: LogCurves,
@@ -184,7 +184,7 @@ impl LoggedFlight {
 }
 
 impl LogDamage {
-    /// In words, if there is any.
+    /// The damage as text, if there is any.
     pub fn text(self) -> Option<Text> {
         let bytes = match (self.skipped, self.cut_off) {
             (0, 0) => None,
@@ -416,7 +416,7 @@ impl Reading {
 }
 
 impl LoggedEvent {
-    /// In a few words.
+    /// The event in a few words.
     pub fn text(&self) -> Text {
         match self {
             Self::Mode { name, reason } => match reason {

@@ -1,4 +1,4 @@
-//! A log on the timeline of a record, as it is stored beside it.
+//! A log on the timeline of a record, as it is stored next to the record.
 
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ struct JoinedEvent {
 }
 
 impl JoinedLog {
-    /// Lays a log on a record of this length. What was before or after it is left out.
+    /// Converts a log to the timeline of a record of this length. Events before or after the record are left out.
     pub fn new(
         vehicle: VehicleId,
         file: &str,
@@ -64,10 +64,10 @@ impl JoinedLog {
         }
     }
 
-    /// Reads what [`to_json`](Self::to_json) wrote.
+    /// Reads the JSON that [`to_json`](Self::to_json) wrote.
     ///
     /// # Errors
-    /// It is something else, or of a later version; in words.
+    /// A text if it is something else, or comes from a later version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let joined: Self = serde_json::from_str(text)
             .map_err(|error| text!("log-join-unreadable", error = error.to_string()))?;
@@ -78,7 +78,7 @@ impl JoinedLog {
     }
 
     pub fn to_json(&self) -> String {
-        // Numbers and texts are always JSON.
+        // Numbers and texts can always be written as JSON.
         let mut text = serde_json::to_string(self).unwrap_or_default();
         text.push('\n');
         text
@@ -87,7 +87,7 @@ impl JoinedLog {
     /// Its moments, earliest first.
     pub fn moments(&self) -> Vec<Moment> {
         let moment = |it: &JoinedEvent| {
-            // A file may have been changed by hand.
+            // The file may have been changed by hand.
             let at = Duration::try_from_secs_f64(it.at_s).ok()?;
             Some(Moment {
                 at,
@@ -103,7 +103,7 @@ impl JoinedLog {
 }
 
 impl AlignedBy {
-    /// In a few words.
+    /// The alignment in a few words.
     pub fn text(self) -> Text {
         match self {
             Self::GpsTime => text!("log-by-gps-time"),

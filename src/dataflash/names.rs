@@ -1,4 +1,4 @@
-//! The numbers of events, errors and reasons in logs, by the names that `ArduPilot` gives them (4.6).
+//! The names of events, errors and reasons in logs by number, as in `ArduPilot` 4.6.
 
 /// Events (`EV.Id`).
 const EVENTS: &[(u8, &str)] = &[
@@ -103,7 +103,7 @@ const SUBSYSTEMS: &[(u8, &str)] = &[
     (31, "FAILSAFE_DEADRECKON"),
 ];
 
-/// Why a mode was entered (`MODE.Rsn`).
+/// The reasons why a mode was entered (`MODE.Rsn`).
 const REASONS: &[(u8, &str)] = &[
     (0, "UNKNOWN"),
     (1, "RC_COMMAND"),
@@ -160,7 +160,7 @@ const REASONS: &[(u8, &str)] = &[
     (52, "DDS_COMMAND"),
 ];
 
-/// What errors of one part mean (`ERR.ECode`), where it has codes of its own.
+/// The meaning of the errors of a part (`ERR.ECode`) that has its own codes.
 const CODES: &[(&str, u8, &str)] = &[
     ("CRASH_CHECK", 1, "CRASH"),
     ("CRASH_CHECK", 2, "LOSS_OF_CONTROL"),
@@ -195,7 +195,7 @@ pub(super) fn event(id: u8) -> String {
     named(EVENTS, id).map_or_else(|| id.to_string(), str::to_owned)
 }
 
-/// The names of an error: the part, and what has happened to it.
+/// The names of an error: the part, and its fault.
 pub(super) fn error(subsystem: u8, code: u8) -> (String, String) {
     let Some(part) = named(SUBSYSTEMS, subsystem) else {
         return (subsystem.to_string(), code.to_string());
@@ -213,7 +213,7 @@ pub(super) fn error(subsystem: u8, code: u8) -> (String, String) {
     (part.to_owned(), meaning)
 }
 
-/// The name of the reason of a mode; `None` for an unknown one.
+/// The name of the reason for a mode; `None` for an unknown one.
 pub(super) fn reason(number: u8) -> Option<&'static str> {
     named(REASONS, number).filter(|_| number > 0)
 }

@@ -1,21 +1,21 @@
-//! The records of a log: `A3 95`, a type, and columns that a format record of the log itself names.
+//! The records of a log: `A3 95`, a type, and columns that are defined by a format record in the log.
 
 use std::sync::Arc;
 
 /// Every record begins with these bytes.
 const HEAD: [u8; 2] = [0xA3, 0x95];
 const HEAD_LEN: usize = 3;
-/// The type of the records that say what the others look like (`FMT`), and their length.
+/// The type of the records that define the format of the others (`FMT`), and their length.
 const FORMAT: u8 = 0x80;
 const FORMAT_LEN: usize = 89;
 
-/// What a type of records looks like.
+/// The format of a type of records.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Format {
     pub name: String,
-    /// Bytes of a record, with its head.
+    /// The size of a record with its head, in bytes.
     length: usize,
-    /// The columns: name, letter of its type, place in the record.
+    /// The columns: name, letter of its type, position in the record.
     columns: Vec<(String, u8, usize)>,
 }
 
@@ -26,22 +26,22 @@ pub(super) struct Record<'a> {
     bytes: &'a [u8],
 }
 
-/// Goes through a log. What makes no sense is skipped and counted.
+/// Iterates over the records of a log. Invalid bytes are skipped and counted.
 #[derive(Debug)]
 pub(super) struct Records<'a> {
     bytes: &'a [u8],
     at: usize,
     formats: Vec<Option<Arc<Format>>>,
-    /// Bytes that belong to no record.
+    /// The number of bytes that do not belong to any record.
     pub skipped: usize,
-    /// Bytes of a last record that is not whole.
+    /// The number of bytes of an incomplete last record.
     pub cut_off: usize,
-    /// Format records so far.
+    /// The number of format records so far.
     pub described: usize,
 }
 
 impl Format {
-    /// As a format record describes it; `None` where that makes no sense.
+    /// Reads a format record; `None` if it is not valid.
     fn read(record: &[u8]) -> Option<(u8, Self)> {
         let (kind, length) = (*record.get(HEAD_LEN)?, usize::from(*record.get(4)?));
         let name = text(record.get(5..9)?);
@@ -70,7 +70,7 @@ impl Record<'_> {
         Some((*letter, bytes))
     }
 
-    /// A number, with its scale; `None` where there is no such column, or it is no number.
+    /// A number, with its scale; `None` if there is no such column, or it is not a number.
     pub fn number(&self, label: &str) -> Option<f64> {
         let (letter, bytes) = self.column(label)?;
         let value = match letter {
@@ -94,7 +94,7 @@ impl Record<'_> {
         value.is_finite().then_some(value)
     }
 
-    /// Its bytes, with its head.
+    /// Its size with its head, in bytes.
     pub fn len(&self) -> usize {
         self.bytes.len()
     }
@@ -110,7 +110,7 @@ impl Record<'_> {
         matches!(letter, b'n' | b'N' | b'Z').then(|| text(bytes))
     }
 
-    /// When it was written, in microseconds since the autopilot booted.
+    /// The time at which it was written, in microseconds since the autopilot booted.
     pub fn time_us(&self) -> Option<u64> {
         match self.column("TimeUS")? {
             (b'Q', bytes) => Some(u64::from_le_bytes(bytes.try_into().ok()?)),
@@ -131,7 +131,7 @@ impl<'a> Records<'a> {
         }
     }
 
-    /// How long a record of a type is, if that is known.
+    /// The size of a record of this type in bytes, if known.
     fn length(&self, kind: u8) -> Option<usize> {
         match kind {
             FORMAT => Some(FORMAT_LEN),
@@ -182,7 +182,7 @@ impl<'a> Iterator for Records<'a> {
     }
 }
 
-/// Bytes of a column.
+/// The size of a column in bytes, by the letter of its type.
 fn size(letter: u8) -> Option<usize> {
     Some(match letter {
         b'b' | b'B' | b'M' => 1,
@@ -195,7 +195,7 @@ fn size(letter: u8) -> Option<usize> {
     })
 }
 
-/// A text up to its first zero; what is no text becomes `?`.
+/// A text up to its first zero byte; bytes that are not text become `?`.
 fn text(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|byte| *byte == 0);
     let bytes = &bytes[..end.unwrap_or(bytes.len())];

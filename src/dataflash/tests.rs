@@ -1,10 +1,10 @@
-//! Logs that were made by hand, whole and broken.
+//! Tests with logs made by hand, both intact and damaged.
 
 use proptest::prelude::*;
 
 use super::*;
 
-/// A log in the making.
+/// Builds a log.
 #[derive(Default)]
 struct Maker(Vec<u8>);
 
@@ -262,7 +262,8 @@ fn many_armings_are_compared_in_no_time() {
 }
 
 proptest! {
-    /// A log with bytes changed, cut anywhere, is read or refused in words, and what was joined of it is read again.
+    /// A log with changed bytes, cut anywhere, is either read or refused with a text, and its joined part can be read
+    /// again.
     #[test]
     fn broken_logs_do_no_harm(
         changes in proptest::collection::vec((any::<proptest::sample::Index>(), any::<u8>()), 0..40),

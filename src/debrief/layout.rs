@@ -1,10 +1,10 @@
-//! Columns: text of a width that terminals agree on.
+//! Columns: text padded or cut to a width that is the same on all terminals.
 
 use unicode_width::{UnicodeWidthChar as _, UnicodeWidthStr as _};
 
 use crate::notice::sanitised;
 
-/// Minutes and seconds; tenths are cut off.
+/// A time in minutes and seconds; tenths are truncated.
 pub(super) fn clock(seconds: f64) -> String {
     let whole = seconds.max(0.0) as u64;
     format!("{:02}:{:02}", whole / 60, whole % 60)
@@ -30,7 +30,7 @@ pub(super) fn right(text: &str, width: usize) -> String {
     " ".repeat(width.saturating_sub(words.width())) + words
 }
 
-/// A word in pieces of at most `room` columns; marks stay with the letter they belong to.
+/// A word in pieces of at most `room` columns; combining marks stay with their letter.
 pub(super) fn pieces(word: &str, room: usize) -> Vec<String> {
     let mut pieces = vec![String::new()];
     let mut used = 0;

@@ -1,17 +1,17 @@
-//! The truth as a map of characters: objects, finds, and the parts that were never searched.
+//! The truth as a map of characters: objects, finds, and the areas that were never searched.
 
 use super::DebriefPage;
 use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::text;
 use crate::text::Text;
 
-/// The greatest size of the map; a row is twice as high as a column is wide.
+/// The maximum size of the map; a row is twice as high as a column is wide.
 const COLUMNS: usize = 72;
 const ROWS: usize = 22;
 const SHADES: [char; 6] = ['.', ':', '-', '+', '*', '#'];
-/// Squares with a weaker hazard are left blank.
+/// The strength of a hazard below which squares are left blank.
 const FAINT: f64 = 0.03;
-/// The most objects named below the map.
+/// The maximum number of objects named below the map.
 const NAMED: usize = 6;
 
 /// The meaning of the signs, by the id of the text; a later sign is drawn over an earlier one.
@@ -28,7 +28,7 @@ const SIGNS: [(char, &str); 9] = [
 ];
 
 impl DebriefPage<'_> {
-    /// Writes the map; nothing if the mission had nothing to find.
+    /// Writes the map, unless the mission had nothing to find.
     pub(super) fn map(&mut self, truth: &TruthReport) {
         let is_known = !truth.squares.is_empty()
             || !truth.objects.is_empty()
@@ -48,7 +48,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// Lists what was found, and the places of the rest.
+    /// Lists the number of objects found, and the places of the others.
     fn missed(&mut self, truth: &TruthReport) {
         let real = truth.objects.iter().filter(|object| is_asked(object));
         let (found, missed): (Vec<&ObjectReport>, Vec<_>) = real.partition(|object| object.found);

@@ -1,4 +1,4 @@
-//! The operator's handling of several vehicles. It is shown, not scored: utilisation and attention are.
+//! The operator's handling of several vehicles. It is shown, but not scored, unlike utilisation and attention.
 
 use super::DebriefPage;
 use super::layout::fit;
@@ -6,7 +6,7 @@ use crate::scoring::{Report, UseReport};
 use crate::text;
 
 impl DebriefPage<'_> {
-    /// Only for flights with several vehicles.
+    /// Writes the figures, only for flights with several vehicles.
     pub(super) fn swarm(&mut self, report: &Report) {
         let figures = &report.swarm;
         if report.usage.len() < 2 || figures.flown == 0 {

@@ -100,7 +100,7 @@ fn foreign_text_cannot_break_the_page() {
     assert!(!text(&report, &Locale::default()).contains('\u{1b}'));
 }
 
-/// A flight that lands late, with an empty battery, beside the pad, after a forced arm.
+/// A flight that lands late, with an empty battery, off the pad, after a forced arm.
 fn late_flight() -> Report {
     let mut pilot = Pilot::new(2);
     pilot.command("1 long COMPONENT_ARM_DISARM 1 2989", RowState::Done);
@@ -141,7 +141,7 @@ fn flights() -> [(&'static str, Report); 5] {
 #[test]
 fn programs_read_the_same_english_words_whatever_people_read() {
     for (name, mut report) in flights() {
-        // The report has thousands of lines of object positions: one short flight shows the format.
+        // The report has thousands of lines of object positions, so one short flight is enough to show the format.
         if name != "hard" {
             report.truth = TruthReport::default();
         }

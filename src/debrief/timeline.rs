@@ -9,7 +9,7 @@ use crate::text::Text;
 
 /// Columns of the strip of time.
 const STRIP: usize = 60;
-/// The most rows of the timeline; if there are more, successful commands are left out.
+/// The maximum number of rows of the timeline; if there are more, successful commands are left out.
 const ROWS: usize = 40;
 
 /// The subject of a row. Later marks are drawn over earlier ones in the strip of time.
@@ -17,7 +17,7 @@ const ROWS: usize = 40;
 pub enum TimelineMark {
     /// A command that was accepted.
     Command,
-    /// Neither good nor bad: a fact that explains the flight.
+    /// A fact that explains the flight, neither good nor bad.
     Remark,
     Objective,
     Alert,
@@ -190,7 +190,7 @@ fn event_row(event: &EventReport) -> TimelineRow {
     }
 }
 
-/// A command that at least one vehicle accepted; a rejection has a row of its own.
+/// A command that at least one vehicle accepted; a rejection has its own row.
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
@@ -203,7 +203,7 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     })
 }
 
-/// Times and letters of the marks, for tests.
+/// The times and letters of the marks, for tests.
 #[cfg(test)]
 pub(super) fn marks(report: &Report) -> Vec<(String, char)> {
     let rows = rows(report).into_iter();

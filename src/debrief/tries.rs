@@ -6,12 +6,12 @@ use crate::scoring::{Report, ScoreGrade, TryReport};
 
 /// Points per column of a bar.
 const PER_COLUMN: u16 = 20;
-/// The most attempts that are shown: the newest, and the best if it is not among them.
+/// The maximum number of attempts that are shown: the newest, and the best if it is not among them.
 const SHOWN: usize = 8;
 
 impl DebriefPage<'_> {
     pub(super) fn tries(&mut self, report: &Report) {
-        // An attempt without a score was left before its end.
+        // An attempt without a score was abandoned before its end.
         let tries = report.tries.iter();
         let scored: Vec<(&TryReport, u16)> =
             tries.filter_map(|one| Some((one, one.score?))).collect();
@@ -37,7 +37,7 @@ impl DebriefPage<'_> {
 
 fn shown<'a>(tries: &[(&'a TryReport, u16)]) -> Vec<(&'a TryReport, u16)> {
     let from = tries.len().saturating_sub(SHOWN);
-    // Of equal attempts the first one, which was the best for the longest time.
+    // Of equally good attempts the first one counts, because it was the best for the longest time.
     let counted = tries.iter().filter(|(one, _)| !one.is_practice);
     let best = counted.rev().max_by_key(|(_, score)| *score);
     let earlier = best.filter(|best| !tries[from..].contains(best));

@@ -1,4 +1,4 @@
-//! The operator's workload as strips of time. It is shown, not scored.
+//! The operator's workload as strips of time. It is shown, but not scored.
 
 use std::time::Duration;
 
@@ -47,7 +47,7 @@ impl WorkloadStrips<'_> {
         lines
     }
 
-    /// Neglect: how many vehicles worked without attention in the last minute, on average.
+    /// Neglect: the average number of vehicles that worked without attention in the last minute.
     fn alone(&self) -> Vec<char> {
         let neglect_s = &self.workload.neglect_s;
         let points = (MINUTE_S / self.workload.every_s.max(1.0)) as usize;
@@ -69,7 +69,7 @@ impl WorkloadStrips<'_> {
         format!("{:LEAD$}{label}|{strip}|", "")
     }
 
-    /// The points over the whole strip; of those in one cell, the highest.
+    /// The points spread over the whole strip; a cell shows the highest of its points.
     fn spread(&self, points: &[char]) -> String {
         let (cells, count) = (self.cells(), points.len());
         let of = |cell: usize| {
@@ -157,7 +157,7 @@ pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
 }
 
 impl DebriefPage<'_> {
-    /// Only for flights with a command or an answer.
+    /// Writes the workload, only for flights with a command or an answer.
     pub(super) fn workload(&mut self, report: &Report) {
         let workload = &report.workload;
         if workload.commands == 0 && workload.answers.is_empty() {

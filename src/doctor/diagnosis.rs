@@ -12,9 +12,9 @@ const PATIENCE: Duration = Duration::from_secs(4);
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
 /// The silence after which a vehicle that has answered before counts as one-way; some answers are lost on any radio.
 const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
-/// The most vehicles without an answer that are listed by number.
+/// The maximum number of vehicles without an answer that are listed by number.
 const MOST_NAMED: usize = 3;
-/// The share of bytes outside frames that counts as noise, and the least number of such bytes in the window.
+/// The share of bytes outside frames that counts as noise, and the minimum number of such bytes in the window.
 const MOST_NOISE: f64 = 0.5;
 const NOISE_THAT_MATTERS: u64 = 2000;
 /// The number of sent messages after which an answer is expected.
@@ -29,7 +29,7 @@ const TWO_HEARTBEATS_HZ: f64 = 1.5;
 const BOTH_FOR: Duration = Duration::from_secs(6);
 /// The number of bytes from which on garbage is noise, not a start in the middle of a frame.
 const NOISE_ENOUGH: u64 = 40;
-/// The number of frames of unknown messages that is no accident.
+/// The number of frames of unknown messages that is not an accident.
 const FOREIGN_ENOUGH: u64 = 3;
 
 /// A finding about a link.

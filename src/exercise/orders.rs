@@ -38,7 +38,7 @@ impl<L> Exercise<L> {
         }
     }
 
-    /// Parses a line with the present places, which may have changed since the script was read.
+    /// Parses a line with the current places, which may have changed since the script was read.
     fn read(&self, line: &str) -> Result<Order, Diagnostic> {
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
         let mut places = self.driver.flight().places();

@@ -22,7 +22,7 @@ impl PacedClock {
         }
     }
 
-    /// Sets the clock to zero now, at its present rate.
+    /// Sets the clock to zero now, at its current rate.
     pub fn begin(&mut self, now: Duration) {
         *self = Self::new(self.rate, now);
     }

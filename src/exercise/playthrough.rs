@@ -54,7 +54,7 @@ pub struct PlaythroughFlight {
     pub credits: u32,
     /// The level of experience.
     pub level: u32,
-    /// The most drones that may be flown at a time.
+    /// The maximum number of drones that may be flown at a time.
     pub licence: u8,
     /// The mean probability of mastery of all skills, in percent.
     pub mean_skill_percent: f64,

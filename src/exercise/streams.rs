@@ -54,7 +54,7 @@ impl Exercise<LiveStreams> {
         self.gather(session_now);
     }
 
-    /// Advances the program's time, so that silent vehicles do not stop the mission for ever.
+    /// Advances the program's time, so that silent vehicles do not stop the mission forever.
     pub fn pass(&mut self, now: Duration) {
         let session_now = self.advance(now, None);
         self.gather(session_now);

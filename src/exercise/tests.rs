@@ -31,7 +31,7 @@ fn mission_with(more: &str) -> (Arc<Mission>, Script) {
     (mission, script)
 }
 
-/// The embedded simulator as a process that runs by itself.
+/// The embedded simulator as a process that runs on its own.
 struct Process {
     world: World,
     port: PortId,

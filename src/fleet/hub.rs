@@ -21,9 +21,9 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Frame, SystemId};
 
-/// The most batches of frames in the queue to the hub; beyond that, links read more slowly.
+/// The maximum number of batches of frames in the queue to the hub; beyond that, links read more slowly.
 const INBOUND_KEPT: usize = 256;
-/// The most batches of frames in the queue to one vehicle's task.
+/// The maximum number of batches of frames in the queue to one vehicle's task.
 const BATCHES_KEPT: usize = 256;
 /// The delay before a full queue is tried again.
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
@@ -154,7 +154,7 @@ impl Hub {
         self.tell(news).await;
     }
 
-    /// Passes an order on; one that cannot be passed on is answered here, so that no row waits for ever.
+    /// Passes an order on; one that cannot be passed on is answered here, so that no row waits forever.
     async fn order(&mut self, vehicle: VehicleId, order: VehicleCommand) {
         let system = SystemId::try_from(vehicle).ok();
         let reason = match system.and_then(|system| self.routes.get(&system)) {
@@ -249,7 +249,7 @@ impl Hub {
         }
     }
 
-    /// Handles an autopilot that is heard by another route. If the present route has been silent for long enough, it
+    /// Handles an autopilot that is heard by another route. If the current route has been silent for long enough, it
     /// is the same vehicle with a new connection or another port; otherwise it is a second vehicle with the same id,
     /// whose frames are not accepted. Returns whether they are.
     async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {

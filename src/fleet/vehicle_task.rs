@@ -14,7 +14,7 @@ use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
-/// The most reports that a task keeps while the console does not read.
+/// The maximum number of reports that a task keeps while the console does not read.
 const BACKLOG: usize = 1000;
 /// The interval of parameter snapshots while a list arrives.
 const PARAMETERS_EVERY: Duration = Duration::from_millis(200);

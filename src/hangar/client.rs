@@ -26,7 +26,7 @@ mod pump;
 pub use address::{HangarAddress, HangarAddressError};
 pub use follow::HangarView;
 
-/// The longest time to reach a hangar, and to wait for a simple answer.
+/// The maximum time to reach a hangar, and to wait for a simple answer.
 const ANSWER: Duration = Duration::from_secs(10);
 /// The buffer for a slow reader of a vehicle's bytes.
 const PIPE_LEN: usize = 64 * 1024;
@@ -50,7 +50,7 @@ pub enum ClientError {
     /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar { address: HangarAddress, why: String },
-    /// It requires a token, or another one.
+    /// It requires a token, or a different one.
     #[error(
         "{address} wants its token ({why}): copy its token file here and name it with --hangar-token FILE"
     )]
@@ -99,7 +99,7 @@ impl From<&ClientError> for Text {
 pub struct RemoteHangar {
     address: HangarAddress,
     token: Option<HangarToken>,
-    /// The run of the service that is meant; other runs refuse the requests.
+    /// The run of the service that requests are for; other runs refuse them.
     life: Option<String>,
 }
 
@@ -119,7 +119,7 @@ impl RemoteHangar {
         }
     }
 
-    /// The same hangar, restricted to one run of the service: after a restart the instances' numbers mean others.
+    /// The same hangar, restricted to one run of the service: after a restart, the numbers belong to other instances.
     #[must_use]
     pub fn in_life(&self, life: &str) -> Self {
         Self {
@@ -135,7 +135,7 @@ impl RemoteHangar {
     /// The service's status.
     ///
     /// # Errors
-    /// Why it does not.
+    /// The hangar does not answer.
     pub async fn status(&self) -> Result<Status, ClientError> {
         self.ask(Method::GET, "/status", None).await
     }
@@ -143,7 +143,7 @@ impl RemoteHangar {
     /// Starts an instance.
     ///
     /// # Errors
-    /// Why it does not.
+    /// The hangar refuses or does not answer.
     pub async fn launch(&self, launch: &Launch) -> Result<Instance, ClientError> {
         let body = serde_json::to_vec(launch).map_err(|error| ClientError::Refused {
             status: StatusCode::BAD_REQUEST.as_u16(),
@@ -155,7 +155,7 @@ impl RemoteHangar {
     /// The instances.
     ///
     /// # Errors
-    /// Why it does not answer.
+    /// The hangar does not answer.
     pub async fn instances(&self) -> Result<Vec<Instance>, ClientError> {
         self.ask(Method::GET, "/vehicles", None).await
     }
@@ -163,7 +163,7 @@ impl RemoteHangar {
     /// Ends an instance.
     ///
     /// # Errors
-    /// Why it does not.
+    /// The hangar refuses or does not answer.
     pub async fn stop(&self, id: InstanceId) -> Result<(), ClientError> {
         let path = format!("/vehicles/{id}");
         self.exchange(Method::DELETE, &path, None).await.map(drop)
@@ -172,16 +172,16 @@ impl RemoteHangar {
     /// Ends an instance's process and starts it again.
     ///
     /// # Errors
-    /// Why it does not.
+    /// The hangar refuses or does not answer.
     pub async fn restart(&self, id: InstanceId) -> Result<(), ClientError> {
         let path = format!("/vehicles/{id}/restart");
         self.exchange(Method::POST, &path, None).await.map(drop)
     }
 
-    /// An instance's output, from the line with this number on, as far as it is kept.
+    /// An instance's output, from the line with this number on, if it is still stored.
     ///
     /// # Errors
-    /// Why it does not answer.
+    /// The hangar does not answer.
     pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<OutputLine>, ClientError> {
         let path = format!("/vehicles/{id}/output?since={since}&lines={}", u16::MAX);
         let Printed { lines, .. } = self.ask(Method::GET, &path, None).await?;

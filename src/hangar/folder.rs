@@ -1,8 +1,8 @@
-//! The folders of instances, and what an earlier run of a hangar has left in them.
+//! The folders of instances, and what earlier runs of a hangar have left in them.
 //!
-//! Below the root, each hangar has a folder of its own: `run-PID-N`, and in it one for each instance. The hangar holds
-//! a lock on [`OWNER`] while it lives; the kernel releases it however the hangar ends. So the owner of a run with a
-//! free lock is dead, and its remaining processes are leftovers.
+//! Below the root, each hangar has its own folder `run-PID-N`, which contains a folder for each instance. The hangar
+//! holds a lock on [`OWNER`] while it lives; the kernel releases the lock however the hangar ends. If the lock of a run
+//! is free, its owner is therefore dead, and its remaining processes are leftovers.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write as _};
@@ -24,19 +24,19 @@ mod tests;
 pub use leftover::Leftover;
 pub(super) use leftover::end;
 
-/// The file that names the owner of a run, who locks it.
+/// The file that names the owner of a run; the owner locks it.
 const OWNER: &str = "owner.json";
 /// The file that identifies an instance's process.
 const INSTANCE: &str = "instance.json";
 /// The lock to hold while searching or adding runs.
 const GATE: &str = ".lock";
-/// The number of attempts to lock it, and the time between them.
+/// The number of attempts to lock [`GATE`]; then the time between them.
 const GATE_ATTEMPTS: u32 = 250;
 const GATE_ATTEMPT: Duration = Duration::from_millis(20);
 const RUN: &str = "run-";
 /// The number of dead hangars whose folders are kept.
 const RUNS_KEPT: usize = 5;
-/// The permissions that others must not have on a folder that decides which processes are ended.
+/// The permissions that others must not have on a folder whose files decide which processes are ended.
 const WRITABLE_BY_OTHERS: u32 = 0o022;
 
 /// Why a folder cannot be used.
@@ -45,7 +45,7 @@ const WRITABLE_BY_OTHERS: u32 = 0o022;
 pub struct FolderError {
     what: &'static str,
     path: PathBuf,
-    // Not a `source`: the error chain would print it twice.
+    // Not named `source`, because the error chain would print it twice.
     error: io::Error,
 }
 
@@ -74,13 +74,13 @@ pub(super) struct Run {
     _lock: File,
 }
 
-/// A new run, and what was found beside it.
+/// A new run, and the findings on the others.
 #[derive(Debug)]
 pub(super) struct OpenedFolder {
     pub run: Run,
     /// Processes of dead hangars; [`end`] ends them.
     pub leftovers: Vec<Leftover>,
-    /// Files that could not be read, and why.
+    /// Files that could not be read, with the reason.
     pub skipped: Vec<String>,
 }
 
@@ -131,7 +131,7 @@ impl Run {
         let lock = write(&owner, &process::identity(me))
             .and_then(|()| lockable(&owner))
             .map_err(cannot("write the file", &owner))?;
-        // Another hangar that checks this run holds the lock for a moment at most. On a disk without locks, every run
+        // Another hangar that checks this run holds the lock only for a moment. On a disk without locks, every run
         // counts as alive.
         let _ = lock.lock();
         Ok(Self { path, _lock: lock })
@@ -155,7 +155,7 @@ impl Run {
     /// soon as it runs.
     ///
     /// # Errors
-    /// It cannot be written: the instance runs, and would not be found.
+    /// It cannot be written; then the instance runs, but would not be found.
     pub fn note(&self, id: InstanceId, pid: u32, program: &Path) -> Result<(), FolderError> {
         let path = self.vehicle(id)?.join(INSTANCE);
         let Some(record) = leftover::Record::of(pid, program) else {
@@ -166,7 +166,7 @@ impl Run {
 
     /// Removes the record of an instance's process that is gone.
     pub fn forget(&self, id: InstanceId) {
-        // A file that stays names a dead process, which the next hangar notices.
+        // A file that stays names a dead process; the next hangar detects that.
         drop(fs::remove_file(
             self.path.join(format!("vehicle-{id:03}")).join(INSTANCE),
         ));
@@ -203,7 +203,7 @@ fn lockable(path: &Path) -> io::Result<File> {
         .open(path)
 }
 
-/// Waits for the lock on searching and adding runs.
+/// Waits for the lock for searching and adding runs.
 fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
     let file = lockable(gate)?;
     for _ in 0..GATE_ATTEMPTS {
@@ -225,7 +225,7 @@ fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
     ))
 }
 
-/// Writes a file whole or not at all.
+/// Writes a file completely or not at all.
 fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {
     let beside = path.with_extension("part");
     let text = serde_json::to_string(contents)?;
@@ -243,7 +243,7 @@ fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {
     written
 }
 
-/// The runs below a root that are this user's own, oldest first.
+/// The runs below a root that belong to this user, oldest first.
 fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
     let is_number = |word: &str| word.parse::<u32>().is_ok();
     let mut found = Vec::new();
@@ -253,7 +253,7 @@ fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
             .to_str()
             .and_then(|name| name.strip_prefix(RUN)?.split_once('-'));
         let is_run = numbers.is_some_and(|(pid, number)| is_number(pid) && is_number(number));
-        // The link itself, not its target.
+        // This reads the link itself, not its target.
         if let Ok(data) = entry.metadata()
             && is_run
             && data.is_dir()
@@ -266,13 +266,13 @@ fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(found.into_iter().map(|(_, path)| path).collect())
 }
 
-/// The start of a run: when its owner's file was written.
+/// The start of a run, which is when its owner's file was written.
 fn begun(run: &Path) -> Option<std::time::SystemTime> {
     let data = fs::metadata(run.join(OWNER)).or_else(|_| fs::metadata(run));
     data.and_then(|data| data.modified()).ok()
 }
 
-/// The remaining processes of dead hangars below a root, and what could not be checked. Changes nothing.
+/// The remaining processes of dead hangars below a root, and the files that could not be checked. Changes nothing.
 pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
     let mut skipped = Vec::new();
     let all = match runs(root) {
@@ -298,7 +298,7 @@ fn is_over(run: &Path) -> bool {
             Ok(()) => true,
             Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
         },
-        // It ended before it could write the file, which is written under the lock.
+        // The owner ended before it could write the file, which is written under the lock.
         Err(error) => error.kind() == io::ErrorKind::NotFound,
     }
 }

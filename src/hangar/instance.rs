@@ -23,11 +23,11 @@ pub(super) use begin::begin;
 use ending::words;
 use meter::InstanceMeter;
 
-/// The interval of queries to a booting instance.
+/// The time between queries to a booting instance.
 const PROBE_EVERY: Duration = Duration::from_millis(50);
-/// The interval of all other checks.
+/// The time between all other checks.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
-/// Lines of output that are shown when an instance has ended.
+/// The number of lines of output shown when an instance has ended.
 const LINES_SHOWN: usize = 20;
 
 /// The state of one instance's task.
@@ -47,7 +47,7 @@ struct InstanceTask {
 }
 
 enum InstanceEvent {
-    /// End for good, and tell the requester.
+    /// End permanently, and notify the requester.
     Over(Option<oneshot::Sender<()>>),
     Restart,
     /// Bytes were passed on.
@@ -61,9 +61,9 @@ enum InstanceEvent {
 enum ProcessEnd {
     /// It ended without a request, after having been ready for this long.
     Fault(String, Duration),
-    /// It cannot be started, and another attempt will not help.
+    /// It cannot be started, and another attempt would not help.
     Hopeless(String),
-    /// It was ended for good.
+    /// It was ended permanently.
     Stopped(Option<oneshot::Sender<()>>),
     /// It was ended to be started again.
     Restart,
@@ -99,12 +99,12 @@ impl InstanceTask {
         };
         self.shared.roster.forget(self.shown.id);
         if let Some(done) = done {
-            // The requester may have left.
+            // The requester may no longer wait.
             let _ = done.send(());
         }
     }
 
-    /// Starts the process when it is its turn.
+    /// Waits for its turn, and starts the process.
     async fn start(&mut self) -> Result<RunningProcess, ProcessEnd> {
         self.shown.fault = None;
         self.shown.hint = None;
@@ -120,7 +120,7 @@ impl InstanceTask {
             };
             match event {
                 InstanceEvent::Over(done) => return Err(ProcessEnd::Stopped(done)),
-                // It is starting already.
+                // The instance is already starting.
                 InstanceEvent::Restart
                 | InstanceEvent::Passed(_)
                 | InstanceEvent::Connected(_)
@@ -245,7 +245,7 @@ impl InstanceTask {
                 }
                 InstanceEvent::Passed(passed)
             }
-            // A connection is checked once it is known which process may connect.
+            // Connections are accepted only once it is known which process may connect.
             Ok((stream, _)) = self.listener.accept(), if self.shown.pid.is_some() => {
                 InstanceEvent::Connected(stream)
             }
@@ -264,7 +264,7 @@ impl InstanceTask {
         let belongs = Connection::of(&stream).map(|connection| connection.is_of_process(pid));
         let is_own = match belongs {
             Some(Belongs::Yes) => true,
-            // Some systems cannot tell; an existing connection is kept then.
+            // Some systems do not know the owner; then an existing connection is kept.
             Some(Belongs::Unknown) => !self.relay.is_connected(),
             Some(Belongs::No) | None => false,
         };
@@ -284,7 +284,7 @@ impl InstanceTask {
         drop(running.end().await);
     }
 
-    /// Waits for a restart; `Some` if it is to be forgotten.
+    /// Waits for a restart; `Some` if the instance must be forgotten.
     async fn lie(&mut self, wait: Option<Duration>) -> Option<Option<oneshot::Sender<()>>> {
         let last = self.output.last(LINES_SHOWN);
         self.shown.last_output = last.into_iter().map(|line| line.text).collect();

@@ -10,19 +10,19 @@ use crate::geo::LatLon;
 use crate::sim::{Airframe, SYSTEMS, Start};
 use crate::sitl::{Recipe, SitlKind};
 
-/// Any slower, and a boot takes an hour; any faster, and no machine keeps up.
+/// The valid speed-ups: below them, a boot takes an hour; above them, no machine keeps up.
 const SPEEDUPS: std::ops::RangeInclusive<f64> = 0.01..=1000.0;
-/// Beyond the earth's surface, and far within the range of messages.
+/// The valid altitudes: they include the whole surface of the earth, and are well within the range of messages.
 const ALTITUDES_M: std::ops::RangeInclusive<f64> = -1000.0..=20_000.0;
 /// The length of a parameter's name on the wire.
 const NAME_LEN: usize = 16;
-/// Parameters set by other fields of a launch, and those fields.
+/// Parameters that other fields of a launch set, with those fields.
 const OTHERWISE: [(&str, &str); 3] = [
     ("SYSID_THISMAV", "system"),
     ("MAV_SYSID", "system"),
     ("SIM_SPEEDUP", "speedup"),
 ];
-/// The most parameters; more than a vehicle has.
+/// The maximum number of parameters, more than a vehicle has.
 const MOST_PARAMETERS: usize = 2000;
 /// The greatest length of a model's name.
 const MODEL_LEN: usize = 64;
@@ -96,7 +96,7 @@ pub struct LaunchHome {
 }
 
 impl Default for LaunchHome {
-    /// The model airfield near Canberra at which SITL starts by itself.
+    /// The model airfield near Canberra at which SITL starts by default.
     fn default() -> Self {
         Self {
             lat_deg: -35.363_262,
@@ -129,7 +129,7 @@ impl From<Start> for LaunchHome {
 }
 
 impl Launch {
-    /// Checks whether it can be started. A SITL with invalid input dies, or hangs for ever.
+    /// Checks whether it can be started. A SITL with invalid input dies, or hangs forever.
     ///
     /// # Errors
     /// The first fault.
@@ -189,7 +189,7 @@ impl Launch {
 
     fn check_model(&self) -> Result<(), HangarRefusal> {
         if let Some(model) = &self.model {
-            // After a colon, SITL would read a file name or an address.
+            // SITL would read text after a colon as a file name or an address.
             let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '+';
             let is_name = (1..=MODEL_LEN).contains(&model.len())
                 && model.chars().all(is_plain)

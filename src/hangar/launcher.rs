@@ -1,11 +1,11 @@
 //! Starts processes that cannot outlive this one.
 //!
 //! The kernel signals a process when the *thread* that created it ends, so one thread lives as long as the hangar and
-//! creates them all. It starts this program again, which requests that signal, limits itself, and becomes the
-//! requested program: SITL's parent is then the hangar itself, which SITL needs alive as well.
+//! creates them all. It starts this program again. That copy requests the signal, limits itself, and becomes the
+//! requested program. SITL's parent is then the hangar itself, which SITL also needs to stay alive.
 //!
-//! The two talk over a socket that is the child's standard input until it becomes the program: it closes then, or
-//! carries the reason for a failure. So a started program is known to run.
+//! The two communicate over a socket. It is the child's standard input until the child becomes the program. It then
+//! closes, or carries the reason for a failure, so a started program is known to run.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -34,14 +34,14 @@ pub(super) use fault::LaunchError;
 pub(super) use running::RunningProcess;
 pub use stub::launch_stub;
 
-/// The hidden subcommand of this program that becomes another.
+/// The hidden subcommand of this program that becomes another program.
 pub const LAUNCH: &str = "hangar-launch";
 const BYTES_PER_MIB: u64 = 1024 * 1024;
-/// The longest reason that a child sends.
+/// The maximum length of the reason that a child sends, in bytes.
 const REPORT_LEN: u64 = 64;
 
-/// The environment variables passed on. The rest is not: a simulator, which runs foreign scripts, has no business with
-/// keys and tokens.
+/// The environment variables passed on. The rest are not: a simulator, which runs foreign scripts, does not need keys
+/// and tokens.
 const PASSED_ON: [&str; 9] = [
     "PATH",
     "HOME",
@@ -57,7 +57,7 @@ const PASSED_ON_PREFIX: &str = "LC_";
 
 #[derive(Debug, Clone)]
 pub(super) struct LaunchOrder {
-    /// A path; a relative one starts at this program's folder.
+    /// A path; a relative one starts at this program's working folder.
     pub program: PathBuf,
     pub arguments: Vec<String>,
     pub folder: PathBuf,
@@ -82,7 +82,7 @@ impl Launcher {
         Self::with_stub(vec![sortie.into(), LAUNCH.into()], limits)
     }
 
-    /// A launcher with other words to start the stub.
+    /// A launcher with a different command line for the stub.
     fn with_stub(stub: Vec<OsString>, limits: HangarLimits) -> io::Result<Self> {
         let (orders, inbox) = mpsc::channel::<(LaunchOrder, LaunchAnswer)>();
         let runtime = tokio::runtime::Handle::current();
@@ -91,7 +91,7 @@ impl Launcher {
             .spawn(move || {
                 let _inside = runtime.enter();
                 while let Ok((order, answer)) = inbox.recv() {
-                    // A requester that stopped waiting needs none.
+                    // If the requester has stopped waiting, no process is needed.
                     if !answer.is_closed() {
                         drop(answer.send(begin(&stub, limits, &order)));
                     }
@@ -104,11 +104,11 @@ impl Launcher {
         })
     }
 
-    /// Starts a process with piped output, after those requested earlier. It runs the program when this returns.
-    /// Dropping the future ends the process.
+    /// Starts a process with piped output, after those requested earlier. The process runs the program when this
+    /// returns. Dropping the future ends the process.
     ///
     /// # Errors
-    /// Why it does not run.
+    /// The program does not run.
     pub async fn launch(&self, order: LaunchOrder) -> Result<RunningProcess, LaunchError> {
         let (answer, begun) = oneshot::channel();
         let turn = self.pace.turn().await;
@@ -169,12 +169,12 @@ fn is_passed_on(name: &OsStr) -> bool {
 /// Limits the starts per second.
 struct LaunchPace {
     every: Duration,
-    /// The time of the next start. The lock is a queue: first come, first served.
+    /// The time of the next start. The lock serves waiting tasks in order.
     next: Mutex<Option<Instant>>,
 }
 
 impl LaunchPace {
-    /// At least one per second: with zero nothing would ever start.
+    /// The rate is at least one per second, because with zero nothing would ever start.
     fn new(per_s: u16) -> Self {
         Self {
             every: Duration::from_secs(1) / u32::from(per_s.max(1)),
@@ -182,8 +182,8 @@ impl LaunchPace {
         }
     }
 
-    /// Waits for a turn. The next one begins when the guard is dropped and the time has come; dropping the wait costs
-    /// the others nothing.
+    /// Waits for a turn. The next one begins when the guard is dropped and the time has come; dropping the wait does
+    /// not delay the others.
     async fn turn(&self) -> MutexGuard<'_, Option<Instant>> {
         let mut next = self.next.lock().await;
         if let Some(at) = *next {

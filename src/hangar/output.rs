@@ -1,7 +1,7 @@
 //! The output of an instance: the last lines in memory, more in files of its folder.
 //!
-//! It is read as fast as it comes, because a process with unread output blocks. Its cost is bounded: in memory by
-//! lines and their length, on the disk by the size and number of files.
+//! It is read as fast as it arrives, because a process with unread output blocks. Its cost is bounded: in memory by the
+//! number and length of lines, on the disk by the size and number of files.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -25,7 +25,7 @@ mod tests;
 use file::LogFile;
 use lines::Cutter;
 
-/// The lines kept in memory.
+/// The number of lines kept in memory.
 const LINES_KEPT: usize = 200;
 const READ_LEN: usize = 64 * 1024;
 /// How long to wait for the last output of a process that is gone.
@@ -35,7 +35,7 @@ const LAST_WORDS: Duration = Duration::from_secs(1);
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Line)]
 pub struct OutputLine {
-    /// Its number, from 1; it goes on when the instance is started again.
+    /// Its number, from 1; the count continues when the instance is started again.
     pub number: u64,
     /// The line without control characters, at most 400 characters of it.
     pub text: String,
@@ -119,7 +119,7 @@ impl ProcessOutput {
         let note = locked(&self.0.file).write(&lines, Instant::now());
         let mut kept = locked(&self.0.kept);
         let mut number = *self.0.last.borrow();
-        // Of very many, only the last are kept.
+        // Of very many lines, only the last ones are kept.
         let total = lines.len() + usize::from(note.is_some());
         number += total.saturating_sub(LINES_KEPT) as u64;
         for text in lines
@@ -133,12 +133,12 @@ impl ProcessOutput {
             }
             kept.push_back(OutputLine { number, text });
         }
-        // Before the lock is released: the next number is counted from it.
+        // This is sent before the lock is released, because the next number follows from it.
         self.0.last.send_replace(number);
     }
 }
 
-/// Locks a mutex, even a poisoned one: no panic can interrupt a change.
+/// Locks a mutex, even a poisoned one: a panic cannot interrupt a change.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -154,7 +154,7 @@ impl Following {
     pub async fn finish(mut self) {
         let all = async {
             for reading in &mut self.0 {
-                // It ended, or was aborted.
+                // The task ended, or was aborted.
                 drop(reading.await);
             }
         };

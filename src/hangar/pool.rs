@@ -81,13 +81,13 @@ impl Hangars {
         }
     }
 
-    /// Launches vehicles, distributed over the hangars by their free room: all, or none. The result is in the order of
-    /// the launches.
+    /// Launches vehicles, distributed over the hangars by their free capacity; launches all of them or none. The result
+    /// is in the order of the launches.
     ///
     /// Services number the vehicles themselves. A vehicle without a system id gets one that is unique in this console.
     ///
     /// # Errors
-    /// Why one of them could not be launched.
+    /// One of them could not be launched.
     pub async fn launch(
         &self,
         launches: Vec<Launch>,
@@ -126,7 +126,7 @@ impl Hangars {
         }
     }
 
-    /// An instance's output from the line with this number on, as far as it is kept; with 0 all of it.
+    /// An instance's output from the line with this number on, if it is still stored; with 0, all of it.
     ///
     /// # Errors
     /// No instance has that number, or its hangar does not answer.
@@ -173,7 +173,7 @@ async fn launch_here(
             }
             Err(refusal) => {
                 for vehicle in launched {
-                    // An instance that has ended meanwhile is fine too.
+                    // An instance that has ended in the meantime is not an error.
                     drop(own.stop(vehicle.place.id).await);
                 }
                 return Err(refusal);

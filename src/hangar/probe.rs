@@ -1,7 +1,7 @@
 //! Queries an instance during its start, until it can be armed.
 //!
-//! Another program may be attached at the same time, so the probe interferes little: it is a component of its own,
-//! sends no heartbeats (a ground station's failsafe must not depend on it), requests the two messages that show
+//! Another program may be attached at the same time, so the probe interferes little. It is a separate component, sends
+//! no heartbeats (a ground station's failsafe must not depend on it), requests only the two messages that show
 //! readiness and the list of parameters, and is silent once the instance is ready.
 
 use std::time::Duration;
@@ -23,12 +23,12 @@ use crate::wire::{
 
 /// `MAV_COMP_ID_ONBOARD_COMPUTER2`: no console uses it.
 const COMPONENT: ComponentId = 192;
-/// The interval of setting the speed until the vehicle confirms it.
+/// How often the speed is set until the vehicle confirms it.
 const SPEED_EVERY: Duration = Duration::from_millis(500);
-/// Attempts to set the speed; after them, the vehicle's own speed is accepted.
+/// The number of attempts to set the speed; after that, the vehicle's own speed is accepted.
 const SPEED_TRIES: u32 = 10;
 const SPEED: &str = "SIM_SPEEDUP";
-/// The interval of requesting the messages until they come.
+/// How often the messages are requested until they arrive.
 const STREAMS_EVERY: Duration = Duration::from_secs(1);
 /// The messages that show readiness.
 const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
@@ -36,7 +36,7 @@ const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
 const INTERVAL_US: f32 = 500_000.0;
 /// The vehicle's default rate: usually none.
 const USUAL_INTERVAL: f32 = 0.0;
-/// The prefix of a text that says why the vehicle cannot be armed.
+/// The prefix of a text with a reason why the vehicle cannot be armed.
 const PREARM: &str = "PreArm: ";
 
 /// The exchange with a booting instance.
@@ -85,17 +85,17 @@ impl InstanceProbe {
         [list.received(), list.count().unwrap_or(0)]
     }
 
-    /// The latest reason against arming that the vehicle gave.
+    /// The vehicle's latest reason against arming.
     pub fn complaint(&self) -> Option<&str> {
         self.complaint.as_deref()
     }
 
-    /// How often the vehicle has booted during this exchange.
+    /// How many times the vehicle has rebooted during this exchange.
     pub fn reboots(&self) -> u32 {
         self.session.vehicle().link.reboots
     }
 
-    /// Takes bytes from the instance.
+    /// Handles bytes from the instance.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.decoder.push(bytes);
         while let Some(frame) = self.decoder.next_frame() {
@@ -113,7 +113,7 @@ impl InstanceProbe {
         self.session.poll(now);
         drop(self.session.take_reports());
         for message in self.session.take_outgoing() {
-            // An attached program requests the rest if it needs it.
+            // An attached program requests the other parameters if it needs them.
             if let Outgoing::Message(
                 MavMessage::PARAM_REQUEST_LIST(_) | MavMessage::PARAM_REQUEST_READ(_),
             ) = message

@@ -1,6 +1,6 @@
 //! The system's information on processes and on the owner of a connection's other end.
 //!
-//! It may be outdated when it is read: a process that is gone meanwhile is `None`, never an error.
+//! The information may be outdated when it is read: a process that is gone by then is `None`, never an error.
 
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
@@ -37,7 +37,7 @@ pub(super) struct ProcessIdentity {
 }
 
 impl ProcessIdentity {
-    /// Whether equal numbers of both mean the same process: same boot and namespace.
+    /// Whether the same number in both means the same process, which requires the same boot and namespace.
     pub fn has_numbers_of(&self, other: &Self) -> bool {
         (&self.boot, &self.namespace) == (&other.boot, &other.namespace)
     }
@@ -48,7 +48,7 @@ impl ProcessIdentity {
 pub(super) struct ProcessUsage {
     /// Resident memory in bytes.
     pub memory_bytes: u64,
-    /// Processor time of all its threads since it was started.
+    /// The processor time of all its threads since it was started.
     pub cpu: Duration,
 }
 
@@ -61,12 +61,12 @@ pub(super) enum Belongs {
     Unknown,
 }
 
-/// The identity of a running process. One that has ended and waits for its parent does not run.
+/// The identity of a running process. A process that has ended and waits for its parent does not count as running.
 pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     system::identity(pid)
 }
 
-/// Whether exactly this process runs.
+/// Whether this particular process runs.
 pub(super) fn is_running(identity: &ProcessIdentity) -> bool {
     self::identity(identity.pid).as_ref() == Some(identity)
 }
@@ -91,7 +91,7 @@ pub(super) fn folder(pid: u32) -> Option<PathBuf> {
     system::folder(pid)
 }
 
-/// The processes of the session that this process leads or has led, without itself.
+/// The other processes of the session that this process leads or has led.
 pub(super) fn session(pid: u32) -> Vec<u32> {
     system::session(pid)
 }
@@ -119,12 +119,12 @@ impl Connection {
         })
     }
 
-    /// The user whose process it comes from; `None` if the system cannot tell, or the connection is gone.
+    /// The user of the process that it comes from; `None` if the system cannot tell, or the connection is gone.
     pub fn user(self) -> Option<u32> {
         system::socket(self).map(|socket| socket.user)
     }
 
-    /// Whether it comes from this process, or from one of its session.
+    /// Whether it comes from this process, or from another process of its session.
     pub fn is_of_process(self, pid: u32) -> Belongs {
         let Some(socket) = system::socket(self) else {
             return Belongs::Unknown;

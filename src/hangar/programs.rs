@@ -58,7 +58,7 @@ impl Places {
 
     /// The folders in order, each with its description.
     fn folders(&self) -> Vec<(PathBuf, &'static str)> {
-        // An empty entry means the current folder, which is not safe for programs on a shared machine.
+        // An empty entry means the current folder, which is unsafe for programs on a shared machine.
         let path = self
             .path
             .iter()
@@ -85,7 +85,7 @@ impl Places {
 pub struct FoundProgram {
     /// The file, by its absolute path.
     pub file: PathBuf,
-    /// Why this one: where it was named or found.
+    /// Where it was named or found.
     pub by: String,
 }
 
@@ -195,7 +195,7 @@ fn first_in(folders: &[(PathBuf, &str)], kind: SitlKind) -> Result<FoundProgram,
     })
 }
 
-/// Whether a file can be started, otherwise why not.
+/// Checks whether a file can be started; otherwise returns why not.
 fn check(file: &Path) -> Result<(), String> {
     let about = file.metadata().map_err(|error| error.to_string())?;
     if about.is_dir() {

@@ -1,4 +1,4 @@
-//! The progress of an instance's start, from its bytes and the time alone.
+//! The progress of an instance's start, derived from its bytes and the time alone.
 
 use std::time::Duration;
 
@@ -46,7 +46,7 @@ impl StartProgress {
         self.forget();
     }
 
-    /// Takes bytes from it.
+    /// Handles bytes from it.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.stages.heard(now);
         let Some(probe) = &mut self.probe else {
@@ -73,7 +73,7 @@ impl StartProgress {
         if self.ready_since.is_none() {
             return probe.say(now);
         }
-        // An attached program may have requested the same.
+        // An attached program may have requested the same messages.
         let last = (!is_attached).then(|| probe.take_leave());
         self.probe = None;
         last.unwrap_or_default()
@@ -99,7 +99,7 @@ impl StartProgress {
             .map_or(Duration::ZERO, |since| now.saturating_sub(since))
     }
 
-    /// What has been missing for too long, as text.
+    /// The condition that has been missing for too long, as text.
     pub fn lack(&self, now: Duration) -> Option<String> {
         let (lack, waited) = self.stages.lack(now)?;
         let mut told = lack.told(waited);

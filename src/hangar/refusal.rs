@@ -27,7 +27,7 @@ pub enum HangarRefusal {
     /// The request is not valid.
     #[error("{0}")]
     Invalid(String),
-    /// A program is attached to the instance already.
+    /// A program is already attached to the instance.
     #[error("another client is attached to instance {0} already")]
     Attached(InstanceId),
     /// The host does not allow it.
@@ -44,7 +44,7 @@ pub enum HangarRefusal {
     #[error("hangar {hangar}: {source}")]
     Far {
         hangar: String,
-        /// Its answer, or why there is none.
+        /// Its answer, or the reason why there is none.
         source: ClientError,
     },
 }

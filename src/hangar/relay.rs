@@ -1,5 +1,5 @@
-//! Carries bytes between an instance and the attached program. Neither side ever waits for the other: what one does
-//! not read is dropped in whole pieces, as on a radio.
+//! Carries bytes between an instance and the attached program. Neither side ever waits for the other: bytes that one
+//! does not read are dropped in whole pieces, as on a radio.
 
 use std::future::poll_fn;
 use std::pin::Pin;
@@ -12,7 +12,7 @@ use tokio::net::TcpStream;
 const PIPE_LEN: usize = 64 * 1024;
 /// Bytes kept for an instance that does not read.
 const BACKLOG_LEN: usize = 64 * 1024;
-/// The capacity of a pipe: one write is read at once, so that the hangar's own frames do not cut another.
+/// The capacity of a pipe: one write is read at once, so that the hangar's own frames do not split another frame.
 const READ_LEN: usize = PIPE_LEN;
 
 /// The result of a step of the relay.
@@ -24,7 +24,7 @@ pub(super) enum Passed {
     InstanceGone,
     /// The attached program has sent bytes.
     Attached,
-    /// No program is attached any more.
+    /// The program is no longer attached.
     AttachedGone,
 }
 
@@ -63,7 +63,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> RelayEnd<S> {
         Ok(())
     }
 
-    /// Reads into `space`; empty at the end, and after an error.
+    /// Reads into `space`; empty at the end of the stream, and after an error.
     fn poll_read<'a>(
         &mut self,
         context: &mut Context<'_>,
@@ -105,13 +105,13 @@ impl Relay {
         self.instance.is_some()
     }
 
-    /// A new pipe for a program to attach; `None` if one is attached.
+    /// A new pipe for a program to attach; `None` if a program is attached.
     pub fn attach(&mut self) -> Option<DuplexStream> {
         if self.is_attached() {
             return None;
         }
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
-        // Only what did not fit into the pipe as a whole waits.
+        // Only pieces that did not fit into the pipe wait.
         self.attached = Some(RelayEnd::new(ours, 0));
         Some(theirs)
     }
@@ -162,7 +162,7 @@ impl Relay {
             *said = bytes.len();
             if let Some(attached) = attached {
                 attached.put(bytes);
-                // Reading shows whether it is still attached.
+                // Reading, not writing, shows whether the program is still attached.
                 let _ = attached.poll_flush(context);
             }
             return Poll::Ready(Passed::Instance);

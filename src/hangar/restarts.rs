@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::Restart;
 
-/// The number of failures in a row before it is given up.
+/// The number of failures in a row before the instance is abandoned.
 const FAILURES: u32 = 5;
 /// After being ready for this long, earlier failures do not count.
 const GOOD_FOR: Duration = Duration::from_secs(60);
@@ -31,7 +31,8 @@ impl Restarts {
         self.failures = 0;
     }
 
-    /// Notes a failure after being ready for a time. Returns the delay before a restart, or `None` if it is given up.
+    /// Notes a failure after being ready for a time. Returns the delay before a restart, or `None` if the instance is
+    /// abandoned.
     pub fn failed(&mut self, ready_for: Duration) -> Option<Duration> {
         if ready_for >= GOOD_FOR {
             self.forgive();
@@ -41,7 +42,7 @@ impl Restarts {
             .then(|| FIRST_WAIT * 2u32.pow(self.failures - 1))
     }
 
-    /// Whether it has been given up.
+    /// Whether the instance has been abandoned.
     pub fn is_given_up(&self) -> bool {
         self.policy == Restart::Always && self.failures >= FAILURES
     }

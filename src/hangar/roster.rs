@@ -11,12 +11,12 @@ use super::{
 };
 use crate::sim::SYSTEMS;
 
-/// An instance, from when it has a number.
+/// An instance, from the time when it has a number.
 struct RosterEntry {
     requests: mpsc::Sender<InstanceRequest>,
     system: u8,
     output: Option<ProcessOutput>,
-    /// It has ended and is not restarted: it takes no place.
+    /// Whether it has ended and is not restarted, so that it takes no place.
     is_down: bool,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Roster {
 }
 
 impl Roster {
-    /// The roster of a hangar with so many places.
+    /// The roster of a hangar with this many places.
     pub fn new(limit: u16) -> Self {
         Self {
             limit,
@@ -78,7 +78,7 @@ impl Roster {
     /// Counts an ended instance again.
     ///
     /// # Errors
-    /// It does not exist, or others have taken its place.
+    /// It does not exist, or other instances have taken its place.
     pub fn revive(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let mut entries = self.entries();
         let is_full = running(&entries) >= self.limit;
@@ -143,7 +143,7 @@ impl Roster {
             .send_if_modified(|all| Arc::make_mut(all).remove(&id).is_some());
     }
 
-    /// Locks the entries, even if poisoned: no panic can interrupt a change.
+    /// Locks the entries, even if poisoned: a panic cannot interrupt a change.
     fn entries(&self) -> MutexGuard<'_, BTreeMap<InstanceId, RosterEntry>> {
         self.entries.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -194,7 +194,7 @@ mod tests {
         for (id, system, expected) in [
             (None, None, (1, 1)),
             (None, Some(3), (2, 3)),
-            // Its own number is already a system id.
+            // The instance's own number is already used as a system id.
             (None, None, (3, 2)),
             (Some(300), None, (300, 4)),
             (None, None, (4, 5)),

@@ -1,9 +1,9 @@
 //! The hangar as an HTTP service.
 //!
-//! - `accept` accepts connections up to a limit, and closes slow ones; `patient` watches what is sent.
+//! - `accept` accepts connections up to a limit, and closes slow ones; `patient` closes those that do not read.
 //! - `guard` controls access: by the token, or on loopback by the owner of the program at the other end.
 //! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is the answer to a failed request.
-//! - `openapi` describes it all; `expose` opens a port for each instance when asked to.
+//! - `openapi` describes it all; `expose` opens a port for each instance on request.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -52,7 +52,7 @@ const GRACE: Duration = Duration::from_secs(1);
 /// Finds the user id of the program at the other end of a connection on this host, from that end's address and ours.
 pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
 
-/// The owner by the system's list of connections.
+/// The owner according to the system's list of connections.
 pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
     Connection { peer, local }.user()
 }
@@ -81,19 +81,19 @@ pub struct ServiceSetup {
 /// The limits of a service for its clients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ServiceBounds {
-    /// Connections at once, without tunnels.
+    /// The maximum number of connections at once, without tunnels.
     pub connections: usize,
-    /// The part of them that may wait for events.
+    /// The maximum number of connections that wait for events.
     pub waiting: usize,
-    /// Bytes of a request's body.
+    /// The maximum size of a request's body, in bytes.
     pub request_bytes: usize,
     /// How long a connection may be silent, or take for a request's head.
     pub head: Duration,
     /// How long a request's body may take.
     pub body: Duration,
-    /// How long a client may not read its answer.
+    /// How long a client may leave its answer unread.
     pub stall: Duration,
-    /// The interval of keep-alive messages to followers of the events.
+    /// The time between keep-alive messages to followers of the events.
     pub keep_alive: Duration,
 }
 
@@ -156,7 +156,7 @@ struct ServiceState {
 /// Serves a hangar until cancelled; then ends its instances.
 ///
 /// # Errors
-/// The listener's address cannot be told, or the system gives no random numbers.
+/// The listener's address is unknown, or the system provides no random numbers.
 pub async fn serve(
     listener: TcpListener,
     hangar: Hangar,
@@ -178,7 +178,7 @@ pub async fn serve(
     drop(listener);
     state.cancel.cancel();
     let all = async { while connections.join_next().await.is_some() {} };
-    // Connections still busy after that are closed.
+    // Connections that are still busy after that are closed.
     let _ = tokio::time::timeout(GRACE, all).await;
     connections.shutdown().await;
     state.hangar.close().await;
@@ -201,7 +201,7 @@ fn router(state: &Arc<ServiceState>) -> Router {
 /// Every path with its handler.
 fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<ServiceState>>)> {
     use axum::routing::{MethodRouter, get, post};
-    // HEAD is usually answered like GET; here it would act like GET.
+    // HEAD is usually answered like GET; here it would have the effect of GET.
     let acts = |methods: MethodRouter<Arc<ServiceState>>| methods.head(problem::not_by_head);
     vec![
         ("/vehicles", get(vehicles::list).post(vehicles::launch)),

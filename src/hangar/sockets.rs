@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::process;
 
-/// What a socket carries.
+/// The protocol of a socket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Protocol {
@@ -59,7 +59,7 @@ pub fn open() -> Vec<ListeningSocket> {
     all
 }
 
-/// The sockets of a process; unknown for another user's.
+/// The sockets of a process; empty for another user's process.
 pub fn of_process(pid: u32) -> Vec<ListeningSocket> {
     let Ok(files) = fs::read_dir(format!("/proc/{pid}/fd")) else {
         return Vec::new();

@@ -21,7 +21,7 @@ impl SitlSource {
     /// Opens the hangars. Must be called inside a tokio runtime.
     ///
     /// # Errors
-    /// Why they cannot be opened.
+    /// A text if they cannot be opened.
     pub fn open(&self) -> Result<Hangars, Text> {
         match self {
             Self::Own(config) => {
@@ -44,7 +44,7 @@ impl SitlSource {
 pub struct VehicleBackend {
     /// ArduPilot's SITL; `None` for the embedded simulator.
     pub ardupilot: Option<SitlSource>,
-    /// The chosen airframes: one for all vehicles, or one for each, the last one for all that follow.
+    /// The chosen airframes: one for all vehicles, or one for each; the last one also applies to all that follow.
     pub airframes: Vec<Arc<Airframe>>,
 }
 

@@ -1,27 +1,27 @@
-//! The stages of an instance's start, from observation; and what is missing when it takes too long.
+//! The stages of an instance's start, from observation, and what is missing when it takes too long.
 
 use std::time::Duration;
 
 use super::SitlStage;
 
-/// The time without a new stage before a remark; no instance is ended for being slow.
+/// The time without a new stage before a remark is shown; an instance is never ended for being slow.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// The same for readiness: navigation filters settle in 42 simulated seconds, at ten times the speed if the machine
-/// allows it.
+/// The same for readiness: navigation filters settle in 42 simulated seconds, ten times faster than real time if the
+/// machine allows it.
 const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
-/// The simulated time of silence after which the heartbeat counts as lost; one comes every second.
+/// The simulated time of silence after which the heartbeat counts as lost; one is sent every second.
 const SILENCE: Duration = Duration::from_secs(10);
 
-/// What an instance is missing.
+/// The condition that an instance is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lack {
     /// It has not connected.
     Connection,
     /// It has closed its connection and not reconnected.
     Reconnection,
-    /// It is connected and sends no heartbeat.
+    /// It is connected, but sends no heartbeat.
     Heartbeat,
-    /// It is connected and silent.
+    /// It is connected, but silent.
     Sound,
     /// The list of parameters does not advance.
     Parameters,
@@ -91,12 +91,12 @@ impl Stages {
         self.parameters = self.parameters.max(parameters);
     }
 
-    /// The stage reached, silent or not.
+    /// The stage reached, even if it is silent now.
     pub fn reached(&self) -> SitlStage {
         self.stage
     }
 
-    /// Its stage: one without a heartbeat is only a running process.
+    /// Its stage; an instance without a heartbeat counts only as a running process.
     pub fn stage(&self, now: Duration) -> SitlStage {
         if self.is_silent(now) {
             SitlStage::Process
@@ -105,7 +105,7 @@ impl Stages {
         }
     }
 
-    /// What has been missing for too long, and for how long.
+    /// The condition that has been missing for too long, and for how long.
     pub fn lack(&self, now: Duration) -> Option<(Lack, Duration)> {
         if self.is_silent(now) && self.stage > SitlStage::Process {
             return Some((Lack::Sound, now.saturating_sub(self.heard)));

@@ -14,11 +14,11 @@ use crate::store::give_new_name;
 
 /// Random bytes in a token, written as two hexadecimal digits each.
 const LEN: usize = 32;
-/// Read and write for the owner alone.
+/// The mode bits for reading and writing by the owner alone.
 const PRIVATE: u32 = 0o600;
 /// All permissions of other users.
 const OTHERS: u32 = 0o077;
-/// The largest token file: a token with some blanks.
+/// The maximum size of a token file, in bytes: a token with some whitespace.
 const FILE_MAX: u64 = 256;
 
 /// A bearer token. `Debug` does not show it.
@@ -35,7 +35,7 @@ pub enum TokenError {
         path: PathBuf,
         source: io::Error,
     },
-    /// Others may read the file, so that its token is no secret.
+    /// Others may read the file, so that its token is not a secret.
     #[error(
         "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
     )]
@@ -70,7 +70,7 @@ impl HangarToken {
     /// A new token from the system's random numbers.
     ///
     /// # Errors
-    /// The system has none.
+    /// The system provides none.
     pub fn random() -> Result<Self, TokenError> {
         let mut bytes = [0; LEN];
         SysRng
@@ -87,7 +87,7 @@ impl HangarToken {
     /// Reads a token from a file that only its owner may read.
     ///
     /// # Errors
-    /// It cannot be read, or others could read it, or it holds no token.
+    /// It cannot be read, others could read it, or it does not contain a token.
     pub fn load(path: &Path) -> Result<Self, TokenError> {
         let fail = |source| TokenError::File {
             what: "read",

@@ -11,17 +11,18 @@ use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, HEARTBEAT_DATA, TIMESYN
 pub use self::tally::{MessageTally, Rate};
 use crate::wire::{Anatomy, ComponentId, SystemId};
 
-/// The most kinds of messages that one link keeps; further ones are only counted. 250 vehicles send about 10 000.
+/// The maximum number of kinds of messages that one link keeps; further ones are only counted. 250 vehicles send about
+/// 10 000.
 const MOST_KINDS: usize = 20_000;
-/// The most kinds with a checksum that cannot be verified, since noise may look like any of them.
+/// The maximum number of kinds with a checksum that cannot be verified, since noise may look like any of them.
 const MOST_UNVERIFIED: usize = 256;
 /// Noise seldom looks like the same message of the same sender this often.
 const KEEPS_COMING: u64 = 3;
 /// Entries silent for this long may be replaced if there is no room.
 const STALE: Duration = Duration::from_secs(60);
-/// The least interval between two searches for room.
+/// The minimum interval between two searches for room.
 const SWEEP_EVERY: Duration = Duration::from_secs(1);
-/// The most frames of one kind that are kept for a graph between two reads.
+/// The maximum number of frames of one kind that are kept for a graph between two reads.
 const MOST_WATCHED: usize = 512;
 /// A source that has been silent for this long has paused, or was stopped.
 const PAUSE: Duration = Duration::from_secs(5);

@@ -203,8 +203,8 @@ mod tests {
         }
     }
 
-    /// The seed is computed from the names and types of all base fields in order: equal seeds mean equal layouts.
-    /// Extensions are not part of it, but their length shows when the dialect writes them.
+    /// The seed is computed from the names and types of all base fields in order: identical seeds mean identical
+    /// layouts. Extensions are not part of it, but their length shows when the dialect writes them.
     #[test]
     fn the_table_lays_out_every_message_of_the_dialect_as_the_dialect_does() {
         let (mut known, mut measured) = (0, 0);

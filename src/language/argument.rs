@@ -8,13 +8,13 @@ use crate::geo::{LatLon, Outline};
 use crate::text;
 use crate::text::Text;
 
-/// The most choices listed in a usage.
+/// The maximum number of choices listed in a usage.
 const CHOICES_IN_USAGE: usize = 10;
 
 /// One argument of a [`Form`](super::Form).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Argument {
-    /// Its name for the builder; in capitals, the placeholder of its value in the usage.
+    /// Its name for the builder; in capitals, it is the placeholder of its value in the usage.
     pub name: &'static str,
     /// The word before the value; empty for a value alone.
     pub keyword: &'static str,
@@ -70,7 +70,7 @@ impl Argument {
         }
     }
 
-    /// The same as an optional argument.
+    /// The argument, made optional.
     pub(super) const fn optional(self) -> Self {
         Self {
             optional: true,
@@ -78,7 +78,7 @@ impl Argument {
         }
     }
 
-    /// The same as a repeatable, optional argument.
+    /// The argument, made repeatable and optional.
     pub(super) const fn repeated(self) -> Self {
         Self {
             optional: true,
@@ -107,7 +107,7 @@ impl Argument {
         }
     }
 
-    /// A fault in a number, with its argument: in a row of numbers the reader needs to know which one.
+    /// A fault in a number, with its argument, so that the reader knows which of several numbers is meant.
     pub(super) fn about(&self, message: Text) -> Text {
         match self.kind {
             Kind::Number(..) | Kind::Whole(..) => {
@@ -117,7 +117,7 @@ impl Argument {
         }
     }
 
-    /// Its meaning and its valid values: "height above home, 0.5 to 1000 m".
+    /// Its meaning and its valid values, such as "height above home, 0.5 to 1000 m".
     pub(super) fn explained(&self) -> Text {
         let meaning = Some(self.meaning()).filter(|text| !text.is_empty());
         let parts = meaning.into_iter().chain(self.kind.limits());
@@ -136,11 +136,11 @@ impl Argument {
 /// The kind of value of an argument; it also provides the completions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
-    /// None: only the keyword.
+    /// No value, only the keyword.
     Flag,
-    /// A number with a unit, from a least to a greatest value.
+    /// A number with a unit, from a minimum to a maximum.
     Number(Unit, f64, f64),
-    /// A whole number with a unit, from a least to a greatest value.
+    /// A whole number with a unit, from a minimum to a maximum.
     Whole(Unit, f64, f64),
     /// One of these words.
     Choice(&'static [&'static str]),
@@ -168,7 +168,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether a choice is short enough to be listed in a usage.
+    /// Whether it is a choice short enough to be listed in a usage.
     pub(super) fn fits_a_usage(self) -> bool {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
     }
@@ -253,7 +253,7 @@ pub(super) enum Value {
 
 /// A fault in the combination of arguments.
 pub(super) struct Problem {
-    /// The argument to point at.
+    /// The argument that the fault points at.
     pub argument: &'static str,
     pub message: Text,
 }

@@ -11,11 +11,11 @@ use crate::vehicle::VehicleId;
 pub enum VehicleChoice {
     All,
     None,
-    /// Those in the filtered table.
+    /// The vehicles in the filtered table.
     Filter,
-    /// Those in the filtered table that are not selected.
+    /// The vehicles in the filtered table that are not selected.
     Invert,
-    /// These, sorted, each once.
+    /// These vehicles, sorted, each once.
     Ids(Vec<VehicleId>),
     /// A named group, without the `@`.
     Group(String),

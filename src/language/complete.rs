@@ -29,8 +29,8 @@ pub struct Completion {
 }
 
 /// The possible words at the cursor (in bytes of the line), best first: prefix matches, with common words first, then
-/// matches of a later part. Without either, matching is fuzzy: `tko` finds `takeoff`. Numbers cannot be completed;
-/// [`hint`] describes them.
+/// matches of a later part. If there are neither, matching is fuzzy: `tko` finds `takeoff`. Numbers cannot be
+/// completed; [`hint`] describes them.
 pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion> {
     let cursor = floor_boundary(line, cursor);
     if comment_start(line).is_some_and(|at| at < cursor) {
@@ -57,9 +57,10 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .collect()
 }
 
-/// A hint for the next word. If the line fits one form of the verb, that form with the next argument between ‹ and ›
-/// and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several fit, the possible next
-/// arguments. If the line is complete, the verb's summary. `None` without a verb, and after a fault.
+/// A hint for the next word. If the line fits one form of the verb, the hint is that form with the next argument
+/// between ‹ and › and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several forms fit, it
+/// lists the possible next arguments. If the line is complete, it is the verb's summary. `None` without a verb, and
+/// after a fault.
 pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
@@ -96,7 +97,7 @@ pub fn begun(line: &str) -> Option<&'static VerbRow> {
     first.find_map(|word| super::row(word.text))
 }
 
-/// All lines to the console that can be listed completely, with their meaning: those without arguments, and those
+/// All lines to the console that can be listed in full, with their meaning: those without arguments, and those
 /// whose arguments are all words of a list.
 pub fn lines(context: &Context) -> Vec<(String, Text)> {
     let own =
@@ -126,7 +127,7 @@ fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(Strin
                 .map(|(word, meaning)| (format!("{start} {word}"), meaning))
                 .collect()
         }
-        // Several arguments have no list.
+        // Lines with several arguments are not listed.
         [_, _, ..] => Vec::new(),
     }
 }
@@ -137,7 +138,7 @@ fn described(word: Text, meaning: Text) -> Text {
     Text::joined(": ", parts.filter(|part| !part.is_empty()).collect())
 }
 
-/// The next argument: a required one first.
+/// The next argument; required ones come first.
 fn next_argument(fit: &Fit) -> Option<&'static Argument> {
     fit.expected
         .iter()
@@ -232,7 +233,7 @@ fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     rows().filter(|row| fits(row)).map(explained).collect()
 }
 
-/// The modes whose name alone changes to them, unless a verb has that name.
+/// The modes whose name alone is a command to change to them, because it is not the name of a verb.
 fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
     let described = |mode: &'static str| {
         let mut hint = vec![text!("grammar-change-mode", mode = mode)];
@@ -264,11 +265,11 @@ fn target_names(context: &Context) -> Vec<(String, Text)> {
 /// How a word matches the text, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Match {
-    /// It begins with the text.
+    /// The word begins with the text.
     Beginning,
-    /// A part after a `_` does.
+    /// A part after a `_` begins with the text.
     Part,
-    /// It contains the letters, scattered.
+    /// The word contains the letters, scattered.
     Scattered,
 }
 
@@ -285,8 +286,8 @@ impl Match {
     }
 }
 
-/// The matching words, best first; all in their order for an empty text. Prefix matches keep their order. If there are
-/// any, scattered letters do not count: `al` never means `interval`.
+/// The matching words, best first; for an empty text, all words in their order. Prefix matches keep their order. If
+/// there are any, scattered letters do not count: `al` never means `interval`.
 fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)> {
     if written.is_empty() {
         return candidates;
@@ -311,7 +312,7 @@ fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)>
     if is_letter || scored.iter().any(|(how, ..)| *how == Match::Beginning) {
         scored.retain(|(how, ..)| *how != Match::Scattered);
     }
-    // Of equal matches the shorter is closer.
+    // Of equally good matches, the shorter one is closer.
     scored.sort_by_key(|(how, score, (text, _))| match how {
         Match::Beginning => (*how, Reverse(0), 0),
         Match::Part | Match::Scattered => (*how, Reverse(*score), text.len()),

@@ -41,7 +41,7 @@ pub enum ConsoleLine {
     Parameters(ParametersLine),
     /// A command about the process of a vehicle.
     Process {
-        /// What to do with it.
+        /// The action on the process.
         deed: ProcessDeed,
         /// The vehicle whose process it is.
         vehicle: VehicleId,
@@ -85,7 +85,7 @@ pub enum Report {
     Notices,
     /// The processes of simulated vehicles.
     Hangar,
-    /// The task, its rules and how it is scored.
+    /// The task, its rules and its scoring.
     Brief,
     /// The state of vehicles: these, otherwise the selected ones, otherwise all.
     Status(Option<VehicleChoice>),
@@ -99,9 +99,9 @@ pub enum Report {
 pub enum ParametersLine {
     /// Opens the room of parameters.
     Show,
-    /// Downloads all of them again.
+    /// Downloads all parameters again.
     Fetch,
-    /// Saves them to a file.
+    /// Saves the parameters to a file.
     Save(String),
     /// Compares with a file or another vehicle, to set differences.
     Compare(String),
@@ -111,7 +111,7 @@ pub enum ParametersLine {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProcessDeed {
     Restart,
-    /// Stop it for good.
+    /// Stop it permanently.
     Stop,
 }
 
@@ -163,7 +163,7 @@ pub enum ReviewLine {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostLine {
     Show(GhostSource),
-    /// Align it with this one at an event of both flights.
+    /// Align it with this flight at an event of both flights.
     AlignedBy(Alignment),
     Off,
 }
@@ -173,9 +173,9 @@ pub enum GhostLine {
 pub enum GhostSource {
     /// The trainee's best one.
     Best,
-    /// The reference pilot's, flown now.
+    /// The reference pilot's flight, flown now.
     Reference,
-    /// A record's, by one of its files.
+    /// A recorded flight, by one of its record's files.
     File(String),
 }
 

@@ -7,10 +7,10 @@ use super::read::Misread;
 use super::verb::Form;
 use crate::text::Text;
 
-/// How far the words of a line match a form.
+/// The extent to which the words of a line match a form.
 pub(super) struct Fit {
     pub arguments: Arguments,
-    /// What may follow the last word.
+    /// The arguments that may follow the last word.
     pub expected: Vec<Expected>,
     /// Whether nothing is missing.
     pub complete: bool,
@@ -21,15 +21,15 @@ pub(super) struct Fit {
 /// A word that does not match.
 pub(super) struct Misfit {
     pub word: usize,
-    /// Whether it is of the right kind and only its value is invalid.
+    /// Whether the word is of the right kind and only its value is invalid.
     pub specific: bool,
     /// The fault, if only one kind was possible.
     pub message: Option<Text>,
-    /// What was expected instead.
+    /// The arguments that were expected instead.
     pub expected: Vec<Expected>,
 }
 
-/// What may come next.
+/// A word that may come next.
 #[derive(Clone, Copy)]
 pub(super) enum Expected {
     /// The keyword of this argument.
@@ -118,7 +118,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The arguments possible now: all up to the first that must precede the rest.
+    /// The arguments possible now: all up to the first one that must precede the rest.
     fn open(&self) -> Vec<usize> {
         let mut open = Vec::new();
         for (index, argument) in self.form.arguments.iter().enumerate() {
@@ -140,7 +140,7 @@ impl Reader<'_> {
             .into_iter()
             .map(|index| &self.form.arguments[index])
             .filter(|argument| {
-                // Of several optional values in a row the first comes first.
+                // Of several optional values in a row, the first one is used first.
                 let again = argument.keyword.is_empty() && argument.optional && value_seen;
                 value_seen |= argument.keyword.is_empty();
                 !again

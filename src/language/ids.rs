@@ -10,7 +10,7 @@ pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
     Targets::Ids(ids.into_iter().collect()).to_string()
 }
 
-/// Reads what [`ranges`] writes, in any order.
+/// Reads the notation of [`ranges`], in any order.
 ///
 /// # Errors
 /// A text if a part is neither a number from 1 to 9999 nor a range of them.

@@ -1,4 +1,4 @@
-//! From a line to words.
+//! Splits a line into words.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ impl Word<'_> {
         self.text.eq_ignore_ascii_case(other)
     }
 
-    /// Whether it means targets: `all`, or a digit or `@` at its beginning.
+    /// Whether it means targets: `all`, or a word that begins with a digit or `@`.
     pub fn is_targets(&self) -> bool {
         self.is("all")
             || self
@@ -26,8 +26,8 @@ impl Word<'_> {
     }
 }
 
-/// The words of a line: separated by blanks; comparison signs are words; a `#` at the beginning of a word starts a
-/// comment.
+/// The words of a line: separated by spaces; comparison signs are separate words; a `#` at the beginning of a word
+/// starts a comment.
 pub fn words(line: &str) -> Vec<Word<'_>> {
     let code = &line[..comment_start(line).unwrap_or(line.len())];
     let mut words = Vec::new();
@@ -58,7 +58,7 @@ pub fn words(line: &str) -> Vec<Word<'_>> {
         .collect()
 }
 
-/// Where the comment of a line begins, if it has one.
+/// The position at which the comment of a line begins, if it has one.
 pub fn comment_start(line: &str) -> Option<usize> {
     line.match_indices('#').map(|(at, _)| at).find(|&at| {
         line[..at]

@@ -1,4 +1,4 @@
-//! Flight modes in lines, with warnings about some.
+//! Flight modes in lines, with warnings about some of them.
 
 use super::Context;
 use crate::text;
@@ -16,11 +16,11 @@ const EVERYDAY_MODES: [&str; 8] = [
     "ALT_HOLD",
     "STABILIZE",
 ];
-/// Modes of a copter in which the throttle stick sets the climb, and those in which it sets the thrust.
+/// The modes of a copter in which the throttle stick sets the climb; then those in which it sets the thrust.
 const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
 const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 
-/// The proper name of a mode.
+/// The canonical name of a mode.
 pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
     classes(context)
         .iter()

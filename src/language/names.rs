@@ -14,13 +14,13 @@ pub enum NameList {
     Theme,
     /// The missions, by id.
     Mission,
-    /// The injects that an instructor may trigger in the present mission.
+    /// The injects that an instructor may trigger in the current mission.
     Inject,
     /// Macros in the settings.
     Macro,
 }
 
-/// A name for lines.
+/// A name that a line may contain.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     /// The name as it is typed.
@@ -28,7 +28,7 @@ pub struct Named {
     pub meaning: Text,
 }
 
-/// The present content of a list.
+/// The current content of a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Listed {
     /// Not known yet: every name is accepted.
@@ -41,7 +41,7 @@ pub enum Listed {
 
 /// Access to the lists.
 pub trait Names: fmt::Debug {
-    /// The present content of a list.
+    /// The current content of a list.
     fn listed(&self, list: NameList) -> Listed;
 }
 

@@ -1,4 +1,4 @@
-//! From a line to a statement.
+//! Parses a line into a statement.
 
 use std::ops::Range;
 
@@ -48,7 +48,7 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
 /// The verb of a line, after optional targets.
 ///
 /// # Errors
-/// It is missing or not allowed there, or the targets are wrong.
+/// The verb is missing or not allowed there, or the targets are wrong.
 pub fn said(line: &str, context: &Context) -> Result<&'static VerbRow, Diagnostic> {
     head(&words(line), context).map(|head| head.row)
 }
@@ -133,7 +133,8 @@ fn targets_after(head: &mut Head, words: &[Word], context: &Context) -> Result<(
     Ok(())
 }
 
-/// `wait 5` is a time, `wait 5 armed` waits for vehicle 5; `wait 5s` is a time in any case.
+/// Whether a word after `wait` is a target: `wait 5` is a time, `wait 5 armed` waits for vehicle 5, and `wait 5s` is
+/// always a time.
 fn targets_of_wait(word: &Word, left: usize) -> bool {
     let numbers = word
         .text
@@ -168,7 +169,7 @@ pub(super) fn understand(
     Err(fault(head.row, &fits, rest, all, context))
 }
 
-/// The fault of the form that matches best.
+/// The fault, according to the form that matches best.
 fn fault(
     row: &'static VerbRow,
     fits: &[Fit],
@@ -226,7 +227,7 @@ fn usages(row: &VerbRow) -> Text {
     either(usages.map(|usage| format!("`{usage}`").into()).collect())
 }
 
-/// An example of one of these forms of a verb, otherwise the first one.
+/// An example of one of these forms of a verb, otherwise the verb's first example.
 fn example_of(row: &'static VerbRow, forms: &[usize]) -> &'static str {
     let context = Context {
         channel: Channel::Plain,
@@ -288,7 +289,7 @@ fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Conte
     }
 }
 
-/// Where only a name from a list was possible: the names.
+/// A list of the valid names, if only a name from a list was possible.
 fn there_are(names: &[String], misfits: &[&Misfit]) -> Option<Text> {
     let mut expected = misfits.iter().flat_map(|misfit| misfit.expected.iter());
     let is_name = |item: &Expected| matches!(item.argument().kind, Kind::Name(_));

@@ -114,7 +114,7 @@ pub struct Pilot {
 }
 
 impl Pilot {
-    /// A script at its beginning.
+    /// A pilot at the beginning of a script.
     pub fn new(script: Script) -> Self {
         Self {
             script,
@@ -124,10 +124,8 @@ impl Pilot {
         }
     }
 
-    /// The script's next actions.
-    ///
-    /// The caller opens the ledger's entries for the statements before the next step: a wait that follows a command is
-    /// evaluated only then, so that `wait all arrived` means the goto before it.
+    /// The script's next actions. The caller opens the ledger's entries for the statements before the next step. A wait
+    /// that follows a command is evaluated only then, so that `wait all arrived` refers to the goto before it.
     pub fn step(&mut self, now: Duration, seen: Seen<'_>) -> Vec<PilotEvent> {
         let mut events = Vec::new();
         let mut acted = false;

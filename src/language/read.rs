@@ -1,4 +1,4 @@
-//! From words to values.
+//! Parses words into values.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -26,7 +26,7 @@ pub(super) enum Misread {
     Wrong {
         /// The index of the word in the value.
         word: usize,
-        /// Whether it is of the right kind and only its value is invalid: then no other argument was meant.
+        /// Whether the word is of the right kind and only its value is invalid, so that no other argument was meant.
         specific: bool,
         message: Text,
     },
@@ -49,7 +49,7 @@ impl Misread {
         }
     }
 
-    /// The same for a part of a value, by its index and name.
+    /// The fault as one of a part of a value, with the part's index and name.
     fn part(self, at: usize, name: &'static str) -> Self {
         match self {
             Self::Wrong {
@@ -108,7 +108,7 @@ impl Kind {
         Ok((value, 1))
     }
 
-    /// The fault of a word that is none of the choices, with a short list of them.
+    /// The fault of a word that is not one of the choices, with a short list of them.
     fn none_of(self, choices: &[&str], word: &str) -> Misread {
         Misread::kind(if self.fits_a_usage() {
             let choices = choices.join(", ");
@@ -213,7 +213,7 @@ fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misr
         (None, _) => return Err(Misread::value(wrong_unit(text, suffix, unit))),
     };
     let value = written * factor;
-    // A range check that also fails for NaN.
+    // This range check also fails for NaN.
     if (least..=greatest).contains(&value) {
         return Ok(value);
     }
@@ -282,7 +282,7 @@ fn sort(text: &str) -> Result<String, Misread> {
     }
 }
 
-/// The position of a place known only by name, where no vehicle can fly.
+/// The position of a place known only by name, to which no vehicle can fly.
 const NOWHERE: LatLon = LatLon::new(f64::NAN, f64::NAN);
 
 fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {

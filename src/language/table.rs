@@ -51,19 +51,19 @@ static TABLE: [&[VerbRow]; 10] = [
     session::ROWS,
 ];
 
-/// A motor that starts late can hurt a person: give up soon.
+/// For arming: a motor that starts late can hurt a person, so the attempts end soon.
 const AT_ONCE: Retry = Retry::new(3, 1000, 3500);
-/// Harmless commands, even if late.
+/// For commands that are harmless even if late.
 const CHANGE: Retry = Retry::new(5, 1000, 8000);
-/// Landing commands, which are right at any time.
+/// For landing commands, which are right at any time.
 const COME_DOWN: Retry = Retry::new(15, 1000, 20_000);
-/// Commands that must get through.
+/// For commands that must get through.
 const STOP_MOTORS: Retry = Retry::new(10, 300, 3500);
-/// Queries, and settings of devices.
+/// For queries, and for settings of devices.
 const ASK: Retry = Retry::new(3, 1000, 4000);
-/// Setpoints, which have no answer: repeated until the effect shows.
+/// For setpoints, which have no answer and are repeated until the effect shows.
 const SETPOINT: Retry = Retry::new(3, 1000, 4000);
-/// Commands that must not take effect twice.
+/// For commands that must not take effect twice.
 const ONCE: Retry = Retry::new(1, 1000, 3000);
 
 type Built = Result<Meaning, Problem>;
@@ -100,7 +100,7 @@ fn console(line: ConsoleLine) -> Built {
     Ok(Meaning::Console(line))
 }
 
-/// The first of these arguments that is present, to point at.
+/// The first of these arguments that was given, for a fault to point at.
 fn given(arguments: &Arguments, names: &[&'static str]) -> Option<&'static str> {
     names.iter().copied().find(|name| arguments.flag(name))
 }

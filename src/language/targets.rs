@@ -14,7 +14,7 @@ use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 pub enum Targets {
     Selection,
     All,
-    /// These, sorted, each once.
+    /// These vehicles, sorted, each once.
     Ids(Vec<VehicleId>),
     /// A named group, without the `@`.
     Group(String),

@@ -334,7 +334,7 @@ fn the_manual_tells_about_every_verb() {
     assert!(manual.contains("60 s"), "{manual}");
 }
 
-/// Lines from the language's own words, which reach deeper than random letters.
+/// Lines made of the language's own words, which test more of the parser than random letters.
 fn likely_line() -> impl Strategy<Value = String> {
     let names: Vec<String> = rows().map(|row| row.name().to_owned()).collect();
     let word = prop_oneof![

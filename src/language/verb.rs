@@ -7,7 +7,8 @@ use crate::commands::Act;
 use crate::text::Text;
 use crate::verb::Verb;
 
-/// A row of the table: a verb and its grammar. The message `verb-NAME` is its summary.
+/// A row of the table: a verb and its grammar. The message `verb-NAME` is its summary; `words-NAME`, if there is one, lists
+/// its synonyms.
 #[derive(Debug, Clone, Copy)]
 pub struct VerbRow {
     /// The properties of its orders.
@@ -25,13 +26,13 @@ pub struct VerbRow {
 pub enum Scope {
     /// On the command line and in scripts, to vehicles.
     Everywhere,
-    /// Only in sequences of lines, which it delays: in scripts and through a pipe. Its targets may follow it.
+    /// Only in sequences of lines, which the verb delays: in scripts and through a pipe. Its targets may follow it.
     Scripts,
     /// For the console, with or without a screen.
     Console,
     /// For the console; without a screen it does nothing.
     Screen,
-    /// Only for the plain console: the rooms of a screen show the same.
+    /// Only for the plain console, because the rooms of a screen show the same.
     Plain,
 }
 
@@ -69,7 +70,7 @@ pub enum Channel {
 /// One form of a verb: its arguments, and its builder.
 #[derive(Debug, Clone, Copy)]
 pub struct Form {
-    /// In order: values without a keyword must keep it, those with one may come in any order.
+    /// The arguments in order. Values without a keyword must follow this order; those with one may come in any order.
     pub arguments: &'static [Argument],
     /// The verb that this form means, if it is not that of the row.
     pub(super) means: Option<&'static Verb>,
@@ -142,7 +143,7 @@ impl Form {
         }
     }
 
-    /// The same with another verb than that of its row.
+    /// The form, with a different verb from that of its row.
     pub(super) const fn meaning(self, verb: &'static Verb) -> Self {
         Self {
             means: Some(verb),
@@ -150,7 +151,7 @@ impl Form {
         }
     }
 
-    /// The same as a shortcut of another verb.
+    /// The form, as a shortcut of another verb.
     pub(super) const fn shortcut(self) -> Self {
         Self {
             is_shortcut: true,

@@ -9,7 +9,7 @@ use crate::verb::Arrival;
 
 /// The default time-out of a wait.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
-/// The distance to its target at which a vehicle has arrived, in metres, where the ledger cannot tell.
+/// The distance to its target at which a vehicle has arrived, in metres, if the ledger does not show it.
 const ARRIVED_M: f64 = 2.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f32 = 0.5;
@@ -20,7 +20,7 @@ pub struct Wait {
     pub timeout: Duration,
 }
 
-/// What a script can see to evaluate a wait.
+/// The data that a script uses to evaluate a wait.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     pub vehicles: &'a Vehicles,
@@ -30,7 +30,7 @@ pub struct Seen<'a> {
     pub findings: &'a Findings,
 }
 
-/// The findings of a mission so far: what sensors found, never the truth. Empty without a mission.
+/// The findings of a mission so far: the readings of sensors, never the truth. Empty without a mission.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Findings {
     /// The number of contacts.
@@ -141,7 +141,7 @@ impl Field {
         })
     }
 
-    /// Its present value, if known.
+    /// Its current value, if known.
     pub fn of(self, vehicle: &Vehicle, findings: &Findings) -> Option<f64> {
         match self {
             Self::Altitude => vehicle.altitude_m(),
@@ -225,9 +225,9 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
         Some((Arrival::Landed, _)) => vehicle.is_on_the_ground(),
         Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || vehicle.is_on_the_ground(),
         Some((Arrival::Done, RowState::Done)) => true,
-        // There was nothing to do.
+        // The order had nothing to do.
         Some((Arrival::Done, RowState::NoEffect)) if vehicle.target.is_none() => true,
-        // The ledger did not see the effect, or cannot: standing still at the target counts.
+        // The ledger did not observe the effect, or cannot, so standing still at the target counts.
         Some((Arrival::Done | Arrival::Mode | Arrival::AtTarget, _)) | None => {
             still_at_target(vehicle)
         }

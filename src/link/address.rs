@@ -182,8 +182,8 @@ fn socket(text: &str) -> Result<(String, u16), Text> {
     Ok((host.to_owned(), port))
 }
 
-/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so the text
-/// after the last one is a rate unless it looks like part of a path.
+/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may contain colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so the text
+/// after the last one is a baud rate unless it looks like part of a path.
 fn serial(text: &str) -> Result<Address, Text> {
     let split = text.rsplit_once(',').or_else(|| {
         text.rsplit_once(':')

@@ -4,17 +4,17 @@ use std::time::Duration;
 
 use tokio::time::{Instant, Interval, MissedTickBehavior, interval};
 
-/// The interval of a periodic action.
+/// The timing of a periodic action.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BeatPace {
-    /// The time after which it is done along with other work.
+    /// The time after which the action is done along with other work.
     pub handy: Duration,
-    /// The time after which it wakes the task.
+    /// The time after which the action wakes the task.
     pub latest: Duration,
 }
 
-/// A periodic action. Waking costs far more than most of the work, and tokio's timers often wake twice; a link with
-/// telemetry is awake often enough without one.
+/// A periodic action. Waking a task costs far more than most of the work, and tokio's timers often wake it twice. A
+/// link with telemetry is awake often enough without a timer.
 #[derive(Debug)]
 pub(super) struct LinkBeat {
     pace: BeatPace,

@@ -14,7 +14,7 @@ use crate::text::Text;
 
 /// How long a TCP server may take to answer.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
-/// A vehicle sends something every second. A TCP connection is reopened after this long without data.
+/// A TCP connection is reopened after this long without data, since a vehicle sends something every second.
 const TCP_SILENCE: Duration = Duration::from_secs(10);
 
 /// Opens an address once and carries its data until it ends.
@@ -48,7 +48,7 @@ pub(super) async fn attempt(link: &mut LinkCore, address: &Address) -> Connectio
 enum OpenedTransport {
     Stream(TcpStream),
     Listener(TcpListener),
-    /// With the target address, if known from the start.
+    /// Datagrams, with the target address if it is known from the start.
     Datagrams(UdpSocket, Option<SocketAddr>),
     #[cfg(feature = "serial")]
     Serial(tokio_serial::SerialStream),
@@ -112,7 +112,7 @@ async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<OpenedTranspor
     Ok(OpenedTransport::Datagrams(socket, Some(target)))
 }
 
-/// The address of a host, IPv4 if it has both: most vehicles listen only there.
+/// The address of a host, IPv4 if it has both, because most vehicles listen only on IPv4.
 pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, Text> {
     let mut found: Vec<_> = lookup_host((host, port))
         .await

@@ -23,7 +23,7 @@ const PUBLISH: BeatPace = BeatPace {
     handy: Duration::from_millis(200),
     latest: Duration::from_millis(300),
 };
-/// The most queued messages in one write.
+/// The maximum number of queued messages in one write.
 const BATCH_LEN: usize = 64;
 
 /// A link without its socket: pending input and output, heartbeats and publication.
@@ -35,9 +35,9 @@ pub(super) struct LinkCore {
     inbound: mpsc::Sender<Inbound>,
     to_send: mpsc::Receiver<(To, Outgoing)>,
     cancel: CancellationToken,
-    /// Received frames waiting for room in the channel. Reading stops meanwhile.
+    /// Received frames waiting for room in the channel. Reading stops until then.
     undelivered: Option<Inbound>,
-    /// Frames have arrived since the last request for work: the task is awake anyway.
+    /// Whether frames have arrived since the last request for work, so that the task is awake anyway.
     has_heard: bool,
     heartbeat: LinkBeat,
     /// Whether heartbeats are suppressed, as by a radio out of range.
@@ -50,7 +50,7 @@ pub(super) struct LinkCore {
 pub(super) enum LinkWork {
     /// Send these; at least one.
     Send(Vec<(To, Outgoing)>),
-    /// Nothing, but check again whether reading is allowed.
+    /// Do nothing, but check again whether reading is allowed.
     Nothing,
     End,
 }
@@ -62,7 +62,7 @@ pub(super) enum ConnectionEnd {
     Cancelled,
     /// It failed for this reason; another attempt follows.
     Lost(Text),
-    /// It must not be reopened; with the reason, unless this is the regular end.
+    /// It must not be reopened; the reason is given unless this is the regular end.
     Final(Option<Text>),
 }
 
@@ -114,7 +114,8 @@ impl LinkCore {
         self.undelivered.is_none()
     }
 
-    /// Delivers a peer's frames, at once or as soon as there is room. Only if [`Self::may_read`] allowed the reading.
+    /// Delivers a peer's frames, at once or as soon as there is room. Call it only if [`Self::may_read`] allowed the
+    /// reading.
     pub(super) fn deliver(&mut self, peer: LinkPeer, frames: Vec<Frame>) {
         if frames.is_empty() {
             return;

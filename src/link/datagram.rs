@@ -1,4 +1,4 @@
-//! Links over UDP, where every remote address is a peer of its own.
+//! Links over UDP, where every remote address is a separate peer.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -19,10 +19,10 @@ use crate::wire::{Frame, Outgoing};
 
 /// The longest possible datagram.
 const DATAGRAM_LEN: usize = 65_536;
-/// The most peers: sender addresses can be forged.
+/// The maximum number of peers, since sender addresses can be forged.
 const PEER_CAP: usize = 1024;
-/// A peer silent for this long may be replaced. Half a frame is kept of this many unknown senders: a bridge may cut
-/// every one.
+/// The number of unknown senders of which half a frame is kept, since a bridge may cut every frame; then the silence
+/// after which a peer may be replaced.
 const STRANGER_CAP: usize = 16;
 const STALE: Duration = Duration::from_secs(10);
 
@@ -67,7 +67,7 @@ pub(super) async fn session(
     }
 }
 
-/// Waits until a sender has paused and returns it; for ever if no half frame is waiting.
+/// Waits until a sender has paused and returns it; forever if no half frame is waiting.
 async fn paused(pause: Option<(Instant, SocketAddr)>) -> SocketAddr {
     match pause {
         Some((at, from)) => {
@@ -78,7 +78,7 @@ async fn paused(pause: Option<(Instant, SocketAddr)>) -> SocketAddr {
     }
 }
 
-/// Whether the error only means that a peer's port is closed at the moment.
+/// Whether the error only means that a peer's port is currently closed.
 fn is_icmp(error: &io::Error) -> bool {
     matches!(
         error.kind(),
@@ -91,7 +91,7 @@ struct Peers {
     config: LinkConfig,
     by_address: BTreeMap<SocketAddr, LinkPeer>,
     all: BTreeMap<LinkPeer, DatagramPeer>,
-    /// Senders of half a frame without an intact one yet.
+    /// Senders of half a frame that have not sent an intact one yet.
     strangers: BTreeMap<SocketAddr, PeerStream>,
     /// Senders whose last datagram ended inside a frame, with its time.
     tails: BTreeMap<SocketAddr, Instant>,
@@ -135,7 +135,7 @@ impl Peers {
         self.tails.iter().map(pause).min()
     }
 
-    /// Takes a datagram, or a pause after one. An unknown sender becomes a peer with an intact frame.
+    /// Handles a datagram, or a pause after one. An unknown sender becomes a peer with an intact frame.
     fn receive(
         &mut self,
         from: SocketAddr,
@@ -212,7 +212,7 @@ impl Peers {
         peer
     }
 
-    /// Makes room for one more, unless all are active.
+    /// Makes room for one more peer, unless all are active.
     fn has_room(&mut self, now: Instant) -> bool {
         if self.all.len() < PEER_CAP {
             return true;

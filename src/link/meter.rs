@@ -22,7 +22,7 @@ pub(super) struct LinkMeter {
     status: LinkStatus,
     pub(super) tap: Tap,
     published: watch::Sender<LinkStatus>,
-    /// Counted by the handles, which drop without involving the task.
+    /// Messages that the handles dropped without involving the task.
     refused: Arc<AtomicU64>,
     dropped: u64,
     window: VecDeque<TrafficSample>,
@@ -93,7 +93,7 @@ impl LinkMeter {
         self.status.peers = 0;
         self.status.local = None;
         if state == LinkState::Ended {
-            // Without further samples the last rates would stay for ever.
+            // Without further samples the last rates would stay forever.
             self.window.clear();
         }
         self.state(state);
@@ -119,7 +119,7 @@ impl LinkMeter {
         self.status.peers = peers;
     }
 
-    /// Adds what a decoder counted between two looks.
+    /// Adds a decoder's counts between two states.
     pub(super) fn decoded(&mut self, before: Counters, after: Counters) {
         let sum = &mut self.status.decoder;
         sum.bytes += after.bytes - before.bytes;
@@ -174,7 +174,7 @@ impl LinkMeter {
         let Some(first) = self.window.front() else {
             return;
         };
-        // A new link is not credited with a whole second's traffic in its first instant.
+        // The minimum of one second keeps the rates of a new link from being far too high.
         let seconds = (now.at - first.at).as_secs_f64().max(1.0);
         let rate = |from: u64, to: u64| ((to - from) as f64 / seconds) as f32;
         self.status.rates = Rates {

@@ -6,7 +6,8 @@ use super::meter::LinkMeter;
 use super::{LinkConfig, LinkPeer};
 use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing, is_frame_start};
 
-/// The state of a peer. Each has its own encoder, so that its sequence numbers have no gaps for messages to others.
+/// The state of a peer. Each has its own encoder, so that messages to other peers leave no gaps in its sequence
+/// numbers.
 #[derive(Debug)]
 pub(super) struct PeerStream {
     peer: LinkPeer,
@@ -16,7 +17,7 @@ pub(super) struct PeerStream {
     speaks_v2: bool,
 }
 
-/// Whether bytes may continue in the next ones.
+/// Whether an incomplete frame may continue in the next bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum StreamEnding {
     /// A stream: it may end inside a frame.
@@ -86,7 +87,7 @@ impl PeerStream {
         self.decoder.has_tail()
     }
 
-    /// A peer that has only sent MAVLink 1 is answered in it; all others understand MAVLink 2.
+    /// A peer that has only sent MAVLink 1 is answered in MAVLink 1; all others understand MAVLink 2.
     fn answer_in(&mut self, heard: MavlinkVersion) {
         self.speaks_v2 |= heard == MavlinkVersion::V2;
         self.encoder.set_version(if self.speaks_v2 {

@@ -19,7 +19,7 @@ const PEER: LinkPeer = LinkPeer(0);
 /// The number of records read ahead at a time.
 const CHUNK_LEN: usize = 256;
 const CHUNKS_AHEAD: usize = 4;
-/// The longest pause that is kept, in recorded time: joined logs have gaps of days.
+/// The longest pause that is kept, in recorded time, since joined logs have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
 type PlaybackChunk = Result<Vec<TlogPiece>, Text>;

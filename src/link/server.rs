@@ -17,9 +17,9 @@ use super::{LinkPeer, To};
 use crate::text;
 use crate::wire::Outgoing;
 
-/// The most clients; others wait in the listener's queue.
+/// The maximum number of clients; others wait in the listener's queue.
 const CLIENT_CAP: usize = 256;
-/// The most bytes queued for a client that does not read.
+/// The maximum number of bytes queued for a client that does not read.
 const OUTPUT_CAP: usize = 64 * 1024;
 
 #[derive(Debug)]
@@ -106,7 +106,7 @@ fn encode(
 
 impl TcpClient {
     fn new(socket: Arc<TcpStream>, stream: PeerStream) -> Self {
-        // Without it messages are late, not lost.
+        // Without this option, messages are late, but not lost.
         let _ = socket.set_nodelay(true);
         Self {
             socket,
@@ -127,8 +127,8 @@ impl TcpClient {
         link.meter.sent(1, self.output.len() - before);
     }
 
-    /// Writes as much as the socket accepts, and returns a wait for the rest, if any. A broken connection shows on
-    /// reading.
+    /// Writes as much as the socket accepts, and returns a wait for the rest, if any. A broken connection is detected
+    /// on reading.
     fn flush(&mut self, peer: LinkPeer) -> Option<impl Future<Output = LinkPeer> + use<>> {
         while !self.output.is_empty() && !self.awaits_room {
             match self.socket.try_write(&self.output) {

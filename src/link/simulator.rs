@@ -36,7 +36,7 @@ use transport::{PipeTransport, Transports, UdpTransport};
 const SHARED_FROM: f64 = 20_000.0;
 /// The capacity of a pipe in each direction.
 const PIPE_LEN: usize = 64 * 1024;
-/// The most delay that the simulation catches up at once; beyond it, it falls behind real time.
+/// The maximum delay that the simulation makes up at once; with a longer delay, it falls behind real time.
 const CATCH_UP: Duration = Duration::from_millis(50);
 const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served after this many steps.
@@ -130,7 +130,7 @@ impl From<SimulatorError> for Text {
 pub struct SimulatorPace {
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// While true, nothing moves and no client is served.
+    /// Whether everything is stopped and no client is served.
     pub held: bool,
 }
 
@@ -164,7 +164,7 @@ pub struct StartedSimulator {
     pub pipes: Vec<DuplexStream>,
     /// The addresses of serial 0's TCP servers, in the order of the vehicles.
     pub addresses: Vec<SocketAddr>,
-    /// The same for serial 1 and 2.
+    /// The addresses of the servers for serial 1 and 2.
     pub further_addresses: Vec<[SocketAddr; 2]>,
     /// The number of connected ground stations (a pipe or a UDP target counts once per vehicle).
     pub connections: watch::Receiver<usize>,
@@ -354,7 +354,7 @@ impl SteppedWorld {
                 continue;
             }
             self.threads = threads(self.world.vehicles(), given.speedup);
-            // A vehicle with a changed speed-up sets it for all.
+            // A vehicle whose speed-up has changed sets it for all.
             let wanted = self.world.wanted_speedup();
             let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);
             owed += (now - last).min(CATCH_UP).mul_f64(pace);

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::record::push_frame;
 
-/// The most bytes that wait for the recorder; further frames are dropped and counted.
+/// The maximum number of bytes that wait for the recorder; further frames are dropped and counted.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
 
 /// Collects frames as tlog entries, ordered by time. All clones share one sink.
@@ -38,7 +38,7 @@ impl fmt::Debug for FrameSink {
 }
 
 impl FrameSink {
-    /// A sink whose clock tells microseconds since 1970 (UTC).
+    /// A sink whose clock returns microseconds since 1970 (UTC).
     pub fn new(clock: impl Fn() -> u64 + Send + Sync + 'static) -> Self {
         Self(Arc::new(Inner {
             clock: Box::new(clock),
@@ -83,7 +83,7 @@ impl FrameSink {
     }
 
     fn waiting(&self) -> MutexGuard<'_, WaitingFrames> {
-        // A panic while recording loses only that frame.
+        // A panic while recording loses only one frame.
         self.0
             .waiting
             .lock()

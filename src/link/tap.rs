@@ -29,8 +29,8 @@ impl Tap {
         }
     }
 
-    /// Looks into the census; `now`, and all times in it, count from the link's opening. Must be quick: the link waits
-    /// meanwhile.
+    /// Looks into the census; `now`, and all times in it, count from the link's opening. Must be quick, because the
+    /// link waits in the meantime.
     pub fn look<T>(&self, look: impl FnOnce(&mut Census, Duration) -> T) -> T {
         let now = self.opened.elapsed();
         look(&mut self.census(), now)

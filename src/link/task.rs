@@ -38,7 +38,7 @@ async fn reconnect_for_ever(link: &mut LinkCore, address: &Address) -> Option<Te
             ConnectionEnd::Final(reason) => return reason,
             ConnectionEnd::Lost(reason) => reason,
         };
-        // A server that accepts and closes at once is no success.
+        // A server that accepts a connection and closes it at once does not count as a success.
         if link.meter.take_heard() {
             retry_in = FIRST_RETRY;
         }

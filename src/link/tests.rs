@@ -174,7 +174,7 @@ async fn unknown_messages_and_lost_ones_are_counted_by_sender() {
             bytes.truncate(before);
         }
         if count == 3 {
-            // In MAVLink 2 the id follows the sender: this one becomes foreign.
+            // In MAVLink 2 the message id follows the sender; this change makes the message unknown.
             bytes[before + 9] = 0xFE;
         }
     }

@@ -1,4 +1,4 @@
-//! Telemetry logs as `MAVProxy`, Mission Planner and `QGroundControl` write them: before each frame, eight bytes
+//! Telemetry logs in the format of `MAVProxy`, Mission Planner and `QGroundControl`: before each frame, eight bytes
 //! of big-endian Unix time in microseconds.
 
 use std::io::{self, Read, Write};
@@ -24,7 +24,7 @@ pub struct TlogRecord {
     pub bytes: Vec<u8>,
 }
 
-/// A fault of a tlog, with its position.
+/// A fault in a tlog, with its position.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", Text::from(self))]
 pub enum TlogError {
@@ -66,7 +66,7 @@ impl From<&TlogError> for Text {
     }
 }
 
-/// Reads a tlog record by record; give it a buffered reader. After an error it yields nothing more, since the start of
+/// Reads a tlog record by record; `input` should be buffered. After an error it yields nothing more, since the start of
 /// the next record is unknown.
 #[derive(Debug)]
 pub struct TlogReader<R> {
@@ -156,7 +156,7 @@ impl<R: Read> Iterator for TlogReader<R> {
     }
 }
 
-/// Writes a tlog; give it a buffered writer.
+/// Writes a tlog; `output` should be buffered.
 #[derive(Debug)]
 pub struct TlogWriter<W> {
     output: W,

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::PARAM_VALUE_DATA;
 
 use crate::parameters::{HeardParameter, ParameterList};
 
-/// `PARAM_VALUE.param_index` of a value that was sent by itself, not as part of the list.
+/// `PARAM_VALUE.param_index` of a value that was sent on its own, not as part of the list.
 const NO_INDEX: u16 = u16::MAX;
 
 pub(super) fn apply(parameters: &mut ParameterList, data: &PARAM_VALUE_DATA) {

@@ -13,7 +13,7 @@ use crate::wire::ComponentId;
 
 /// How long the next chunk of a text may take.
 const REST_WITHIN: Duration = Duration::from_secs(1);
-/// The most incomplete texts at a time; beyond that the oldest is released unfinished.
+/// The maximum number of incomplete texts at a time; beyond that the oldest is released unfinished.
 const MOST_UNFINISHED: usize = 8;
 /// Reasons not to arm that are further apart than this belong to different checks.
 const SAME_CHECK: Duration = Duration::from_secs(2);

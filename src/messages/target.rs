@@ -38,7 +38,7 @@ pub(super) fn apply_global(
 }
 
 /// Applies `POSITION_TARGET_LOCAL_NED`, which is measured from the origin of local coordinates. Without a known
-/// `origin` it is converted by the vehicle's present position in both kinds of coordinates.
+/// `origin` it is converted by the vehicle's current position in both kinds of coordinates.
 pub(super) fn apply_local(
     vehicle: &mut Vehicle,
     data: &POSITION_TARGET_LOCAL_NED_DATA,

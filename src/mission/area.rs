@@ -6,20 +6,20 @@ use super::Mission;
 use super::zone::{Shape, Zone, ZoneKind};
 use crate::geo::Outline;
 
-/// An area with a meaning.
+/// An area of a mission, with its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
     /// Its id in the mission file, as the brief names it.
     pub name: String,
-    /// What it means for vehicles inside.
+    /// Its meaning for vehicles inside.
     pub kind: AreaKind,
     pub outline: Outline,
 }
 
-/// What an area means.
+/// The meaning of an area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AreaKind {
-    /// The task is done in it.
+    /// The task takes place in it.
     Task,
     /// Vehicles must stay inside.
     Geofence,
@@ -47,7 +47,7 @@ impl From<ZoneKind> for AreaKind {
 }
 
 impl Mission {
-    /// The areas known from the start. Hazards are not among them: the trainee has to find them.
+    /// The areas known from the start. They do not include hazards, which the trainee has to find.
     pub fn areas(&self) -> Vec<Area> {
         let known = self.zones.iter().filter(|zone| zone.active);
         known.map(|zone| self.area(zone)).collect()

@@ -1,21 +1,21 @@
-//! A mission's requirements of a career, and its rewards.
+//! A mission's requirements for a career, and its rewards.
 
 use std::collections::BTreeMap;
 
 use crate::scoring::Medal;
 
-/// What a trainee must have achieved before the mission is offered.
+/// The achievements required before the mission is offered.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Requires {
-    /// Missions that have to be passed, by id.
+    /// Missions that must be passed, by id.
     pub missions: Vec<String>,
-    /// The least medal for each listed mission, by id.
+    /// The minimum medal for each listed mission, by id.
     pub medals: BTreeMap<String, Medal>,
-    /// The least probability of mastery of each skill, 0 to 1, by its code `K1` to `K12`.
+    /// The minimum probability of mastery of each skill, 0 to 1, by its code `K1` to `K12`.
     pub skills: BTreeMap<String, f64>,
 }
 
-/// What passing the mission brings.
+/// The rewards for passing the mission.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Rewards {
     /// Credits for a perfect first pass.
@@ -25,7 +25,7 @@ pub struct Rewards {
     pub unlock: Vec<Unlock>,
 }
 
-/// What passing a mission unlocks.
+/// Something that passing a mission unlocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unlock {
     /// A part of the catalogue, by id.
@@ -36,11 +36,11 @@ pub enum Unlock {
     Threat(String),
 }
 
-/// Limits of the fleet: its price, and the drones that are lent.
+/// The limits of a fleet: its price, and the drones that are lent.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Outlay {
     /// Credits for the whole fleet; `None` without a limit.
     pub budget: Option<u32>,
-    /// Designs lent to trainees that own no suitable one, by id.
+    /// Designs lent to trainees who own no suitable one, by id.
     pub loaners: Vec<String>,
 }

@@ -1,7 +1,7 @@
 //! Faults of meaning: a mission that can be parsed, but not flown as intended.
 //!
-//! [`Mission::check`] looks at what single sections cannot know of one another. An objective's kind says what it
-//! demands ([`Demands`]); the mission knows the position of each value in the file.
+//! [`Mission::check`] examines the relations between sections. The kind of an objective returns its demands
+//! ([`Demands`]); the mission has the position of each value in the file.
 
 use std::ops::Range;
 
@@ -26,14 +26,14 @@ struct Examined<'m> {
     found: Vec<Diagnostic>,
 }
 
-/// What an objective demands, and its position in the file.
+/// The demands of an objective, and its position in the file.
 struct ExaminedObjective<'m> {
     demands: Demands<'m>,
     written: &'m WrittenValue,
 }
 
 impl Mission {
-    /// What is wrong with it although every section is valid: places out of bounds, objectives that cannot be met or
+    /// The faults of a mission whose sections are all valid: places out of bounds, objectives that cannot be met or
     /// are met from the start. In file order.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut examined = Examined {
@@ -64,7 +64,7 @@ impl<'m> Examined<'m> {
         self.mission.written.get(name)
     }
 
-    /// The tables of a section that has several.
+    /// The tables of a section with several.
     fn tables(&self, name: &str) -> &'m [WrittenValue] {
         self.mission.written.items_of(name)
     }

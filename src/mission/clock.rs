@@ -6,20 +6,20 @@ use std::time::Duration;
 use super::TICK;
 use crate::vehicle::VehicleId;
 
-/// A clock that jumps back by more than this has rebooted; a smaller jump means datagrams out of order.
+/// A clock that jumps back by more than this has rebooted; a smaller jump means that datagrams arrived out of order.
 const STEP_BACK_MS: i64 = 1_000;
 /// A vehicle that lags takes over as the reference once the one ahead has been silent for this long by its clock.
 const CARRIED_AFTER_MS: i64 = 3_000;
-/// When all have been silent for this long, time runs without them.
+/// When all vehicles have been silent for this long, time runs without them.
 const SILENT_AFTER: Duration = Duration::from_millis(2500);
-/// The interval at which the rate is measured.
+/// The time between measurements of the rate.
 const RATE_EVERY: Duration = Duration::from_secs(1);
 
 /// Mission time, driven by the vehicles' own clocks: a simulator slower than requested slows the mission down with it.
 ///
-/// It follows the clock that is furthest ahead. A clock that reboots, lags or falls silent does not hold it up: the
-/// others drive it. When all are silent, it continues at the last rate. It never goes back, and never runs ahead of
-/// the requested rate by more than a [`TICK`].
+/// It follows the clock that is furthest ahead. A clock that reboots, lags or falls silent does not hold it up, because
+/// the others drive it. When all are silent, it continues at the last rate. It never goes back, and never runs more
+/// than a [`TICK`] ahead of the requested rate.
 #[derive(Debug, Clone)]
 pub struct Clock {
     speedup: f64,
@@ -35,7 +35,7 @@ pub struct Clock {
     rate: f64,
 }
 
-/// What a vehicle's clock says.
+/// A vehicle's clock, as last received.
 #[derive(Debug, Clone, Copy)]
 #[expect(
     clippy::struct_field_names,
@@ -64,7 +64,7 @@ impl Clock {
         }
     }
 
-    /// How much mission time has passed.
+    /// The mission time that has passed.
     pub fn elapsed(&self) -> Duration {
         self.elapsed
     }
@@ -74,8 +74,8 @@ impl Clock {
         self.rate
     }
 
-    /// Takes the vehicles' clocks ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while unheard) at
-    /// our time `now`, and returns mission time. The first step is its beginning.
+    /// Reads the vehicles' clocks ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while unheard) at
+    /// our time `now`, and returns mission time. Mission time begins with the first step.
     pub fn step(
         &mut self,
         now: Duration,
@@ -100,7 +100,7 @@ impl Clock {
         } else if self.stepped.saturating_sub(self.carried) >= SILENT_AFTER {
             let blind = self.elapsed + passed.mul_f64(self.rate);
             self.elapsed = blind.min(limit).max(self.elapsed);
-            // A vehicle that is heard again counts from now, not from where it left off.
+            // A vehicle that is heard again counts from now, not from its last time.
             self.mark = (self.stepped, self.elapsed);
         }
         self.elapsed
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn mission_time_is_how_far_the_vehicles_have_come_since_the_beginning() {
-        // Asked for a tenfold speed-up, they reach only four.
+        // The requested speed-up is 10, but the vehicles reach only 4.
         let elapsed = run(10.0, 100, |step| {
             vec![Some(7_000 + step * 200), Some(9_000 + step * 190)]
         });
@@ -201,7 +201,7 @@ mod tests {
     fn the_others_carry_the_time_when_the_one_ahead_falls_silent() {
         let lost = |step: u32| vec![Some(step.min(40) * 500), Some(step * 400)];
         let elapsed = run(10.0, 100, lost);
-        // 20 s by the first until step 40, the pause that shows its silence, and the rest by the second.
+        // The first clock gives 20 s until step 40, then a pause reveals its silence, and the second gives the rest.
         assert!(
             (ms(20_000 + 19_000)..=ms(20_000 + 24_000)).contains(&elapsed),
             "{elapsed:?}"
@@ -215,7 +215,7 @@ mod tests {
             let reading = Some(step.min(200) * 250);
             clock.step(ms(50) * step, [(1, reading)]);
         }
-        // 50 s in 10 s, 2.5 s of waiting, then five times as fast again.
+        // 50 s in 10 s, then 2.5 s of waiting, then five times real time again.
         let expected = 50.0 + (40.0 - 2.5) * 5.0;
         let off = (clock.elapsed().as_secs_f64() - expected).abs();
         assert!(off < 2.0, "{:?} instead of {expected}", clock.elapsed());

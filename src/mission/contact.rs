@@ -1,4 +1,4 @@
-//! Contacts: what detectors have found, as the trainee sees it. Real objects and false alarms look alike.
+//! Contacts: the finds of detectors, as the trainee sees them. Real objects and false alarms look alike.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -17,7 +17,7 @@ pub(crate) struct Contact {
     pub name: String,
     /// Where the detectors place it: the mean of their looks.
     pub at: Point,
-    /// What detectors take it for.
+    /// The kind that detectors take it for.
     pub kind: FindKind,
     /// The sensors that have seen it, by id.
     pub sensors: BTreeSet<&'static str>,
@@ -32,7 +32,7 @@ pub(crate) struct Contact {
     pub reported: bool,
     /// Whether a closer look has shown that it needs no report.
     pub harmless: bool,
-    /// What it really is; `None` for a false alarm. Never shown before the debrief.
+    /// The real object; `None` for a false alarm. Never shown before the debrief.
     pub object: Option<ObjectId>,
 }
 
@@ -50,7 +50,7 @@ pub(crate) struct Sighting {
     pub merge_within_m: f64,
 }
 
-/// What a sighting changes, by the index of the contact.
+/// The change that a sighting causes, by the index of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Seen {
     New(usize),
@@ -80,7 +80,7 @@ impl Contacts {
         &self.0
     }
 
-    /// Those not yet reported and not known to be harmless, for reporting them.
+    /// The contacts that are neither reported nor known to be harmless.
     pub fn unreported(&mut self) -> impl Iterator<Item = &mut Contact> {
         let open = |contact: &&mut Contact| !contact.reported && !contact.harmless;
         self.0.iter_mut().filter(open)
@@ -94,13 +94,13 @@ impl Contacts {
         }
     }
 
-    /// The names that contacts can have, up to `each` of every sort.
+    /// The names that contacts can have, up to `each` of every kind.
     pub fn names(each: usize) -> impl Iterator<Item = String> {
         let name = |number| STEMS.map(|stem| format!("{stem}{number}"));
         (1..=each).flat_map(name)
     }
 
-    /// The contact that a sighting belongs to: the nearest one of its kind, if that is near enough.
+    /// The contact that a sighting belongs to: the nearest one of its kind, if it is near enough.
     fn known(&self, sighting: &Sighting) -> Option<usize> {
         let distances = self.0.iter().enumerate().filter_map(|(index, contact)| {
             let distance = distance_m(contact.at, sighting.at);
@@ -111,7 +111,7 @@ impl Contacts {
         nearest.map(|(index, _)| index)
     }
 
-    /// Takes in a sighting.
+    /// Adds a sighting.
     pub fn see(&mut self, sighting: &Sighting, now: Duration) -> Seen {
         if let Some(index) = self.known(sighting) {
             return self.0[index].look(sighting, now, index);
@@ -170,7 +170,7 @@ impl Contact {
         self.sensors.len() > 1
     }
 
-    /// What detectors take it for, as text.
+    /// The kind that detectors take it for, as text.
     pub fn kind_text(&self) -> Text {
         self.kind.title()
     }

@@ -1,4 +1,4 @@
-//! One vehicle as a mission sees it: where it is in the mission's frame, and its state.
+//! One vehicle as a mission sees it: its position in the mission's frame, and its state.
 
 use std::time::Duration;
 
@@ -19,7 +19,7 @@ const FALL_FROM_M: f64 = 2.0;
 const NEAR_GROUND_M: f64 = 3.0;
 /// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
-/// The margin above a limit before it counts as exceeded: a vehicle that holds a height swings by some decimetres.
+/// The margin above a limit before it counts as exceeded: the height of a hovering vehicle varies by some decimetres.
 const SWING_M: f64 = 1.0;
 /// A landing farther than this from every pad costs safety.
 const OFF_PAD_M: f64 = 3.0;
@@ -37,7 +37,7 @@ pub(crate) struct Craft {
     /// Metres above home.
     pub height_m: f64,
     pub speed_m_s: f64,
-    /// The course that it flies, or flew last.
+    /// The course that it flies or last flew.
     pub course: CraftCourse,
     /// Whether its prearm checks pass.
     pub ready: bool,
@@ -45,9 +45,9 @@ pub(crate) struct Craft {
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
-    /// Whether it has crashed, or its simulator has ended.
+    /// Whether it has crashed, or its simulator's process has ended.
     pub lost: bool,
-    /// Whether it is heard.
+    /// Whether its telemetry arrives.
     pub heard: bool,
     /// Distance to the nearest pad.
     pub pad_distance_m: Option<f64>,
@@ -100,7 +100,7 @@ impl Craft {
         }
     }
 
-    /// Whether it stands disarmed on the ground after flying.
+    /// Whether it is disarmed on the ground after flying.
     pub fn is_down(&self) -> bool {
         self.flown && !self.lost && !self.armed && !self.airborne
     }
@@ -127,7 +127,7 @@ impl Craft {
         self.sensors.iter().any(|fitted| fitted.id == sensor)
     }
 
-    /// What its hazard sensors read.
+    /// The readings of its hazard sensors.
     pub fn shown(&self) -> Vec<f64> {
         self.probes.iter().map(|probe| probe.shown).collect()
     }
@@ -137,7 +137,8 @@ impl Craft {
         self.energy_wh.map(|(first, now)| (now - first).max(0.0))
     }
 
-    /// Takes a snapshot of the vehicle; `active` says which zones there are now. Returns the rules that it breaks now.
+    /// Takes a snapshot of the vehicle; `active` marks the zones that are active now. Returns the rules that it breaks
+    /// now.
     pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let (was_armed, was_airborne, old_height_m) = (self.armed, self.airborne, self.height_m);
         self.take(vehicle, mission);
@@ -256,7 +257,7 @@ impl Craft {
         breaches
     }
 
-    /// The rules that it breaks by not standing disarmed on the ground at the end of the mission.
+    /// The rules that it breaks by not being disarmed on the ground at the end of the mission.
     pub fn unlanded_breaches(&self, mission: &Mission) -> Vec<Breach> {
         let mut breaches = Vec::new();
         if self.lost || !self.flown || self.is_down() {
@@ -272,7 +273,7 @@ impl Craft {
         breaches
     }
 
-    /// Its battery in percent, where that is below the reserve required at landing.
+    /// Its battery in percent, if that is below the reserve required at landing.
     fn below_reserve(&self, mission: &Mission) -> Option<f64> {
         let percent = self.battery_percent?;
         (percent < mission.land_reserve_percent).then_some(percent)
@@ -296,7 +297,7 @@ impl Default for CraftCourse {
 }
 
 impl CraftCourse {
-    /// Slower than this, a vehicle hovers and keeps its course.
+    /// A vehicle slower than this hovers and keeps its course.
     const SLOWEST_M_S: f64 = 0.3;
 
     fn turn(&mut self, global: &GlobalPosition) {
@@ -329,7 +330,7 @@ fn hit_ground(speed_m_s: f64) -> Breach {
     (SafetyKind::Crash, text)
 }
 
-/// What a status text of `ArduPilot` or its simulator says about safety.
+/// The broken rule that a status text of `ArduPilot` or its simulator reports, if any.
 fn from_text(text: &str) -> Option<Breach> {
     if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
         let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;

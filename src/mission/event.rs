@@ -33,9 +33,9 @@ pub(crate) struct Event {
     /// Its title in the instructor's list.
     pub title: Text,
     pub trigger: Trigger,
-    /// Whether it happens once at most.
+    /// Whether it happens at most once.
     pub once: bool,
-    /// The most by which the seed moves its time, either way.
+    /// The maximum by which the seed moves its time, either way.
     pub jitter: Duration,
     /// The probability that it happens when it is due.
     pub chance: f64,

@@ -6,19 +6,19 @@ use crate::notice::Notice;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// At most one new item in this time, unless it is critical.
+/// The minimum time between two items, unless the new one is critical.
 const CALM_FOR: Duration = Duration::from_secs(5);
 
 /// The state of the feedback line.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Feedback {
     shown: Option<(Duration, Text)>,
-    /// The most important item that is waiting; of equals, the newest.
+    /// The most important item that is waiting; of equally important ones, the newest.
     waiting: Option<(Severity, Text)>,
 }
 
 impl Feedback {
-    /// Takes the notices of a step. Plain information, such as one sample of many, is left out.
+    /// Adds the notices of a step. Plain information, such as one sample of many, is left out.
     pub fn hear(&mut self, notices: &[Notice], now: Duration) {
         for notice in notices.iter().filter(|it| it.severity <= Severity::Notice) {
             if notice.severity <= Severity::Critical {

@@ -1,5 +1,5 @@
-//! A mission file: its sections in the order in which they may refer to one another. Every section is read on its own, so
-//! that one fault does not hide the others.
+//! A mission file: its sections in the order in which they may refer to one another. Every section is read separately,
+//! so that one fault does not hide the others.
 
 use toml::de::DeTable;
 
@@ -34,11 +34,11 @@ use head::FileHead;
 use rules::RuleSet;
 use site::MissionSite;
 
-/// The most zones, places, events or hints of one mission.
+/// The maximum number of zones, places, events or hints of one mission.
 const MOST_TABLES: usize = 200;
-/// Each hazard may have tens of thousands of cells.
+/// The maximum number of hazards, each of which may have tens of thousands of cells.
 const MOST_HAZARDS: usize = 20;
-/// Each objective may have as many cells as a hazard.
+/// The maximum number of objectives, each of which may have as many cells as a hazard.
 const MOST_OBJECTIVES: usize = 50;
 
 /// Reads a mission file.

@@ -6,7 +6,7 @@ use super::ground_truth::Load;
 use super::radio::Set;
 use super::sensor::Sensor;
 
-/// What one vehicle carries.
+/// The equipment of one vehicle.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Fit {
     /// Its sensors: those of the whole fleet, then its own.

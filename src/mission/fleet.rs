@@ -33,11 +33,11 @@ impl Mission {
         }
     }
 
-    /// The same flown with built drones: one design for all seats, or one per seat, the last one for all that follow.
-    /// Without any design, its own drones fly it.
+    /// The same mission flown with built drones: one design for all seats, or one per seat, where the last one also
+    /// fills the seats that follow. Without any design, the mission's own drones fly it.
     ///
     /// # Errors
-    /// The reasons: more designs than seats, a design that does not fly in this air, a fleet that is dearer than the
+    /// Texts: more designs than seats, a design that does not fly in this air, a fleet that costs more than the
     /// budget.
     pub fn with_fleet(self, mut fleet: Vec<Design>) -> Result<Self, Vec<Text>> {
         let Some(last) = fleet.last().cloned() else {
@@ -57,8 +57,8 @@ impl Mission {
         }
     }
 
-    /// The same mission with one design per seat, or with its own drones if `fleet` is empty, without a check. The
-    /// drones carry what is built in, and their radios set the range.
+    /// The same mission with one design per seat, or with its own drones if `fleet` is empty; nothing is checked. The
+    /// drones carry the equipment of their designs, and their radios set the range.
     pub(super) fn flown_by(mut self, fleet: Vec<Design>) -> Self {
         if fleet.is_empty() {
             return self;
@@ -81,7 +81,7 @@ impl Mission {
         self
     }
 
-    /// The airframes of the built drones, in the order of the seats; none where it is flown with its own.
+    /// The airframes of the built drones, in the order of the seats; empty if the mission's own drones fly it.
     pub(crate) fn airframes(&self) -> Vec<Arc<Airframe>> {
         let mut airframes: Vec<Arc<Airframe>> = Vec::new();
         for (seat, design) in self.fleet.iter().enumerate() {
@@ -96,7 +96,7 @@ impl Mission {
 }
 
 impl Fit {
-    /// The fit of a design: the sensors that the mission requires come first. `own` is the radio of the mission's
+    /// The equipment of a design: the sensors that the mission requires come first. `own` is the radio of the mission's
     /// drones.
     fn of(design: &Design, asked: &Self, own: Option<Set>) -> Self {
         let mut fit = Self {
@@ -117,7 +117,7 @@ impl Fit {
     }
 }
 
-/// The loads of a design. Pieces need a dropper.
+/// The loads of a design. Loads counted in pieces need a dropper.
 fn loads(design: &Design) -> BTreeMap<Load, u32> {
     let mounted = design.in_slot(PartSlot::Payload);
     let pieces = |load: Load| {

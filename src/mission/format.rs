@@ -1,11 +1,11 @@
 //! The format of mission files: one function per table both reads and describes it.
 //!
-//! A [reader](Reader) asks a [`FileTable`] for its keys by name, value and meaning, and builds a value from them. On a
-//! table of a file, it reads; under [`describe`], it gets no values, and its requests are the description. The JSON
-//! schema ([`schema`]) and the reference of the guide ([`reference`]) are generated from that. So a reader requests
-//! all of its keys before it fails for a missing one.
+//! A [reader](Reader) requests its keys from a [`FileTable`] by name, value and meaning, and builds a value from them.
+//! On a table of a file, it reads them. Under [`describe`], it gets no values, and its requests form the description.
+//! The JSON schema ([`schema`]) and the reference of the guide ([`reference`]) are generated from that description. A
+//! reader must therefore request all of its keys before it fails because of a missing one.
 //!
-//! Sections refer to those that were read before them: through the [`Draft`], which also collects the faults.
+//! A section refers to earlier ones through the [`Draft`], which also collects the faults.
 
 mod description;
 mod draft;
@@ -32,8 +32,8 @@ pub(super) use value::{
 };
 pub(super) use written::WrittenValue;
 
-/// The greatest distance of a point from the origin on each axis; beyond it the flat earth of [`crate::geo`] is too
-/// inaccurate.
+/// The greatest distance of a point from the origin on each axis; beyond it, the flat earth model of [`crate::geo`] is
+/// too inaccurate.
 pub(super) const POINT_RANGE: f64 = 20_000.0;
 /// The longest time in a file, in seconds: a day.
 pub(super) const LONGEST_S: f64 = 86_400.0;

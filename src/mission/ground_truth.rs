@@ -1,4 +1,4 @@
-//! The elements of a mission's world, common to all hazards: quantities that sensors measure, objects that they find,
+//! The elements of a mission's world, shared by all hazards: quantities that sensors measure, objects that they find,
 //! loads and their effects, and the truth that a debrief reveals.
 
 use std::time::Duration;
@@ -29,9 +29,9 @@ pub(crate) enum Quantity {
 pub(crate) struct Object {
     pub class: ObjectClass,
     pub at: Point,
-    /// Above the origin (a defect on a line hangs high).
+    /// The height above the origin (a defect on a line is high up).
     pub height_m: f64,
-    /// Whether it is still there: a fire may be out, a person rescued.
+    /// Whether it is still there: a fire may be out, or a person rescued.
     pub present: bool,
     /// The share of it hidden from above, 0 to 1 (canopy, rubble).
     pub cover: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Object {
 }
 
 impl Object {
-    /// An object that lies open on the ground.
+    /// An object in the open on the ground.
     pub fn new(class: ObjectClass, at: Point) -> Self {
         Self {
             class,
@@ -56,9 +56,9 @@ impl Object {
 /// The class of an object. The word after `mark .. as` is [`ObjectClass::kind`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ObjectClass {
-    /// A mine with much metal in it.
+    /// A mine that contains much metal.
     MetalMine,
-    /// A mine with hardly any metal in it.
+    /// A mine that contains hardly any metal.
     MinimumMetalMine,
     /// A mine or a shell in the open.
     SurfaceMine,
@@ -78,7 +78,7 @@ pub(crate) enum ObjectClass {
 }
 
 impl ObjectClass {
-    /// The kind to report it as; `None` for what should not be reported.
+    /// The kind to report it as; `None` if it should not be reported.
     pub fn kind(self) -> Option<FindKind> {
         Some(match self {
             Self::MetalMine | Self::MinimumMetalMine | Self::SurfaceMine => FindKind::Mine,
@@ -116,7 +116,7 @@ impl Load {
         }
     }
 
-    /// The part of the workshop's catalogue that it is, or that sprays it.
+    /// The part in the workshop's catalogue for this load, or the one that sprays it.
     pub fn part(self) -> &'static str {
         match self {
             Self::Ball => "s_ball",
@@ -126,7 +126,7 @@ impl Load {
         }
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Ball => text!("load-ball"),
@@ -140,7 +140,7 @@ impl Load {
 /// The effect of a load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadEffect {
-    /// Whether it helped.
+    /// Whether the load helped.
     pub good: bool,
     /// The object that it reached, by its index among the hazard's.
     pub object: Option<usize>,
@@ -154,7 +154,7 @@ pub(crate) struct Release {
     pub by: VehicleId,
     /// Mission time of the release.
     pub when: Duration,
-    /// Whether it helped.
+    /// Whether the load helped.
     pub good: bool,
 }
 

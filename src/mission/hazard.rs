@@ -29,23 +29,23 @@ mod wander;
 pub(crate) use fire::{Fire, FireGrid};
 pub(crate) use people::Care;
 
-/// A hazard as the file describes it.
+/// A hazard as described in the file.
 pub(crate) trait Hazard: Debug + Send + Sync {
-    /// The hazard of one flight; everything random is drawn from `random`, now and later.
+    /// The hazard of one flight; everything random comes from `random`, now and later.
     fn release(&self, weather: &Weather, random: ChaCha8Rng) -> Box<dyn Field>;
 }
 
 /// A hazard's truth during one flight.
 pub(crate) trait Field: Debug + Send + Sync {
-    /// Advances by a [`TICK`](super::TICK); `now` is mission time at its end.
+    /// Advances by a [`TICK`](super::TICK); `now` is the mission time at the end of the tick.
     fn step(&mut self, _now: Duration, _weather: &Weather) {}
 
-    /// How much of a quantity it adds at a point and a height above the origin.
+    /// The amount of a quantity that it adds at a point and a height above the origin.
     fn amount(&self, _quantity: Quantity, _at: Point, _height_m: f64) -> f64 {
         0.0
     }
 
-    /// The objects in it that detectors can find; their order and number never change during a flight.
+    /// Its objects that detectors can find; their order and number never change during a flight.
     fn objects(&self) -> &[Object] {
         &[]
     }
@@ -60,7 +60,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// The help given to its people; `None` where it has none.
+    /// The help given to its people; `None` if it has none.
     fn care(&self) -> Option<Care> {
         None
     }
@@ -75,7 +75,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// What the debrief shows of it on the map.
+    /// The parts of it that the debrief shows on the map.
     fn truth(&self) -> Vec<TruthPiece> {
         Vec::new()
     }

@@ -1,4 +1,4 @@
-//! Hints: automatic ones for a phase of the flight, and ones that the trainee asks for at a price.
+//! Hints: automatic ones for a phase of the flight, and ones that the trainee requests and that cost points.
 
 use super::event::expression::Expression;
 use crate::text::Text;
@@ -22,7 +22,7 @@ pub enum Phase {
     Armed,
     /// In the air, with tasks left.
     Air,
-    /// All but the landing is done.
+    /// Everything except the landing is done.
     Done,
 }
 
@@ -44,20 +44,20 @@ impl Phase {
     }
 }
 
-/// Advice that must be asked for. Its cost depends on its level and the attempt; see `clues` in `flight`.
+/// Advice that must be requested. Its cost depends on its level and the attempt; see `clues` in `flight`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clue {
     /// 1: a question or a principle; 2: where to look; 3: the steps.
     pub level: u8,
     /// The only phase that it is for, if any.
     pub phase: Option<Phase>,
-    /// The id of the objective that it helps with, if any; it is of no use once that is met.
+    /// The id of the objective that it helps with, if any; it is not useful once that objective is met.
     pub objective: Option<String>,
     /// The advice; `{next_cell}` is replaced by the next cell to sample.
     pub text: Text,
 }
 
-/// The next suitable one: of those not given that match the phase and an open objective, the first of the lowest
+/// The next suitable clue: of those not yet given that match the phase and an open objective, the first of the lowest
 /// level.
 pub(super) fn next_clue(
     clues: &[Clue],

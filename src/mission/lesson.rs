@@ -1,7 +1,7 @@
 //! A guided lesson: one step at a time, shown until it is done.
 //!
-//! The current step is the first one, in file order, whose `when` holds and whose `until` does not. So a step done in
-//! another way is skipped, and one that is undone (a drone that disarms itself) returns.
+//! The current step is the first one, in file order, whose `when` holds and whose `until` does not. A step that is done
+//! in another way is therefore skipped, and one that is undone (a drone that disarms itself) returns.
 
 use super::event::engine::Engine;
 use super::event::expression::Expression;
@@ -15,11 +15,11 @@ pub const STEP_KEY: &str = "{key}";
 /// One thing to do, and the condition that it is done.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LessonStep {
-    /// The condition under which it applies; without one, always.
+    /// The condition under which it applies; `None` for always.
     pub(crate) when: Option<Expression>,
-    /// Its goal; without one, it is shown as long as `when` holds.
+    /// Its goal; `None` shows it as long as `when` holds.
     pub(crate) until: Option<Expression>,
-    /// What to do; [`STEP_KEY`] is replaced by the key.
+    /// The instruction; [`STEP_KEY`] is replaced by the key.
     pub text: Text,
     /// The action or verb whose key is shown.
     pub key: Option<String>,

@@ -1,4 +1,4 @@
-//! A mission as listed before it is flown.
+//! A mission as it is listed before it is flown.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -17,7 +17,7 @@ use crate::vehicle::VehicleId;
 pub struct Listing {
     /// The id that files and results use.
     pub id: String,
-    /// Its revision; results compare only within one.
+    /// Its revision; results are comparable only within one revision.
     pub rev: u32,
     /// The title that is shown.
     pub title: Text,
@@ -41,9 +41,9 @@ pub struct Listing {
     pub wind_m_s: f64,
     /// The direction the wind comes from, in degrees.
     pub wind_from_deg: f64,
-    /// The needs that built drones must meet; seats with equal needs share an entry.
+    /// The needs that built drones must meet; seats with the same needs share an entry.
     pub needs: Vec<Need>,
-    /// The vehicles' equipment; vehicles with equal equipment share an entry.
+    /// The vehicles' equipment; vehicles with the same equipment share an entry.
     pub fits: Vec<FitListing>,
     /// The areas that are known from the start.
     pub areas: Vec<Area>,
@@ -64,7 +64,7 @@ pub struct Listing {
     pub requires: Requires,
     /// Credits, experience and unlocks for passing it.
     pub rewards: Rewards,
-    /// What its fleet may cost, and the drones it lends.
+    /// The limit on the fleet's price, and the drones that the mission lends.
     pub outlay: Outlay,
     /// Conditions for gold besides the points.
     pub gold_requires: Vec<Text>,
@@ -91,7 +91,7 @@ pub struct FitListing {
     /// The vehicles that carry it.
     pub vehicles: Vec<VehicleId>,
     pub sensors: Vec<Text>,
-    /// Their loads with the count of each; seconds for what is sprayed.
+    /// Their loads with the count of each; in seconds for spray.
     pub loads: Vec<(Text, u32)>,
 }
 
@@ -166,7 +166,7 @@ impl Mission {
         sites
     }
 
-    /// Vehicles are numbered by their pads, from 1.
+    /// The equipment of the vehicles, which are numbered by their pads, from 1.
     fn listed_fits(&self) -> Vec<FitListing> {
         let mut listed: Vec<FitListing> = Vec::new();
         for (vehicle, fit) in (1..).zip(&self.fits) {
@@ -186,7 +186,7 @@ impl Mission {
         listed
     }
 
-    /// The targets do not depend on the flight: they are taken from one that has not begun.
+    /// The objectives. Their targets do not depend on the flight, so they come from one that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
         let untouched = ObjectiveScene::empty(&world);

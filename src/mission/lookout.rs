@@ -1,9 +1,9 @@
 //! The detectors of a flying fleet.
 //!
-//! A look with detection probability `p` is an exposure of `-ln(1 - p)`; an object is found when the exposure reaches
-//! a random threshold with the exponential distribution. So a pass detects with probability `p`, a dwell of `t` with
-//! `1 - (1 - p)^(t / look)`, and a longer or closer look never finds less. Passes within 2 s count as one. Every
-//! vehicle, sensor and object has a random stream of its own, so nothing depends on the order of the vehicles.
+//! A look with detection probability `p` is an exposure of `-ln(1 - p)`. An object is found when the exposure reaches a
+//! random threshold with the exponential distribution. A pass therefore detects with probability `p`, and a dwell of
+//! `t` with `1 - (1 - p)^(t / look)`; a longer or closer look never finds less. Passes within 2 s count as one. Every
+//! vehicle, sensor and object has its own random stream, so nothing depends on the order of the vehicles.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -26,7 +26,7 @@ use crate::vehicle::VehicleId;
 const ONE_PASS: Duration = Duration::from_secs(2);
 /// The share of mines that a kind of sensor never sees.
 const NEVER_SEEN: f64 = 0.03;
-/// The highest detection probability of a look: no find is immediate for certain.
+/// The highest detection probability of a look, so that no find is certain at once.
 const SUREST: f64 = 0.999;
 /// The kinds of false alarms.
 const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
@@ -43,11 +43,11 @@ pub(crate) struct Lookout {
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
     alarms: BTreeMap<FindKind, Chance>,
-    /// For each false contact by name, the chance that a close look shows it as harmless.
+    /// For each false contact, by name, the chance that a close look shows it to be harmless.
     phantoms: BTreeMap<String, Chance>,
 }
 
-/// A detector's history with one object.
+/// A detector's history of looks at one object.
 #[derive(Debug)]
 struct Glance {
     chance: Chance,
@@ -74,8 +74,8 @@ impl Lookout {
         }
     }
 
-    /// A [`TICK`] of a vehicle's detectors; returns what they see, including objects found before. A vehicle that is
-    /// on the ground or not heard sees nothing.
+    /// Advances a vehicle's detectors by a [`TICK`]; returns what they see, including objects found before. A vehicle
+    /// that is on the ground or not heard sees nothing.
     pub fn step(
         &mut self,
         craft: &Craft,
@@ -186,7 +186,7 @@ impl DetectorWatch<'_> {
         }
     }
 
-    /// Checks false contacts: a close look tells them from real finds, as it does with animals.
+    /// Checks false contacts: a close look distinguishes them from real finds, as it does with animals.
     fn phantoms(
         &self,
         phantoms: &mut BTreeMap<String, Chance>,
@@ -221,7 +221,7 @@ impl DetectorWatch<'_> {
 
     fn glance(&self, id: ObjectId, look: &Look) -> Glance {
         let object = [id.hazard.to_le_bytes(), id.index.to_le_bytes()];
-        // A kind of sensor misses the same mines on all vehicles.
+        // Sensors of one kind miss the same mines on all vehicles.
         let mut kind = stream(self.seed, &[self.sensor.id.as_bytes(), &object.concat()]);
         Glance {
             chance: Chance::new(self.random(&[&object.concat()])),

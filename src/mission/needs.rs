@@ -1,4 +1,4 @@
-//! What a mission needs of the drones that fly it, and whether a design meets that.
+//! The needs of a mission for its drones, and whether a design meets them.
 
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ pub struct Need {
     pub reach_m: f64,
     /// The radio range: the farthest point of the task, in metres.
     pub far_m: f64,
-    /// The height for these, above the ground, in metres.
+    /// The height for both ranges, above the ground, in metres.
     pub height_m: f64,
     /// The strongest wind in which to hold a position, in m/s.
     pub wind_m_s: f64,
@@ -59,12 +59,12 @@ pub struct FitLine {
     pub has: Text,
     /// Whether the design meets it.
     pub met: bool,
-    /// Whether the task is impossible without it; otherwise only risky or slow.
+    /// Whether the task is impossible without it; otherwise it is only risky or slow.
     pub is_block: bool,
 }
 
 impl Mission {
-    /// The needs that built drones must meet, in the order of the seats; seats with equal needs share an entry.
+    /// The needs that built drones must meet, in the order of the seats; seats with the same needs share an entry.
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
@@ -124,7 +124,7 @@ impl Mission {
         }
     }
 
-    /// The mean wind with its gusts, or stronger wind that an event brings.
+    /// The mean wind with its gusts, or the stronger wind of an event.
     fn strongest_wind_m_s(&self) -> f64 {
         let mean_m_s = self.weather.wind.speed_m_s;
         let actions = self.events.iter().flat_map(|event| &event.actions);
@@ -142,7 +142,7 @@ impl Mission {
     }
 }
 
-/// The parts for these loads. Pieces need a dropper.
+/// The parts for these loads. Loads counted in pieces need a dropper.
 pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
     let mut parts = Vec::new();
     let mut drops = false;
@@ -194,7 +194,7 @@ impl Need {
         }
     }
 
-    /// Compares the time in the hover, down to the reserve.
+    /// Compares the hover time down to the reserve.
     fn time(&self, figures: &Figures) -> FitLine {
         let share = 1.0 - self.reserve_percent / 100.0;
         let has_s = figures.hover_80_s * share / 0.8;

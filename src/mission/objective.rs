@@ -1,4 +1,4 @@
-//! Objectives: what a trainee has to reach. One file per kind.
+//! Objectives: the results that a trainee must reach. One file per kind.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -50,7 +50,7 @@ pub(crate) struct Objective {
     pub kind: Box<dyn ObjectiveKind>,
 }
 
-/// A find that an objective asks for.
+/// A find that an objective requires.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sought {
     /// The hazard's index in the file.
@@ -59,13 +59,13 @@ pub(crate) struct Sought {
     pub within_m: f64,
 }
 
-/// What counts as an attempt at an objective; without one, the trainee has not failed at it.
+/// What counts as an attempt at an objective. Without an attempt, the trainee has not failed at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trying {
     Always,
     /// The trainee has reported a find.
     Report,
-    /// Part of it was reached.
+    /// Part of the objective was reached.
     Progress,
 }
 
@@ -92,12 +92,12 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
         None
     }
 
-    /// The find that it asks for, if any.
+    /// The find that it requires, if any.
     fn sought(&self) -> Option<Sought> {
         None
     }
 
-    /// What it demands of the mission; nothing for kinds that any flight can meet.
+    /// Its demands on the mission; none for kinds that any flight can meet.
     fn demands(&self) -> Demands<'_> {
         Demands::default()
     }
@@ -119,12 +119,12 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     /// The state of the objective.
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
-    /// The ground that had to be searched and was not.
+    /// The ground that had to be searched and was not searched.
     fn gaps(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
 
-    /// The ground that had to be searched and was.
+    /// The ground that had to be searched and was searched.
     fn swept(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
@@ -155,7 +155,7 @@ pub(crate) struct ObjectiveScene<'a> {
 }
 
 impl<'a> ObjectiveScene<'a> {
-    /// The scene before the first visit.
+    /// A scene before anything has happened.
     pub fn empty(world: &'a World) -> Self {
         Self {
             now: Duration::ZERO,
@@ -178,7 +178,7 @@ impl<'a> ObjectiveScene<'a> {
 /// The state of an objective.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ObjectiveStanding {
-    /// How far it is reached, 0 to 1.
+    /// The share of it that is reached, 0 to 1.
     pub fraction: f64,
     /// The measured quantity, for gates.
     pub measure: f64,
@@ -187,11 +187,11 @@ pub(crate) struct ObjectiveStanding {
     pub settled: bool,
     /// Whether it is about the landing, the last task of a flight.
     pub landing: bool,
-    /// The product, for kinds that make one.
+    /// The product, for kinds that have one.
     pub product: Option<Product>,
     /// The result as text.
     pub result: Text,
-    /// What is still missing, during the flight; `None` where the result says all.
+    /// What is still missing, during the flight; `None` if the result contains everything.
     pub outlook: Option<Text>,
     /// The target as text.
     pub target: Text,
@@ -202,7 +202,7 @@ pub(crate) struct ObjectiveStanding {
 /// The name of the next place to go to.
 pub const NEXT_PLACE: &str = "next";
 
-/// The time that vehicles must be on the ground and disarmed before the flight counts as over.
+/// How long vehicles must be on the ground and disarmed before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
 
 impl ObjectiveTarget {

@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The present state of a mission.
+/// The current state of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
     pub title: Text,
@@ -26,7 +26,7 @@ pub struct Progress {
     pub readings: Vec<Reading>,
     /// The loads left on board, by vehicle.
     pub loads: Vec<LoadLeft>,
-    /// What sensors have found, for waits.
+    /// The sensors' findings, for waits.
     pub findings: Findings,
     /// The phase of the flight.
     pub phase: Phase,
@@ -40,14 +40,14 @@ pub struct Progress {
     pub clues: ClueProgress,
     /// Whether the trainee can still set a prediction and a goal.
     pub can_pledge: bool,
-    /// The newest question about the workload that was answered, as [`workload_question`](crate::scoring::workload_question)
-    /// counts them.
+    /// The newest question about the workload that was answered, counted as by
+    /// [`workload_question`](crate::scoring::workload_question).
     pub answered_question: Option<u64>,
-    /// How the operator handles the swarm so far.
+    /// Figures on the operator's handling of the swarm so far.
     pub swarm: SwarmFigures,
     /// Places known so far, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
-    /// What detectors have found so far, by number.
+    /// The contacts of the detectors so far, by number.
     pub contacts: Vec<ShownContact>,
     /// The trainee's reports so far.
     pub marks: Vec<ShownMark>,
@@ -59,11 +59,11 @@ pub struct Progress {
     pub cells: Vec<Cell>,
     /// The burnt ground on the trainee's map, as last seen.
     pub mapped: Vec<Ground>,
-    /// The ground searched as an objective requires.
+    /// The ground that has been searched as an objective requires.
     pub swept: Vec<Ground>,
     /// The active areas; events can add and remove them.
     pub areas: Vec<Area>,
-    /// People, aircraft and drones of others that are under way.
+    /// People, aircraft and other operators' drones that are under way.
     pub movers: Vec<MovingThing>,
     /// Unanswered alerts, the most urgent first.
     pub alerts: Vec<OpenAlert>,
@@ -98,7 +98,7 @@ pub struct ClueProgress {
 }
 
 impl ClueProgress {
-    /// The key for the next hint and its cost; `None` if there is none.
+    /// The key for the next hint, with its cost, as text; `None` if there is no next hint.
     pub fn price(&self, key: Text) -> Option<Text> {
         let (level, price) = self.next?;
         let percent = (price * 100.0).round() as u32;
@@ -111,7 +111,7 @@ impl ClueProgress {
     }
 }
 
-/// The present state of one objective.
+/// The current state of one objective.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveProgress {
     pub title: Text,
@@ -119,7 +119,7 @@ pub struct ObjectiveProgress {
     pub state: ObjectiveState,
     /// Its progress as text, such as `7/9 cells`.
     pub detail: Text,
-    /// How far it is reached, 0 to 1.
+    /// The share of it that is reached, 0 to 1.
     pub fraction: f64,
 }
 
@@ -144,7 +144,7 @@ impl ObjectiveProgress {
 pub struct ShownContact {
     /// Its name, such as `c1`.
     pub name: String,
-    /// What detectors take it for.
+    /// The kind that detectors take it for.
     pub kind: FindKind,
     pub at: LatLon,
     /// How well it is confirmed.
@@ -165,7 +165,7 @@ pub enum Trust {
 /// A report of the trainee.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownMark {
-    /// The reported kind; `None` where the trainee gave none.
+    /// The reported kind; `None` if the trainee gave none.
     pub kind: Option<FindKind>,
     pub at: LatLon,
 }
@@ -182,16 +182,16 @@ pub struct Reading {
     pub unit: &'static str,
 }
 
-/// The rest of a load.
+/// The remaining amount of a load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadLeft {
     /// The vehicle that carries it.
     pub vehicle: VehicleId,
     /// Name of the load.
     pub load: Text,
-    /// The pieces left; seconds for what is sprayed.
+    /// The pieces left; in seconds for spray.
     pub left: u32,
-    /// The unit: `s` for what is sprayed, otherwise empty.
+    /// The unit: `s` for spray, otherwise empty.
     pub unit: &'static str,
 }
 

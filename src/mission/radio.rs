@@ -1,4 +1,4 @@
-//! Radio between the ground and the vehicles: its strength over a distance, behind ridges, in noise, and through
+//! Radio between the ground and the vehicles: its strength over a distance, behind ridges, in noise and through
 //! relays.
 //!
 //! The margin of a path is the received level above the receiver's sensitivity, in dB. It sets the quality of a link:
@@ -67,7 +67,7 @@ impl Set {
 pub(crate) struct Radio {
     /// The radio of vehicles that have none of their own.
     pub own: Option<Set>,
-    /// The ground station's position and antenna height. It has a counterpart for every vehicle's radio.
+    /// The ground station's position and antenna height. The station has a counterpart for every vehicle's radio.
     pub station: Point,
     pub antenna_m: f64,
 }
@@ -90,7 +90,7 @@ const LIGHT_M_US: f64 = 299.792_458;
 /// The margin at which half of the frames are lost.
 const HALF_LOST_DB: f64 = 3.0;
 const LOSS_SLOPE_DB: f64 = 1.5;
-/// The delay of a frame that needs no repetition.
+/// The delay of a frame that is not repeated.
 const LATENCY: Duration = Duration::from_millis(20);
 const LONGEST_DELAY: Duration = Duration::from_millis(400);
 /// A loss below this counts as none.
@@ -114,8 +114,8 @@ impl Radio {
     /// The default height of the ground station's antenna above the ground, in metres.
     pub const USUAL_ANTENNA_M: f64 = GROUND_ANTENNA_M;
 
-    /// Each vehicle's margin in dB, by its best path, which is as good as its worst leg. Only radios of the same model
-    /// connect. `own` is the radio that a vehicle was built with, if any.
+    /// Each vehicle's margin in dB, by its best path; the worst leg of a path determines its quality. Only radios of
+    /// the same model connect. `own` is the radio that a vehicle was built with, if any.
     pub fn margins_db<'a>(
         &self,
         zones: impl Iterator<Item = &'a Zone>,
@@ -181,7 +181,7 @@ impl Set {
     }
 }
 
-/// The margin from the last node to each of the others, by the path with the best worst leg.
+/// The margin from the last node to each of the others, by the path whose worst leg is best.
 pub(crate) fn best_db(nodes: &[RadioNode], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
     let mut best = vec![f64::NEG_INFINITY; nodes.len()];
     let mut open: Vec<usize> = (0..nodes.len()).collect();
@@ -243,7 +243,7 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
     budget_db - spread_db - in_the_way.sum::<f64>()
 }
 
-/// 1 inside a zone, falling to 0 across its edge.
+/// The effect of a zone: 1 inside, falling to 0 across its edge.
 fn nearness(distance_m: f64, edge_m: f64) -> f64 {
     if distance_m <= 0.0 {
         1.0
@@ -260,7 +260,7 @@ struct Ridge<'a> {
     height_m: f64,
 }
 
-/// The loss that a ridge causes between two antennas, by its highest edge above the direct path.
+/// The loss that a ridge causes between two antennas, by its highest edge relative to the direct path.
 fn ridge_db(ridge: &Ridge<'_>, [a, b]: [Point; 2], heights_m: [f64; 2], wave_m: f64) -> f64 {
     let [low_m, high_m] = heights_m;
     let flat_m = maths::hypot(a[0] - b[0], a[1] - b[1]);

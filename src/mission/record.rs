@@ -1,13 +1,13 @@
 //! The run record: all inputs of a mission, as lines of JSON, from which it can be scored again.
 //!
 //! The first line is the [`Head`]: the mission's text, the seed, the attempt. Then come ticks with changes (vehicles
-//! and rows of the ledger), deeds, and other occurrences, in order. The last line is the [`End`] with the score. A
+//! and rows of the ledger), deeds and other occurrences, in order. The last line is the [`End`] with the score. A
 //! [`Flight`](super::Flight) is a function of these lines, so a truncated record is scored as far as it goes.
 //!
-//! Numbers of telemetry are kept as the integers that messages carry, so that reading gives exactly the received
-//! values. Explanations of refusals are kept in English, so a debrief from a record says them in English in any
-//! language: the ids of messages are the program's own, and a file that names one would not be readable by a program
-//! without it.
+//! Numbers of telemetry are stored as the integers that messages carry, so that reading gives exactly the received
+//! values. Explanations of refusals are stored in English, so a debrief from a record shows them in English whatever
+//! the language: the ids of messages belong to this version of the program, and another version could not read a file
+//! that uses them.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -50,7 +50,7 @@ pub struct Head {
     pub attempt: u32,
     /// The program that simulated the vehicles.
     pub backend: FlightBackend,
-    /// What gave the commands; `None` in records that are older than this field.
+    /// The source of the commands; `None` in records older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
     /// Its start in UTC: `2026-11-20T14:03:22Z`.
@@ -58,7 +58,7 @@ pub struct Head {
     /// The name of the pilot's profile, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
-    /// Its purpose. Records without it are older than careers, and count as practice.
+    /// Its purpose. Records without it are from before careers existed, and count as practice.
     #[serde(default, skip_serializing_if = "is_practice")]
     pub stake: Stake,
     /// The built drones that flew, as TOML in the order of the seats; empty for the mission's own.
@@ -138,7 +138,7 @@ impl End {
 pub(super) struct Recorder {
     written: String,
     watched: BTreeMap<VehicleId, WatchedVehicle>,
-    /// Entries that may still change, with their rows as last written.
+    /// Ledger entries that may still change, with their rows as last written.
     open: BTreeMap<EntryId, Vec<(RowState, u8)>>,
     newest: Option<EntryId>,
     revision: Option<u64>,
@@ -190,7 +190,7 @@ impl Recorder {
         }
     }
 
-    /// Writes an occurrence after the newest step, which then needs a line of its own.
+    /// Writes an occurrence after the newest step, which then also needs a line.
     fn befall(&mut self, line: &RecordLine) {
         if !std::mem::replace(&mut self.is_step_written, true) {
             let t = self.stepped.unwrap_or_default().as_millis() as u64;

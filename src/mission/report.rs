@@ -10,13 +10,13 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mark {
     pub at: Point,
-    /// Its kind; `None` where the trainee gave none.
+    /// Its kind; `None` if the trainee gave none.
     pub kind: Option<FindKind>,
     pub by: VehicleId,
     pub when: Duration,
 }
 
-/// Reports closer together than this are the same.
+/// Reports closer together than this count as the same.
 pub(crate) const SAME_WITHIN_M: f64 = 0.5;
 /// The greatest distance from a report at which it can be withdrawn.
 const UNMARK_WITHIN_M: f64 = 15.0;
@@ -30,7 +30,7 @@ impl Marks {
         &self.0
     }
 
-    /// Adds a report; false for a repetition.
+    /// Adds a report; false if it repeats an earlier one.
     pub fn add(&mut self, mark: Mark) -> bool {
         let same =
             |known: &Mark| known.kind == mark.kind && distance_m(known.at, mark.at) < SAME_WITHIN_M;

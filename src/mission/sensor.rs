@@ -53,8 +53,8 @@ impl Sensor {
         self.detector().map(|spec| spec.swath_m(height_m))
     }
 
-    /// Whether it can replace another one. A camera can replace any camera of the same band; a finer one just works
-    /// from higher up.
+    /// Whether it can replace another one. A camera can replace any camera of the same band; a finer one merely works
+    /// from a greater height.
     pub fn stands_in_for(&self, other: &Self) -> bool {
         match (self.detector(), other.detector()) {
             (Some(DetectorSpec::Camera(one)), Some(DetectorSpec::Camera(other))) => {

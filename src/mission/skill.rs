@@ -62,7 +62,7 @@ impl Skill {
         code.parse().ok()
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::K1 => text!("skill-arming"),

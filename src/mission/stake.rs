@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Mission;
 
-/// How a flight counts.
+/// The purpose of a flight, which sets how it counts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stake {
@@ -13,14 +13,14 @@ pub enum Stake {
     /// Practice with a seed of the trainee's choice. Records older than careers count as practice.
     #[default]
     Practice,
-    /// With the exam's seed, in real time, without hints or pauses.
+    /// An exam, with the exam's seed, in real time, without hints or pauses.
     Exam,
-    /// With the seed of the day, the same for all. It counts once a day: repeats are practice.
+    /// A flight with the seed of the day, which is the same for everyone. It counts once a day; repeats are practice.
     Daily,
 }
 
 impl Mission {
-    /// The mission under the rules of a stake: an exam has no hints or pauses, and runs in real time.
+    /// Returns the mission under the rules of a stake: an exam has no hints or pauses, and runs in real time.
     #[must_use]
     pub fn flown_for(self, stake: Stake) -> Self {
         match stake {

@@ -81,7 +81,7 @@ impl Survey {
         self.plan.cells.iter().position(inside)
     }
 
-    /// How long a cell has been sampled.
+    /// The time for which a cell has been sampled, in seconds.
     pub fn dwell_s(&self, index: usize) -> f64 {
         f64::from(self.cells[index].ticks) * TICK.as_secs_f64()
     }
@@ -91,7 +91,7 @@ impl Survey {
         self.dwell_s(index) >= self.plan.dwell_s - 1e-9
     }
 
-    /// How many cells are sampled.
+    /// The number of sampled cells.
     pub fn sampled(&self) -> usize {
         (0..self.cells.len())
             .filter(|&index| self.is_sampled(index))

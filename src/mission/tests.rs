@@ -362,7 +362,7 @@ fn after_a_failsafe_the_hint_says_what_happened_and_what_is_possible() {
 }
 
 proptest! {
-    /// With any telemetry, the mission neither panics nor leaves its bounds.
+    /// Whatever the telemetry, the mission does not panic, and its values stay within their bounds.
     #[test]
     fn no_telemetry_upsets_a_flight(
         altitude_m in proptest::num::f64::ANY,
@@ -397,7 +397,7 @@ proptest! {
         let _ = Mission::parse(&text);
     }
 
-    /// A mission file with a line lost or doubled is read, or refused with a position.
+    /// A mission file with a missing or repeated line is either read, or refused with a position.
     #[test]
     fn damaged_files_are_refused_with_a_place(line in 0usize..110, double in any::<bool>()) {
         let mut lines: Vec<&str> = AIR_SAMPLE.lines().collect();

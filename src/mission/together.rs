@@ -3,11 +3,11 @@
 use super::Mission;
 use crate::swarm::{Rules, Swath};
 
-/// The height at which the strips of several sensors are compared; the narrowest counts.
+/// The height at which the strips of several sensors are compared; the narrowest strip counts.
 const USUAL_HEIGHT_M: f64 = 20.0;
 /// The default separation between vehicles.
 const USUAL_SEPARATION_M: f64 = 2.0;
-/// The least separation in joint manoeuvres, even where a mission sets none: vehicles are a metre wide.
+/// The minimum separation in joint manoeuvres, even where a mission sets none: vehicles are a metre wide.
 const LEAST_LED_M: f64 = 2.0;
 
 impl Mission {

@@ -19,7 +19,7 @@ const IDLE_AFTER: Duration = Duration::from_secs(30);
 pub(crate) struct UsageLook {
     /// Metres east, north and up, while it is in the air and not lost.
     pub airborne_at: Option<[f64; 3]>,
-    /// Whether it has a task even while standing still: it samples, or keeps its place in a formation.
+    /// Whether it has a task even while standing still: sampling, or keeping its place in a formation.
     pub busy: bool,
     /// Whether it got a command in this tick.
     pub commanded: bool,
@@ -32,11 +32,11 @@ pub(crate) struct VehicleUsage {
     /// The place where it stands still, and for how long.
     anchor: [f64; 3],
     still_for: Duration,
-    /// How long it has been productive since its last command, while it is.
+    /// How long it has been productive since its last command; `None` if it is not.
     neglected_for: Option<Duration>,
-    /// How long it has been waiting for its next command, while it is.
+    /// How long it has been waiting for its next command; `None` if it is not.
     waiting_for: Option<Duration>,
-    /// Time in the air so far that it was productive after a command, and that it waited for one.
+    /// The time in the air so far in which it was productive after a command; then the time in which it waited for one.
     neglected: Duration,
     waited: Duration,
 }
@@ -62,7 +62,7 @@ impl VehicleUsage {
         self.totals
     }
 
-    /// What it has come to so far, for the workload of its operator.
+    /// Its totals so far, for the workload of its operator.
     pub fn load(&self) -> VehicleLoad {
         VehicleLoad {
             waiting: u16::from(self.waiting_for.is_some()),
@@ -71,7 +71,7 @@ impl VehicleUsage {
         }
     }
 
-    /// Lets a tick pass.
+    /// Advances by a tick.
     pub fn step(&mut self, look: UsageLook, times: &mut SwarmTimes) {
         let Some(at) = look.airborne_at else {
             times.neglected.extend(self.neglected_for.take());

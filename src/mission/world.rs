@@ -23,7 +23,7 @@ const SMOKE_EXTINCTION_M2_G: f64 = 8.7;
 /// The world of one flight.
 #[derive(Debug)]
 pub(crate) struct World {
-    /// The present weather; events change it.
+    /// The current weather; events change it.
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
     /// The kinds to report, each with its hazard.
@@ -129,7 +129,7 @@ impl World {
         of_it.map(|(kind, _)| *kind)
     }
 
-    /// Whether a kind is to be reported at a point: an object of it was there at the start.
+    /// Whether a kind must be reported at a point: an object of that kind was there at the start.
     pub fn seeks(&self, kind: FindKind, at: Point) -> bool {
         let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));
         let mut sought = self.sought.iter();
@@ -141,13 +141,13 @@ impl World {
         self.fields.get(hazard).map(AsRef::as_ref)
     }
 
-    /// What the debrief shows of all hazards, each with its index in the file.
+    /// The pieces of truth that the debrief shows, each with the index of its hazard in the file.
     pub fn truth(&self) -> impl Iterator<Item = (usize, TruthPiece)> + '_ {
         let fields = self.fields.iter().enumerate();
         fields.flat_map(|(hazard, field)| field.truth().into_iter().map(move |t| (hazard, t)))
     }
 
-    /// Applies a load where it lands to every hazard it affects.
+    /// Applies a load that lands at a point to every hazard that it affects.
     pub fn affect(&mut self, load: Load, at: Point) -> Vec<LoadEffect> {
         let fields = self.fields.iter_mut();
         fields.filter_map(|field| field.affect(load, at)).collect()

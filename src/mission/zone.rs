@@ -14,7 +14,7 @@ pub(crate) struct Zone {
     pub shape: Shape,
     /// Whether it is active from the start; events switch zones on and off.
     pub active: bool,
-    /// The most by which the seed moves it on each axis, in metres.
+    /// The maximum by which the seed moves it on each axis, in metres.
     pub jitter_m: f64,
 }
 
@@ -64,7 +64,7 @@ pub(crate) enum ZoneKind {
     People {
         below_m: f64,
     },
-    /// Radio noise rises by this much in it, and falls off across the edge around it.
+    /// Radio noise rises by this much in it; the effect falls off across the edge around it.
     RadioJam {
         noise_db: f64,
         edge_m: f64,
@@ -87,7 +87,7 @@ impl ZoneKind {
         }
     }
 
-    /// Whether flying in it is forbidden at every height between two.
+    /// Whether it forbids flight at every height between two heights.
     pub fn forbids_all(self, low_m: f64, high_m: f64) -> bool {
         match self {
             Self::NoFly { floor_m, ceiling_m } => floor_m <= low_m && high_m <= ceiling_m,

@@ -39,7 +39,7 @@ pub enum ParameterUnfit {
     /// It lies outside the range of the type.
     OutOfRange {
         kind: ParameterType,
-        /// The least value of the type.
+        /// The minimum value of the type.
         least: f64,
         /// The greatest value of the type.
         greatest: f64,
@@ -91,7 +91,7 @@ impl ParameterType {
         !matches!(self, Self::Real32 | Self::Real64)
     }
 
-    /// The least and the greatest value of the type.
+    /// The minimum and the maximum value of the type.
     pub fn limits(self) -> (f64, f64) {
         match self {
             Self::Uint8 => (0.0, f64::from(u8::MAX)),

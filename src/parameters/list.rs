@@ -37,7 +37,7 @@ pub struct HeardParameter<'a> {
     pub value: f32,
     /// The type it is stored in.
     pub kind: ParameterType,
-    /// The index in the list; `None` if the value was sent by itself.
+    /// The index in the list; `None` if the value was sent on its own.
     pub index: Option<u16>,
     /// The number of parameters of the vehicle.
     pub count: u16,
@@ -53,7 +53,7 @@ pub struct ParameterList {
     seen: Vec<bool>,
     received: u16,
     passed: u64,
-    /// The length of the list by a value that was sent by itself.
+    /// The length of the list by a value that was sent on its own.
     announced: Option<u16>,
     revision: u64,
 }
@@ -165,7 +165,7 @@ impl ParameterList {
     }
 
     /// Notes the index of a value. Another count means another list, so the indices heard so far no longer count. A
-    /// value sent by itself is no proof: a list that is just arriving may still have the old numbering.
+    /// value sent on its own is not proof: a list that is just arriving may still have the old numbering.
     fn note_place(&mut self, heard: &HeardParameter<'_>) {
         let Some(index) = heard.index else {
             self.announced = Some(heard.count);

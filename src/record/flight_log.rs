@@ -1,4 +1,4 @@
-//! The log of a flight in progress: data that are not in its files yet.
+//! The log of a flight in progress: data not yet written to its files.
 
 use std::time::Duration;
 
@@ -27,7 +27,7 @@ impl FlightLog {
         }
     }
 
-    /// Adds a frame, unless it carries a secret. A time before the last entry's is raised to it.
+    /// Adds a frame, unless it contains a secret. A time before the last entry's is raised to it.
     pub fn note_frame(&mut self, at: Duration, frame: &[u8]) {
         self.last_at = self.last_at.max(at);
         let since = u64::try_from(self.last_at.as_micros()).unwrap_or(u64::MAX);
@@ -65,7 +65,7 @@ impl FlightLog {
     }
 }
 
-/// Appends a frame to the entries of a tlog, unless it carries a secret. The time is in microseconds since 1970 (UTC).
+/// Appends a frame to the entries of a tlog, unless it contains a secret. The time is in microseconds since 1970 (UTC).
 pub fn push_frame(entries: &mut Vec<u8>, unix_us: u64, frame: &[u8]) {
     if Anatomy::of(frame).is_some_and(|it| is_secret(it.id)) {
         return;

@@ -1,8 +1,8 @@
 //! The inputs of a flight's simulated vehicles, from which it can be repeated.
 //!
-//! The file begins with an [`InputsHead`]. Each line after it belongs to a step of the simulator: the frames that
-//! reached its vehicles after it, connections made and ended, every 10 s a fingerprint of each vehicle's state, and at
-//! last the end. Frames that set keys are left out; they change nothing in how a vehicle flies.
+//! The file begins with an [`InputsHead`]. Each further line belongs to a step of the simulator: the frames that
+//! reached its vehicles after that step, connections made and ended, every 10 s a fingerprint of each vehicle's state,
+//! and finally the end. Frames that set keys are left out; they do not change how a vehicle flies.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -18,9 +18,9 @@ use crate::wire::{Decoder, SystemId, is_secret};
 
 /// The version of the format.
 const VERSION: u32 = 1;
-/// Steps from one fingerprint to the next: 10 s.
+/// The number of steps from one fingerprint to the next, which is 10 s.
 const FINGERPRINT_STEPS: u64 = 1000;
-/// The longest flight, in steps: a day. A line that names a later step is damage.
+/// The longest flight, in steps: a day. A line with a later step counts as damage.
 const LONGEST_STEPS: u64 = 24 * 60 * 60 * 100;
 
 /// The simulated world: the first line.
@@ -35,13 +35,13 @@ pub struct InputsHead {
     /// The start of each vehicle: latitude and longitude in degrees, altitude in metres above sea level, heading in
     /// degrees; as text, which keeps all digits.
     pub starts: Vec<[String; 4]>,
-    /// The frame files of airframes that the mission does not give, as JSON.
+    /// The frame files of airframes that the mission does not define, as JSON.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub airframes: Vec<serde_json::Value>,
 }
 
 impl InputsHead {
-    /// The head for a world; `airframes` are those that the mission does not set.
+    /// The head for a world; `airframes` are those that the mission does not define.
     pub fn of(world: &WorldConfig, airframes: &[impl AsRef<Airframe>]) -> Self {
         let files = airframes.iter().map(|airframe| airframe.as_ref().file());
         Self {
@@ -199,7 +199,7 @@ impl InputLog {
         }
     }
 
-    /// The frames that these bytes of a connection complete.
+    /// The frames that are complete with these bytes of a connection, in hexadecimal.
     fn whole_frames(&mut self, connection: u64, bytes: &[u8]) -> String {
         let decoder = self.decoders.entry(connection).or_default();
         decoder.push(bytes);
@@ -243,7 +243,7 @@ impl StoredInputs {
     /// Reads a log. A line that is damaged, goes back in time or follows the end stops it.
     ///
     /// # Errors
-    /// The text is not a log of inputs, or one of another version.
+    /// The text is not a log of inputs, or comes from another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let head: InputsHead = serde_json::from_str(all.next().unwrap_or_default())

@@ -33,8 +33,8 @@ impl JournalLine {
         Self { us, what }
     }
 
-    /// The same event, no earlier than `at`: events within one tick are timed by clocks that were read one after the
-    /// other.
+    /// The same event, moved to `at` if it is earlier, because events within one tick are timed by clocks that were
+    /// read one after the other.
     #[must_use]
     pub fn not_before(self, at: Duration) -> Self {
         Self::new(self.at().max(at), self.what)
@@ -51,7 +51,7 @@ impl JournalLine {
     }
 }
 
-/// An event beside the links.
+/// An event that is not part of the links' traffic.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Happening {
@@ -63,7 +63,7 @@ pub enum Happening {
     Notice(NoticeLine),
     /// The radio between a vehicle and the console has this state from now on.
     Loss(LossLine),
-    /// The paths of joint manoeuvres have changed: these are the paths of all vehicles in one.
+    /// The paths of joint manoeuvres have changed: these are the paths of all vehicles in a manoeuvre.
     Paths(Vec<PathLine>),
     /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
@@ -109,9 +109,9 @@ pub struct RowLine {
     pub id: u32,
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often the command has been sent.
+    /// How many times the command has been sent.
     pub tries: u8,
-    /// The reason of a refusal, or a remark, in English.
+    /// The reason for a refusal, or a remark, in English.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
@@ -128,7 +128,7 @@ impl RowLine {
         }
     }
 
-    /// The line of a row in its present state.
+    /// The line of a row in its current state.
     pub fn standing(entry: EntryId, row: &LedgerRow) -> Self {
         Self {
             id: entry.0,
@@ -190,7 +190,7 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// The line of a demand that belongs into the journal: the radio, which the console simulates. The simulator's
+    /// The line of a demand that belongs in the journal: the radio, which the console simulates. The simulator's
     /// answers are in telemetry.
     pub fn of_demand(vehicle: VehicleId, want: Want) -> Option<Self> {
         match want {

@@ -30,7 +30,8 @@ pub enum ExportFormat {
     Mcap,
 }
 
-/// Writes a recording as a file, or as a folder of tables, completely or not at all. Existing files are not replaced.
+/// Writes a recording completely or not at all, as a file or as a folder of tables. Existing files are not replaced.
+/// Returns a warning if the file has no content to show.
 ///
 /// # Errors
 /// The recording cannot be read or the file cannot be written, or the path exists already.
@@ -69,7 +70,7 @@ pub fn export(
     }
 }
 
-/// Writes a file or a folder under a temporary name beside its own, and renames it once it is complete.
+/// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete.
 fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let name = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
     let name = name.to_string_lossy();

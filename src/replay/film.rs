@@ -17,11 +17,11 @@ use crate::store::{RecordFiles, read_run};
 use crate::text;
 use crate::text::Text;
 
-/// How far from its end the last record of a recording is searched, in bytes.
+/// The size of the end of a recording that is searched for its last record, in bytes.
 const TAIL_LEN: u64 = 64 * 1024;
-/// No recording is longer than a week.
+/// The maximum length of a recording: a week.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
-/// A longer journal was not written by this program.
+/// The maximum size of a journal, in bytes; this program does not write larger ones.
 const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
 /// An open recording. It does not change while it is replayed.
@@ -128,7 +128,7 @@ impl Film {
             .chain(logs)
     }
 
-    /// Why the review beside it could not be read.
+    /// Why the review next to it could not be read.
     pub fn review_fault(&self) -> Option<&Text> {
         self.review_fault.as_ref()
     }
@@ -231,7 +231,7 @@ impl TlogSpan {
         let mut tail = File::open(path).map_err(unreadable)?;
         let from = len.saturating_sub(TAIL_LEN);
         tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
-        // A clock that was set meanwhile gives no length: the length is known once the recording has been indexed.
+        // If the clock was set in the meantime, the length is known only once the recording has been indexed.
         let plausible = times(tail).filter(|us| us.abs_diff(first) < LONGEST_US);
         Ok(Self {
             first_unix_us: first,

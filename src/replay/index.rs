@@ -17,10 +17,10 @@ use crate::moment::Moment;
 use crate::scoring::Report;
 use crate::text::Text;
 
-/// The initial interval of key frames.
+/// The initial time between key frames.
 const KEY_EVERY: Duration = Duration::from_secs(10);
-/// The most key frames kept; beyond that, every other one is dropped. Each has a few kilobytes per vehicle, and twenty
-/// for its curves.
+/// The maximum number of key frames kept; beyond that, every other one is dropped. Each has a few kilobytes per
+/// vehicle, and twenty more for its curves.
 const MOST_KEYS: usize = 240;
 
 /// A snapshot at one time.
@@ -44,7 +44,7 @@ impl KeyFrame {
     }
 }
 
-/// The index of a recording, as far as it has been read.
+/// The index of a recording, for the part that has been read.
 #[derive(Debug)]
 pub(super) struct Index {
     shared: Arc<Shared>,
@@ -71,7 +71,7 @@ struct Found {
 
 impl Shared {
     fn found(&self) -> MutexGuard<'_, Found> {
-        // Results from before a panic are still valid.
+        // The results from before a panic are still valid.
         self.found.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -179,7 +179,7 @@ impl IndexReader {
         self.shared.found().is_over = true;
     }
 
-    /// Takes a key frame.
+    /// Adds a key frame.
     fn keep(&mut self) {
         let key = Arc::new(KeyFrame {
             cast: self.stage.cast(),

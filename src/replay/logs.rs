@@ -11,10 +11,10 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder};
 
-/// Joins a log to a recording. The log is of the vehicle that it names itself, unless `vehicle` names another one.
+/// Joins a log to a recording. The log belongs to the vehicle that it names, unless `vehicle` names another one.
 ///
 /// # Errors
-/// The file is not a log, its vehicle is not in the recording, or it is of another time.
+/// The file is not a log, its vehicle is not in the recording, or it is from another time.
 pub fn join_log(
     film: &Film,
     bytes: &[u8],

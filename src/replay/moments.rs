@@ -15,13 +15,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleId};
 
-/// Vehicles closer to each other than this become a moment.
+/// The distance below which two vehicles become a moment.
 const NEAR_M: f64 = 15.0;
-/// Two vehicles have passed when their distance has grown by this much.
+/// Two vehicles have passed each other once their distance has grown by this much.
 const PASSED_M: f64 = 1.0;
 /// Events of several vehicles within this time are merged into one moment.
 const TOGETHER: Duration = Duration::from_millis(1500);
-/// The most moments that are kept.
+/// The maximum number of moments that are kept.
 const MOST: usize = 10_000;
 
 /// Finds moments while the recording is read.

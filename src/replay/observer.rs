@@ -30,7 +30,7 @@ impl Observer {
         }
     }
 
-    /// A snapshot of the present state.
+    /// A snapshot of the current state.
     pub fn snapshot(&self) -> FlightSnapshot {
         FlightSnapshot::of(self.0.state())
     }

@@ -24,13 +24,13 @@ mod mission;
 use actor::Actor;
 use mission::MissionStage;
 
-/// Without any record for this long, the recording has a gap: vehicles in it do not count as lost.
+/// After this long without a record, the recording counts as having a gap, in which vehicles do not count as lost.
 const GAP: Duration = Duration::from_secs(2);
 /// Smaller steps back in time only pause the clock.
 const STEP_BACK_US: i64 = 1_000_000;
 /// A longer gap means that the clock was set.
 const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
-/// The number of the one link of a recording.
+/// The number of a recording's only link.
 const LINK: u16 = 0;
 const PEER: u32 = 0;
 
@@ -47,7 +47,7 @@ pub(super) struct Stage {
     heard: u64,
 }
 
-/// The state of a stage for a later return.
+/// The state of a stage, to return to later.
 #[derive(Debug, Clone)]
 pub(super) struct Cast {
     now: Duration,
@@ -63,13 +63,13 @@ pub(super) struct Cast {
     /// Whether the mission's report has been returned.
     is_over: bool,
     last_heard: Duration,
-    /// The correction of the file's times, for a clock that was set.
+    /// The correction of the file's times if the clock was set.
     skew_us: i64,
     /// Whether the file has been read to its end.
     is_at_end: bool,
-    /// The commands so far: the ledger's numbers by those of the journal.
+    /// The commands so far: the ledger's numbers, by the journal's numbers.
     given: BTreeMap<u32, u32>,
-    /// The length of the present gap.
+    /// The length of the current gap.
     gap: Option<Duration>,
     /// The offset of the next record in the file, and the time of the one before.
     offset: u64,
@@ -122,7 +122,7 @@ impl Stage {
         self.cast.now
     }
 
-    /// The length of the present gap, if any.
+    /// The length of the current gap, if any.
     pub fn gap(&self) -> Option<Duration> {
         self.cast.gap
     }
@@ -132,7 +132,7 @@ impl Stage {
         self.heard
     }
 
-    /// The state for a later return.
+    /// The state, to return to later.
     pub fn cast(&self) -> Cast {
         self.cast.clone()
     }
@@ -162,7 +162,7 @@ impl Stage {
         events
     }
 
-    /// Lets the vehicles receive all frames before a time.
+    /// Passes all frames before a time to the vehicles.
     fn hear(&mut self, until: Duration) {
         loop {
             let before = (self.reader.offset(), self.reader.last_us());
@@ -200,7 +200,7 @@ impl Stage {
     }
 
     /// Converts a time stamp to a time of the recording. If the recorder's clock was set, the next record counts as
-    /// one second later than the last.
+    /// being one second later than the last.
     fn time_of(&mut self, unix_us: u64) -> Duration {
         let cast = &mut self.cast;
         let since_us = unix_us.saturating_sub(self.film.began_unix_us());
@@ -287,7 +287,7 @@ impl Stage {
                     let paths = paths.iter().map(PathLine::path).collect();
                     events.push(VehicleEvent::Paths(paths).into());
                 }
-                // No frame followed it in this step.
+                // No frame follows it in this step.
                 Happening::Loss(loss) => self.cast.change_radio(loss),
                 Happening::Speedup { .. } | Happening::Bookmark { .. } | Happening::End => {}
             }
@@ -339,7 +339,7 @@ impl Stage {
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
-    /// The present traffic for the room of messages.
+    /// The current traffic for the room of messages.
     pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
         let keys = wanted.watched.iter().map(|(_, key)| *key).collect();
         self.cast.census.watch(&keys);

@@ -296,7 +296,7 @@ fn moments_are_found_and_stopped_at() {
         drop(replay.tick(now));
         now += FRAME;
     }
-    // The frame in which the refusal shows.
+    // The frame that shows the refusal.
     assert_eq!(replay.now(), s(7) + FRAME);
 
     drop(replay.steer(ReplayEffect::Moment { forward: true }));

@@ -1,6 +1,6 @@
-//! Advice: what would have brought more points. Each gain is the difference to the score of the same flight with that
-//! one thing corrected. Gains can overlap, for example components that need a share of the objectives: the smaller
-//! ones are cut so that their sum does not exceed the gain of correcting everything.
+//! Advice: changes that would have gained points. Each gain is the difference from the score of the same flight with
+//! one thing corrected. Gains can overlap, for example if components require a share of the objectives. The smaller
+//! gains are then cut, so that their sum does not exceed the gain of correcting everything.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -15,9 +15,9 @@ use super::{
 use crate::text;
 use crate::text::Text;
 
-/// The most improvements listed.
+/// The maximum number of improvements listed.
 const SHOWN: usize = 5;
-/// The quality that advice aims at; no map is perfect.
+/// The quality that advice aims at, since no map is perfect.
 const GOOD_QUALITY: f64 = 0.9;
 
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,7 +28,8 @@ pub struct Improvement {
     pub text: Text,
 }
 
-/// The improvements of a flight, biggest gain first. For an abandoned flight, the gains had it ended there.
+/// The improvements of a flight, biggest gain first. For an abandoned flight, the gains as if it had ended normally at
+/// that point.
 pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
     let facts = &Facts {
         given_up: false,
@@ -81,7 +82,7 @@ enum RemedyTopic {
     Hints,
 }
 
-/// An advice, and the flight as it would have been with it.
+/// A piece of advice, and the flight as it would have been with it.
 struct Remedy<'a> {
     topic: RemedyTopic,
     text: Text,
@@ -97,7 +98,7 @@ impl Remedy<'_> {
         mended
     }
 
-    /// The points that it gains.
+    /// The points that it would gain.
     fn gain(&self, rules: &ScoreRules, facts: &Facts) -> u16 {
         let after = score(rules, &self.mended(facts)).points;
         after.saturating_sub(score(rules, facts).points)
@@ -126,7 +127,7 @@ struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    /// Adds a change; one with an existing subject is merged.
+    /// Adds a change, merging it with one on the same subject.
     fn mend(&mut self, topic: RemedyTopic, text: Text, change: impl Fn(&mut Facts) + 'a) {
         let change: Change = Box::new(change);
         match self.list.iter_mut().find(|remedy| remedy.topic == topic) {
@@ -142,7 +143,7 @@ impl<'a> Remedies<'a> {
     fn reach_objectives(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
             let (topic, text) = match Better::of(objective) {
-                // One advice covers both.
+                // One piece of advice covers both.
                 Some(better) if better.is_measured => (RemedyTopic::Product(index), better.text),
                 _ => (RemedyTopic::Objective(index), objective.advice.clone()),
             };
@@ -152,7 +153,7 @@ impl<'a> Remedies<'a> {
         }
     }
 
-    /// Combines objectives with a missed mandatory one, without which they may gain nothing.
+    /// Combines objectives with a missed mandatory one, since they may gain nothing without it.
     fn reach_what_must_be(&mut self, rules: &ScoreRules) {
         let objectives = self.facts.objectives.iter().enumerate();
         let missed = objectives.filter(|(_, objective)| objective.mandatory && !objective.met);
@@ -255,7 +256,7 @@ fn reach(objective: &mut ObjectiveFact) {
     objective.met = true;
 }
 
-/// Advice on a product that could be better.
+/// Advice on a product that could be improved.
 struct Better {
     text: Text,
     /// Whether the objective measures the product.
@@ -263,7 +264,7 @@ struct Better {
 }
 
 impl Better {
-    /// `None` without a product, or for a good one.
+    /// `None` if there is no product, or if it is good.
     fn of(objective: &ObjectiveFact) -> Option<Self> {
         let product = objective
             .product

@@ -16,7 +16,7 @@ pub enum AlertLevel {
     Caution,
     /// It can wait half a minute.
     Warning,
-    /// It has to be answered within seconds.
+    /// It must be answered within seconds.
     Critical,
 }
 
@@ -50,7 +50,7 @@ pub struct AlertFact {
     pub at: Duration,
     /// The time limit for full points.
     pub limit: Duration,
-    /// The time until the answer; `None` without one.
+    /// The time until the answer; `None` if there was none.
     pub answered_after: Option<Duration>,
 }
 
@@ -60,7 +60,7 @@ impl AlertFact {
         self.answered_after.is_some_and(|after| after <= self.limit)
     }
 
-    /// 1 for an answer in time, halved with each further time limit; 0 without an answer.
+    /// The value of the answer: 1 if in time, halved with each further time limit; 0 without an answer.
     pub fn value(&self) -> f64 {
         let Some(after) = self.answered_after else {
             return 0.0;
@@ -71,7 +71,7 @@ impl AlertFact {
     }
 }
 
-/// The weighted mean over all alerts; `None` without any.
+/// The weighted mean over all alerts; `None` if there were none.
 pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
     let total: f64 = alerts.iter().map(|alert| alert.level.weight()).sum();
     let weighted = alerts
@@ -80,7 +80,7 @@ pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
     (total > 0.0).then(|| weighted.sum::<f64>() / total)
 }
 
-/// The value, and the alert with the greatest effect on it.
+/// The value, and the alert with the greatest effect on it, as text.
 pub(super) fn value_and_words(alerts: &[AlertFact]) -> Option<(f64, Text)> {
     let value = attention_value(alerts)?;
     let words = match worst(alerts) {

@@ -21,7 +21,7 @@ pub struct CommandTally {
     pub given: u32,
     /// Accepted, with an effect.
     pub accepted: u32,
-    /// Accepted without an effect, because its goal was met already: it does not dilute faults.
+    /// Accepted without an effect, because the goal was already met; such commands do not outweigh faults.
     pub empty: u32,
     /// Refused, or unanswered by a vehicle with a link.
     pub rejected: u32,
@@ -88,7 +88,7 @@ impl CommandTally {
                 count = self.given
             ),
         };
-        // Without any command, there is no good one.
+        // Without any commands, there are no good ones.
         let value = if counted == 0 { 0.0 } else { self.value() };
         (value, words)
     }
@@ -99,11 +99,11 @@ impl CommandTally {
 pub struct CommandLog {
     given_at: BTreeMap<EntryId, Duration>,
     last_given: Option<Duration>,
-    /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
+    /// Rows that failed; true if the vehicle was out of contact, which excuses the operator.
     excused: BTreeMap<(EntryId, VehicleId), bool>,
 }
 
-/// A fault of a command, as [`CommandLog::step`] finds it.
+/// A faulty command, found by [`CommandLog::step`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum CommandEvent {
     Rejected {
@@ -147,7 +147,7 @@ impl CommandLog {
                     events.extend(entry.rows.iter().map(forced));
                 }
             }
-            // The answer that no hint is left is not a piloting fault.
+            // A refusal because no hint is left is not a piloting fault.
             if is_word(entry) {
                 continue;
             }
@@ -191,7 +191,7 @@ impl CommandLog {
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 
-    /// Counts the mission's commands in the present ledger.
+    /// Counts the mission's commands in the current ledger.
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
@@ -200,7 +200,7 @@ impl CommandLog {
         for (given_at, entry) in orders.filter(|(_, entry)| !is_word(entry)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
-                // A retry after a refusal is no duplicate.
+                // A retry after a refusal is not a duplicate.
                 let duplicate = before.is_some_and(|(at, rejected)| {
                     !rejected && given_at.saturating_sub(at) <= DUPLICATE_WITHIN
                 });
@@ -229,7 +229,7 @@ impl CommandLog {
     }
 }
 
-/// What a command sets: the same line twice for one slot changes nothing.
+/// The part of the vehicle's state that a command sets. Repeating a line for the same slot changes nothing.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Slot {
     /// The vehicle's task, shared by all movement commands.

@@ -6,9 +6,9 @@ use super::{Facts, ScoreRules, attention, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 
-/// The least share of the objectives for points for time: quitting early earns none.
+/// The minimum share of the objectives required for points for time, so that quitting early earns none.
 const TIME_NEEDS_OBJECTIVES: f64 = 0.6;
-/// The same for energy.
+/// The same share for energy.
 pub const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
 /// The cap of the objectives' component if a mandatory objective is missed.
 const MISSED_MANDATORY_CAP: f64 = 0.5;
@@ -24,7 +24,7 @@ pub enum Component {
     Time,
     /// The energy used, compared with par.
     Energy,
-    /// The safety rules kept.
+    /// Keeping the safety rules.
     Safety,
     /// The quality of the commands.
     Command,
@@ -35,7 +35,7 @@ pub enum Component {
 }
 
 impl Component {
-    /// All of them, in the order of the debrief.
+    /// All components, in the order of the debrief.
     pub const ALL: [Self; 8] = [
         Self::Objective,
         Self::Quality,
@@ -47,7 +47,7 @@ impl Component {
         Self::Utilisation,
     ];
 
-    /// Its name in mission files.
+    /// Its name in mission files and reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Objective => "objective",
@@ -61,7 +61,7 @@ impl Component {
         }
     }
 
-    /// Its name for people; the English one is [`name`](Self::name).
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Objective => text!("scoring-objective"),
@@ -92,8 +92,8 @@ impl Weights {
         self.0[component as usize]
     }
 
-    /// The weights of the components that apply: a single vehicle's utilisation goes to safety, other missing
-    /// components are distributed over the rest in proportion.
+    /// The weights of the components that apply. The weight of utilisation goes to safety if there is a single vehicle;
+    /// those of other missing components are distributed over the rest in proportion.
     fn applied(&self, applies: [bool; 8], vehicles: usize) -> [f64; 8] {
         let mut weights = self.0;
         if vehicles <= 1 {
@@ -235,7 +235,7 @@ fn objective_words(facts: &Facts) -> Text {
     }
 }
 
-/// The mean over all products; `None` for a mission without any.
+/// The mean over all products; `None` for a mission without products.
 fn quality(facts: &Facts) -> Option<(f64, Text)> {
     let all = facts.objectives.iter().filter_map(|o| o.product.as_ref());
     let (values, words): (Vec<f64>, Vec<Text>) = all
@@ -298,7 +298,7 @@ fn against_par(used: f64, par: f64, unit: Text) -> Text {
     }
 }
 
-/// A value that only counts if something flew: parked vehicles earn nothing.
+/// A value that only counts if any vehicle has flown: parked vehicles earn nothing.
 fn if_flown(facts: &Facts, conduct: impl FnOnce(&Facts) -> (f64, Text)) -> (f64, Text) {
     let flown = facts.usage.iter().any(|one| !one.airborne.is_zero());
     if flown {

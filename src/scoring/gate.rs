@@ -75,7 +75,7 @@ const COMPARISONS: [(&str, GateComparison); 3] = [
 ];
 
 impl Gate {
-    /// The names valid in every mission; the ids of its objectives are valid too.
+    /// The names that are valid in every mission, in addition to the ids of its objectives.
     pub fn names() -> impl Iterator<Item = &'static str> {
         let components = Component::ALL.into_iter().map(Component::name);
         components.chain([CRASHES])

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// The cost of a hint of each level, as a share of the score.
 const PRICES: [f64; 3] = [0.02, 0.05, 0.10];
-/// The least factor, for any number of hints.
+/// The minimum factor, whatever the number of hints.
 const FLOOR: f64 = 0.70;
 
 /// The hints that a trainee has requested.
@@ -12,7 +12,7 @@ const FLOOR: f64 = 0.70;
 pub struct HintsUsed {
     /// The number of hints of level 1, 2 and 3.
     pub levels: [u32; 3],
-    /// The highest free level: on the first attempt, the hints that leave work for the trainee.
+    /// The highest free level: on the first attempt, the hints that do not give away the command.
     pub free_level: u8,
 }
 

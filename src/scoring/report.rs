@@ -1,7 +1,7 @@
 //! The report of a finished flight: the output of `sortie run --json`, the stored result, and the basis of a debrief.
 //!
-//! Texts are stored as messages, so that a debrief can be shown in any language; JSON has the English ones. Numbers
-//! are rounded to fixed decimals when the report is made, so that equal flights give equal bytes.
+//! Texts are stored as messages, so that a debrief can be shown in any language; JSON contains the English texts.
+//! Numbers are rounded to fixed decimals when the report is made, so that identical flights give identical bytes.
 
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +23,7 @@ pub use kind::{EventKind, FlightBackend, FlownBy, MissionFile, ScoreGrade};
 pub struct Report {
     /// Id of the mission.
     pub mission: String,
-    /// Its revision; results compare only within one.
+    /// Its revision; results are comparable only within one revision.
     pub revision: u32,
     /// Seed of the hazards and sensors.
     pub seed: u64,
@@ -92,10 +92,10 @@ pub struct Report {
     pub usage: Vec<UseReport>,
     /// Figures on the operator's handling of the swarm.
     pub swarm: SwarmFigures,
-    /// How much there was to do over the flight; empty in reports that are older than this.
+    /// The workload over the flight; empty in reports from before this field existed.
     #[serde(default, skip_serializing_if = "WorkloadReport::is_empty")]
     pub workload: WorkloadReport,
-    /// What the world really was, for the map of the debrief.
+    /// The true state of the world, for the map of the debrief.
     pub truth: TruthReport,
     /// The drill for the mission, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -103,7 +103,8 @@ pub struct Report {
     /// The trainee's attempts at this revision of the mission, including this one, oldest first; set by the shell.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tries: Vec<TryReport>,
-    /// Real time that the run took, in seconds; set by the shell, the only field that may differ between equal runs.
+    /// The real time that the run took, in seconds. The shell sets it; no other field may differ between identical
+    /// runs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_time_s: Option<f64>,
 }
@@ -124,7 +125,7 @@ pub struct ObjectiveReport {
     pub target: Text,
     /// Points within the objectives' component.
     pub points: f64,
-    /// The most points possible.
+    /// The maximum number of points possible.
     pub points_max: f64,
 }
 
@@ -166,7 +167,7 @@ pub struct RowReport {
     pub explanation: Option<Text>,
 }
 
-/// A row in JSON: the failure follows from the state, and is repeated for programs that do not know the states.
+/// A row in JSON. Whether it failed follows from the state, and is repeated for programs that do not know the states.
 #[derive(Serialize)]
 struct RowDocument {
     vehicle: u16,
@@ -196,7 +197,7 @@ pub struct TryReport {
     pub attempt: u32,
     /// Its start in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// The points; `None` without an end.
+    /// The points; `None` if the attempt has no end.
     pub score: Option<u16>,
     /// The medal, if any.
     pub medal: Option<Medal>,
@@ -251,7 +252,7 @@ pub struct AlertReport {
     pub text: Text,
     /// The time limit for full points, in seconds.
     pub limit_s: f64,
-    /// The time until the answer, in seconds; `None` without one.
+    /// The time until the answer, in seconds; `None` if there was none.
     pub answered_after_s: Option<f64>,
     /// Whether it was answered in time.
     pub in_time: bool,
@@ -263,9 +264,9 @@ pub struct UseReport {
     pub vehicle: u16,
     /// Time in the air.
     pub airborne_s: f64,
-    /// The part of it with a task.
+    /// The part of the air time with a task.
     pub productive_s: f64,
-    /// The part of it without a task for more than 30 s at a time.
+    /// The part of the air time without a task for more than 30 s at a time.
     pub idle_s: f64,
     /// Whether it fell or was made to fall.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -10,20 +10,20 @@ use crate::vehicle::VehicleId;
 /// Repetitions by the same vehicle within this time are merged.
 const MERGED_WITHIN: Duration = Duration::from_secs(5);
 
-/// A rule whose breach telemetry or the ledger can show.
+/// A rule; telemetry or the ledger can show that it is broken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SafetyKind {
     /// Outside the geofence, or inside an excluded area of it.
     Geofence,
     /// Above the highest height that the mission allows.
     TooHigh,
-    /// Crashed or fell: the vehicle is lost.
+    /// Crashed or fell, so that the vehicle is lost.
     Crash,
     /// Motors stopped in the air by command.
     DisarmInFlight,
     /// Armed by force, or with the arming checks switched off.
     ForcedArm,
-    /// Landed with less battery than the reserve, or still up and below it at the end of the mission.
+    /// Landed with less battery than the reserve, or still in the air and below the reserve at the end of the mission.
     LowReserve,
     /// In the air when the mission ended.
     NotLanded,
@@ -60,7 +60,7 @@ impl SafetyKind {
         )
     }
 
-    /// The share of the safety component lost at once, per second, and at most.
+    /// The share of the safety component that a breach costs: at once, per second, and at most.
     fn price(self) -> (f64, f64, f64) {
         match self {
             Self::Geofence | Self::TooHigh => (0.20, 0.01, 0.40),
@@ -70,7 +70,7 @@ impl SafetyKind {
             Self::LowReserve => (0.10, 0.0, 0.10),
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
-            // Not landing costs more than the worst landing: it must never be the safer choice.
+            // Not landing costs more than the worst landing, so that it is never the better choice.
             Self::NotLanded | Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
             Self::NoFly => (0.35, 0.0, 0.35),
             Self::Bubble => (0.50, 0.0, 0.50),
@@ -79,12 +79,12 @@ impl SafetyKind {
         }
     }
 
-    /// Whether the vehicle is lost by it.
+    /// Whether it means that the vehicle is lost.
     pub fn is_loss(self) -> bool {
         matches!(self, Self::Crash | Self::DisarmInFlight)
     }
 
-    /// Whether it harms people: then the mission has failed, with [`crate::scoring::HARM_POINTS`] at most.
+    /// Whether it harms people. Then the mission has failed, with at most [`crate::scoring::HARM_POINTS`].
     pub fn is_harm(self) -> bool {
         matches!(self, Self::Injury | Self::AircraftHit)
     }
@@ -181,7 +181,7 @@ pub fn safety_value(events: &[SafetyEvent]) -> f64 {
 #[derive(Debug, Clone, Default)]
 pub struct SafetyLog {
     events: Vec<SafetyEvent>,
-    /// Index of the newest event per vehicle and kind, and when it was seen last.
+    /// The index of the newest event per vehicle and kind, and when it was last seen.
     newest: BTreeMap<(VehicleId, SafetyKind), (usize, Duration)>,
 }
 

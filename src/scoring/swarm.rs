@@ -1,7 +1,7 @@
 //! Figures about one operator of many vehicles; displayed, but not scored.
 //!
-//! Fan-out is how many vehicles an operator can keep busy: `neglect time / interaction time + 1` (Olsen and Goodrich
-//! 2003), or with the time that vehicles wait for attention, `NT / (IT + WT) + 1` (Cummings).
+//! Fan-out is the number of vehicles that an operator can keep busy: `neglect time / interaction time + 1` (Olsen and
+//! Goodrich 2003), or with the time that vehicles wait for attention, `NT / (IT + WT) + 1` (Cummings).
 
 use std::time::Duration;
 
@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::text::rounded;
 
-/// The operator was at something else when this much passed between two commands.
+/// If more time than this passes between two commands, the operator was doing something else.
 pub(super) const AT_IT: Duration = Duration::from_secs(20);
-/// Giving a command takes no less: a script's interaction time would be nothing.
+/// The minimum time that giving a command takes; otherwise a script's interaction time would be zero.
 pub(super) const LEAST_INTERACTION: Duration = Duration::from_secs(1);
 
 /// Measurements during a mission.
@@ -21,7 +21,7 @@ pub struct SwarmTimes {
     pub neglected: Vec<Duration>,
     /// Each period in which a vehicle in the air waited for its next command.
     pub waited: Vec<Duration>,
-    /// The time of each command, its number of vehicles, and whether these changed.
+    /// The time of each command, its number of vehicles, and whether the vehicles changed.
     pub commands: Vec<(Duration, usize, bool)>,
 }
 
@@ -40,7 +40,7 @@ pub struct SwarmFigures {
     pub fan_out_waiting: Option<f64>,
     /// The number of vehicles flown.
     pub flown: usize,
-    /// How often per minute the operator switched to other vehicles.
+    /// How many times per minute the operator switched to other vehicles.
     pub switches_per_min: f64,
     /// The share of commands to several vehicles.
     pub group_share: f64,
@@ -77,7 +77,7 @@ impl SwarmTimes {
     }
 }
 
-/// The median; of two middle values the lower.
+/// The median; of two middle values, the lower.
 fn median(times: &[Duration]) -> Option<Duration> {
     let mut sorted = times.to_vec();
     sorted.sort_unstable();

@@ -39,7 +39,7 @@ fn objective(fraction: f64, mandatory: bool) -> ObjectiveFact {
     }
 }
 
-/// The objective with a map of this quality.
+/// The objective with a map of this quality as its product.
 fn with_map(quality: f64, objective: ObjectiveFact) -> ObjectiveFact {
     ObjectiveFact {
         product: Some(Product {
@@ -153,7 +153,7 @@ fn a_single_vehicles_utilisation_goes_to_safety_and_attention_is_shared() {
     assert_eq!(weight(Component::Utilisation), None);
 }
 
-/// Each row: the change, the component, its value by the formula.
+/// Each row: the change, the component, and its value by the formula.
 #[test]
 fn each_component_follows_its_formula() {
     type Change = fn(&mut Facts);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::commands::FindKind;
 
-/// Metres east and north of the mission's origin.
+/// A position in metres east and north of the mission's origin.
 type Place = [f64; 2];
 
 /// The truth, in metres east and north of the mission's origin.
@@ -20,7 +20,7 @@ pub struct TruthReport {
     /// The corners of the fences; empty in records of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fences: Vec<Vec<Place>>,
-    /// The gates, where the seed had put them; empty in records of earlier versions.
+    /// The gates, at the positions drawn from the seed; empty in records of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gates: Vec<Place>,
     /// The tracks of the vehicles.
@@ -45,7 +45,7 @@ pub struct ObjectReport {
     pub present: bool,
     /// Whether it was reported.
     pub found: bool,
-    /// Whether an objective asked for its report.
+    /// Whether an objective required its report.
     pub sought: bool,
 }
 
@@ -53,13 +53,13 @@ pub struct ObjectReport {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
-    /// Something not to be reported.
+    /// Something that should not be reported.
     Decoy,
     #[serde(untagged)]
     Find(FindKind),
 }
 
-/// A report of the trainee's.
+/// A report by the trainee.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
     pub at: Place,

@@ -19,9 +19,9 @@ pub struct VehicleUse {
     pub vehicle: VehicleId,
     /// Time in the air.
     pub airborne: Duration,
-    /// The part of it with a task: travelling, in a manoeuvre, sampling.
+    /// The part of the air time with a task: travelling, in a manoeuvre, sampling.
     pub productive: Duration,
-    /// The part of it without a task for more than 30 s at a time.
+    /// The part of the air time without a task for more than 30 s at a time.
     pub idle: Duration,
 }
 
@@ -34,7 +34,7 @@ impl VehicleUse {
     }
 }
 
-/// The mean over all vehicles; 0 if none has flown. A vehicle that made a short hop counts mostly as one that was
+/// The mean over all vehicles; 0 if none has flown. A vehicle that made only a short hop counts mostly as one that was
 /// never flown.
 pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
     let longest = uses.iter().map(|one| one.airborne).max();
@@ -94,7 +94,7 @@ fn idlest(uses: &[VehicleUse]) -> Option<&VehicleUse> {
     idle.max_by_key(|one| one.idle)
 }
 
-/// `3:10`; tenths are truncated.
+/// A time as `3:10`; tenths of seconds are truncated.
 pub(super) fn minutes(time: Duration) -> String {
     let seconds = time.as_secs();
     format!("{}:{:02}", seconds / 60, seconds % 60)
@@ -122,7 +122,7 @@ mod tests {
             (vec![used(1, 100, 100, 0), used(2, 0, 0, 0)], 0.65),
             (vec![used(1, 100, 50, 15)], 0.6 * 0.5 + 0.4 * 0.5),
             (vec![used(1, 100, 0, 100)], 0.0),
-            // A hop of 5 s: a tenth of what counts as flown.
+            // A hop of 5 s, which is a tenth of the time that counts as flown.
             (
                 vec![used(1, 100, 100, 0), used(2, 5, 5, 0)],
                 f64::midpoint(1.0, 0.1 + 0.9 * 0.3),

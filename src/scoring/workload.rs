@@ -1,8 +1,8 @@
-//! How much an operator had to do over a flight. It is shown afterwards, never scored.
+//! The operator's workload over a flight. It is shown afterwards, and never scored.
 //!
-//! Utilisation is the share of the last minute that an operator was busy with commands (Donmez, Nehme and Cummings 2010); above
-//! 0.7 for a minute or longer, performance falls. Beside it stand the trainee's own answers, from 1 to 5 every two minutes, as in
-//! the instantaneous self-assessment (ISA) of air traffic control.
+//! Utilisation is the share of the last minute that an operator was busy with commands (Donmez, Nehme and Cummings
+//! 2010). Above 0.7 for a minute or longer, performance falls. In addition, the trainee rates the workload from 1 to 5
+//! every two minutes, as in the instantaneous self-assessment (ISA) of air traffic control.
 
 use std::iter::Sum;
 use std::time::Duration;
@@ -14,31 +14,31 @@ use crate::text::rounded;
 
 /// The time between two points of the curves.
 const POINT_EVERY: Duration = Duration::from_secs(10);
-/// Utilisation is taken over so long.
+/// The time over which utilisation is measured.
 const WINDOW: Duration = Duration::from_secs(60);
-/// More than this share of the time, for so long, is too much.
+/// Utilisation above this share, for the following time, is too much.
 const OVERLOADED_ABOVE: f64 = 0.7;
 const OVERLOADED_FOR: Duration = Duration::from_secs(60);
-/// A trainee is asked this often, by the mission's clock.
+/// How often the trainee is asked, by the mission's clock.
 const ASK_EVERY: Duration = Duration::from_secs(120);
-/// The question stands for so long.
+/// How long a question stays open.
 const ASK_FOR: Duration = Duration::from_secs(15);
 
-/// Which question about the workload stands at a time of the mission, counted from 1; `None` between them.
+/// The question about the workload that is open at a mission time, counted from 1; `None` between two questions.
 pub fn workload_question(elapsed: Duration) -> Option<u64> {
     let number = elapsed.as_secs() / ASK_EVERY.as_secs();
     let since = elapsed.as_secs() % ASK_EVERY.as_secs();
     (number > 0 && since < ASK_FOR.as_secs()).then_some(number)
 }
 
-/// What vehicles ask of their operator at one time.
+/// The vehicles' load on their operator at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleLoad {
-    /// How many wait for a command, in the air without a task.
+    /// The number of vehicles that wait for a command, in the air without a task.
     pub waiting: u16,
-    /// For how long they have worked by themselves after a command so far, all together.
+    /// The total time so far in which they worked on their own after a command.
     pub neglected: Duration,
-    /// For how long they have waited so far, all together.
+    /// The total time so far in which they waited.
     pub waited: Duration,
 }
 
@@ -52,14 +52,14 @@ impl Sum for VehicleLoad {
     }
 }
 
-/// What is noted of the workload while a mission is flown.
+/// The measurements of the workload while a mission is flown.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WorkloadCourse {
     loads: Vec<VehicleLoad>,
     answers: Vec<WorkloadAnswer>,
 }
 
-/// How much there was to do over a flight. The curves have a point every `every_s`, the first at the start.
+/// The workload over a flight. The curves have a point every `every_s`, the first at the start.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct WorkloadReport {
@@ -67,40 +67,40 @@ pub struct WorkloadReport {
     pub every_s: f64,
     /// The share of the last minute that the operator was busy with commands, 0 to 1.
     pub utilisation: Vec<f64>,
-    /// How many vehicles waited for a command.
+    /// The number of vehicles that waited for a command.
     pub waiting: Vec<u16>,
-    /// For how many seconds the operator has been busy so far.
+    /// The total time so far in which the operator was busy, in seconds.
     pub interaction_s: Vec<f64>,
-    /// For how many seconds vehicles have worked by themselves so far, all together.
+    /// The total time so far in which vehicles worked on their own, in seconds.
     pub neglect_s: Vec<f64>,
-    /// For how many seconds vehicles have waited so far, all together.
+    /// The total time so far in which vehicles waited, in seconds.
     pub wait_s: Vec<f64>,
-    /// When utilisation was above 0.7 for a minute or longer.
+    /// The stretches with a utilisation above 0.7 for a minute or longer.
     pub overloaded: Vec<OverloadedStretch>,
-    /// How many commands the figures are from.
+    /// The number of commands behind the figures.
     pub commands: usize,
-    /// What the trainee said of the workload, oldest first.
+    /// The trainee's ratings of the workload, oldest first.
     pub answers: Vec<WorkloadAnswer>,
 }
 
-/// A stretch of a flight with too much to do. Times are seconds of the mission.
+/// A stretch of a flight with too much to do. Times are mission time in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct OverloadedStretch {
     pub from_s: f64,
     pub to_s: f64,
 }
 
-/// What a trainee said of the workload.
+/// A trainee's rating of the workload.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct WorkloadAnswer {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// From 1, next to nothing to do, to 5, too much.
+    /// The rating, from 1 (almost nothing to do) to 5 (too much).
     pub level: u8,
 }
 
 impl WorkloadCourse {
-    /// Whether a point of the curves is to be noted at this time of the mission.
+    /// Whether a point of the curves is due at this mission time.
     pub fn is_due(&self, now: Duration) -> bool {
         now >= POINT_EVERY * self.loads.len() as u32
     }
@@ -109,7 +109,7 @@ impl WorkloadCourse {
         self.loads.push(load);
     }
 
-    /// Notes what the trainee said; of two answers to one question the later one stands.
+    /// Records the trainee's answer; it replaces an earlier answer to the same question.
     pub fn answer(&mut self, now: Duration, level: u8) {
         let question = workload_question(now);
         let is_again = |known: &WorkloadAnswer| {
@@ -155,20 +155,20 @@ impl WorkloadCourse {
 }
 
 impl WorkloadReport {
-    /// Whether there is nothing to show.
+    /// Whether it has nothing to show.
     pub fn is_empty(&self) -> bool {
         self.utilisation.is_empty() && self.answers.is_empty()
     }
 
-    /// How many questions the flight was long enough for.
+    /// The number of questions that the flight was long enough for.
     pub fn questions(&self) -> usize {
         let length_s = self.every_s * self.utilisation.len().saturating_sub(1) as f64;
         (length_s / ASK_EVERY.as_secs_f64()) as usize
     }
 }
 
-/// When the operator was busy with commands: from one to the next while they come soon after each other, and for the
-/// least time that giving one takes.
+/// The periods in which the operator was busy with commands: from one command to the next if they follow each other
+/// closely, and for the minimum time that giving one takes.
 struct BusyTime(Vec<(Duration, Duration)>);
 
 impl BusyTime {
@@ -183,7 +183,7 @@ impl BusyTime {
         Self(spans)
     }
 
-    /// How much of it lies between two times.
+    /// The busy time between two times.
     fn between(&self, from: Duration, to: Duration) -> Duration {
         let parts = self.0.iter();
         parts
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn utilisation_is_the_busy_share_of_the_last_minute() {
         let report = course(120).report(&at(&[30, 40, 60, 110]));
-        // From 29 to 60 and from 109 to 110 s.
+        // The operator is busy from 29 to 60 s and from 109 to 110 s.
         let shares = [
             0.0, 0.0, 0.0, 0.02, 0.18, 0.35, 0.52, 0.52, 0.52, 0.5, 0.33, 0.18, 0.02,
         ];

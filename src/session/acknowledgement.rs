@@ -10,7 +10,7 @@ use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM};
 
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
-/// What a vehicle answered to a command.
+/// A vehicle's answer to a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Acknowledgement {
     /// The `MAV_CMD` that it answers.
@@ -48,13 +48,12 @@ impl Acknowledgement {
     }
 }
 
-/// Acknowledgements that may still arrive for commands that are no longer waited for. Without them the late answer to
-/// an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
+/// Acknowledgements that may still arrive for commands that no longer wait for them. If they were not tracked, the late
+/// answer to an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OwedAcks(Vec<(u16, Duration)>);
 
-/// An acknowledgement that has not come by then will not come: vehicles answer within milliseconds, links
-/// within a second.
+/// How long an acknowledgement may still arrive: vehicles answer within milliseconds, links within a second.
 const OWED_FOR: Duration = Duration::from_secs(2);
 
 impl OwedAcks {

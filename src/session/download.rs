@@ -22,14 +22,14 @@ const LIST_SILENCE: Duration = Duration::from_secs(1);
 const PLACE_SILENCE: Duration = Duration::from_millis(400);
 /// Each fruitless request doubles the next wait, up to this factor.
 const LONGEST_WAIT: u32 = 8;
-/// After this many fruitless requests the download is given up.
+/// After this many fruitless requests, the download is abandoned.
 const FRUITLESS: u16 = 24;
 /// The cost of one missing value, with ten requested at a time and some requests lost. If the whole list is faster, it
 /// is requested again.
 const PLACE_COST: Duration = Duration::from_millis(30);
 /// After this many lists with many losses, only single values are requested.
 const LISTS: u8 = 4;
-/// How often a list is read again because the number of parameters has changed.
+/// How many times a list is read again because the number of parameters has changed.
 const RESTARTS: u8 = 3;
 
 /// What a download waits for.
@@ -50,9 +50,9 @@ pub(super) struct Download {
     phase: Phase,
     /// The time of the last new value, or of the last fruitless request.
     quiet_since: Duration,
-    /// The number of values received at the last look.
+    /// The number of values received at the last check.
     received: u16,
-    /// The number of list values seen by then, including known ones.
+    /// The number of list values seen by that check, including known ones.
     passed: u64,
     /// The length of the list being received.
     count: Option<u16>,
@@ -61,7 +61,7 @@ pub(super) struct Download {
     /// Where to search for the next missing index, so that one without an answer does not block the others.
     next: u16,
     fruitless: u16,
-    /// The number of lists that brought anything.
+    /// The number of lists that brought new values.
     lists: u8,
     /// When the list was last requested, and how long it took.
     listed_at: Duration,
@@ -182,7 +182,7 @@ impl Download {
             self.received = 0;
         }
         let is_news = parameters.received() > self.received;
-        // A repeated list starts with known values: it must not be cut off for that.
+        // A repeated list starts with known values, which must not count as silence.
         let is_coming = self.phase == Phase::Listing && parameters.passed() != self.passed;
         if is_news || is_coming {
             self.quiet_since = now;
@@ -197,7 +197,7 @@ impl Download {
     fn note_silence(&mut self, now: Duration) {
         if self.phase == Phase::Listing {
             self.list_took = self.quiet_since.saturating_sub(self.listed_at);
-            // A lost request for the list does not count.
+            // A request for the list that was lost does not count.
             self.lists += u8::from(self.quiet_since > self.listed_at);
         }
         self.fruitless += 1;
@@ -226,7 +226,7 @@ impl Download {
         silence.max(round_trip(vehicle) * 3 / 2) * self.patience()
     }
 
-    /// When to repeat a request for a value. On a slow link that is before the answer can arrive: a second request
+    /// When to repeat a request for a value. On a slow link, this is before the answer can arrive: a second request
     /// costs less than waiting for a lost one.
     fn asked_again_after(&self, vehicle: &Vehicle) -> Duration {
         PLACE_SILENCE.max(round_trip(vehicle) / 2) * self.patience()

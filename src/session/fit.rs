@@ -10,7 +10,7 @@ use crate::text::Text;
 /// unknown names, and truncates values silently.
 ///
 /// # Errors
-/// The reason against the value.
+/// Why the value cannot be set.
 pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text> {
     let Command::Parameter(ParameterCommand::Set { name, value }) = command else {
         return Ok(());
@@ -26,9 +26,9 @@ pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text>
     checked.map(drop).map_err(|unfit| unfit.text(name))
 }
 
-/// Whether a parameter missing on its list is really missing.
+/// Whether a parameter that is not in the list is really missing.
 pub(super) fn is_known(list: &ParameterList) -> bool {
-    // A changed number means that others may have appeared.
+    // If the number of parameters has changed, new ones may have appeared.
     list.is_complete() && !list.is_outdated()
 }
 

@@ -1,11 +1,11 @@
 //! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of its own.
 //!
-//! A user of it asks for an [`FtpTask`], keeps the [`FtpTicket`], and gets [`FtpEvent`]s with that ticket out of
-//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients. Nothing is
-//! written; a task that writes would be another kind of [`Work`].
+//! A user asks for an [`FtpTask`], keeps the [`FtpTicket`], and receives [`FtpEvent`]s with that ticket from
+//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients. The
+//! client only reads; a task that writes would need another kind of [`Work`].
 //!
-//! Servers differ: `ArduPilot` takes the client's session number, PX4 gives its own; a burst ends after 500 packets, at
-//! the end of the file, or without a word. What is lost, comes twice or in another order is sorted out here.
+//! Servers differ: `ArduPilot` takes the client's session number, PX4 assigns its own. A burst ends after 500 packets,
+//! at the end of the file, or without notice. The client handles packets that are lost, duplicated or out of order.
 //! Source: <https://mavlink.io/en/services/ftp.html> and `GCS_FTP.cpp` of `ArduPilot`.
 
 use std::collections::VecDeque;
@@ -36,29 +36,30 @@ use packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
 use super::gaps::{FileBytes, GapMap};
 use crate::hash::fnv1a;
 
-/// A request is given up if it is not answered for this long.
+/// How long a request may stay unanswered before it is abandoned.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// A session that cannot be closed is left to the server's own time limit.
+/// How long to try to close a session; after that, it is left to the server's own time limit.
 const CLOSING: Duration = Duration::from_secs(3);
-/// How fast a server reads its own file for the check sum, at least, in bytes per second.
+/// The minimum speed at which a server reads its own file for the checksum, in bytes per second.
 const SLOWEST_CHECKSUM: u32 = 200_000;
-/// Bytes of a path: `ArduPilot` needs the last one of a packet for itself.
+/// The maximum length of a path in bytes: `ArduPilot` needs the last byte of a packet for itself.
 const LONGEST_PATH: usize = MOST_DATA - 1;
 /// Sessions are numbered from 1 to this.
 const MOST_SESSIONS: u64 = 250;
 
-/// What is wanted of a vehicle's files.
+/// A request about a vehicle's files.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FtpTask {
     /// The entries of a folder.
     List { folder: String },
-    /// A file, or what is missing of it. With gaps it must have their size; without, it ends where the vehicle says so.
+    /// A file, or its missing parts. With gaps, it must have the size of the gap map; without, the vehicle determines
+    /// its end.
     Read { path: String, gaps: Option<GapMap> },
-    /// The check sum of a file of so many bytes ([`FtpChecksum`]).
+    /// The checksum of a file of this size in bytes ([`FtpChecksum`]).
     Checksum { path: String, size: u32 },
 }
 
-/// What came of a task.
+/// The progress or the result of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FtpEvent {
     /// The folder: the task is done.
@@ -67,20 +68,20 @@ pub enum FtpEvent {
     Bytes(FileBytes),
     /// All bytes of a file of this size have come: the task is done.
     Complete(u32),
-    /// The check sum: the task is done.
+    /// The checksum: the task is done.
     Checksum(u32),
     /// The task is over.
     Failed(FtpFault),
 }
 
-/// Which task an event is about.
+/// Identifies the task that an event is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FtpTicket(u32);
 
-/// What follows from a step.
+/// The result of a step.
 #[derive(Debug, Clone, Default)]
 pub struct FtpStep {
-    /// To be sent, in order.
+    /// The requests to send, in order.
     pub requests: Vec<FtpPayload>,
     pub events: Vec<(FtpTicket, FtpEvent)>,
 }
@@ -115,7 +116,7 @@ enum Work {
 }
 
 impl FtpClient {
-    /// Takes a task; it begins with the next step, after those before it.
+    /// Queues a task; it begins with the next step, after all earlier tasks.
     pub fn ask(&mut self, task: FtpTask) -> FtpTicket {
         self.tickets = self.tickets.wrapping_add(1);
         let ticket = FtpTicket(self.tickets);
@@ -123,7 +124,7 @@ impl FtpClient {
         ticket
     }
 
-    /// Drops a task; a file that it has opened is closed. There are no more events of it.
+    /// Drops a task and closes a file that it has opened. The task gives no more events.
     pub fn cancel(&mut self, ticket: FtpTicket) {
         self.waiting.retain(|(waiting, _)| *waiting != ticket);
         if let Some(job) = self.job.take_if(|job| job.ticket == ticket) {
@@ -131,19 +132,19 @@ impl FtpClient {
         }
     }
 
-    /// Drops everything: the vehicle has rebooted, and its server knows nothing of us.
+    /// Drops everything: the vehicle has rebooted, and its server has lost the session.
     pub fn forget(&mut self) {
         self.waiting.clear();
         self.job = None;
     }
 
-    /// Whether something is awaited.
+    /// Whether a task is under way or waiting.
     pub fn is_busy(&self) -> bool {
         self.job.is_some() || !self.waiting.is_empty()
     }
 
-    /// Takes in what the vehicle's server has sent, if anything, and lets time pass; `round_trip` is how long the way
-    /// there and back takes.
+    /// Handles what the vehicle's server has sent, if anything, and advances time. `round_trip` is the delay of the
+    /// link there and back.
     pub fn step(
         &mut self,
         incoming: Option<&FtpPayload>,
@@ -154,7 +155,7 @@ impl FtpClient {
         if let Some(answer) = incoming.and_then(FtpAnswer::read) {
             self.receive(&answer, now, &mut step);
         }
-        // What ends makes room for the next one.
+        // A task that ends makes room for the next one.
         while self.begin(now, &mut step) {
             if self.advance(round_trip, now, &mut step) {
                 break;
@@ -163,7 +164,7 @@ impl FtpClient {
         step
     }
 
-    /// Begins the next task if there is none under way; whether there is one.
+    /// Begins the next task if none is under way; returns whether one is under way now.
     fn begin(&mut self, now: Duration, step: &mut FtpStep) -> bool {
         while self.job.is_none() {
             let Some((ticket, task)) = self.waiting.pop_front() else {
@@ -245,7 +246,7 @@ impl FtpClient {
         self.end_with(ending, step);
     }
 
-    /// Sends what is due; `false` if the task has ended.
+    /// Sends the requests that are due; `false` if the task has ended.
     fn advance(&mut self, round_trip: Duration, now: Duration, step: &mut FtpStep) -> bool {
         let Some(job) = &mut self.job else {
             return false;
@@ -330,7 +331,7 @@ impl FtpTask {
     }
 }
 
-/// A session number that another console, or a file opened before, hardly has.
+/// A session number that another console, or a file opened before, is unlikely to have.
 fn session_at(now: Duration) -> u8 {
     let hash = fnv1a(&now.as_nanos().to_le_bytes());
     (hash % MOST_SESSIONS) as u8 + 1

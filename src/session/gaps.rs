@@ -1,8 +1,8 @@
-//! What of a file has not come yet.
+//! The parts of a file that have not been received yet.
 
 use std::ops::Range;
 
-/// Bytes of a file in a row, and where they begin.
+/// Consecutive bytes of a file, and the offset of the first.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FileBytes {
     pub at: u32,
@@ -10,13 +10,13 @@ pub struct FileBytes {
 }
 
 impl FileBytes {
-    /// The stretch of the file that they are.
+    /// The range of the file that they cover.
     pub fn range(&self) -> Range<u32> {
         self.at..self.at + self.bytes.len() as u32
     }
 }
 
-/// The gaps of a file of known size: stretches of bytes that are missing, in order, none touching the next.
+/// The gaps of a file of known size: the ranges of missing bytes, in order, none adjacent to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GapMap {
     size: u32,
@@ -24,7 +24,7 @@ pub struct GapMap {
 }
 
 impl GapMap {
-    /// All of a file is missing.
+    /// A file that is missing completely.
     pub fn new(size: u32) -> Self {
         let mut map = Self {
             size,
@@ -34,7 +34,7 @@ impl GapMap {
         map
     }
 
-    /// A file of which only these stretches are missing; `None` where they are not in order or do not fit.
+    /// A file of which only these ranges are missing; `None` if they are not in order or exceed the size.
     pub fn of_gaps(size: u32, missing: Vec<Range<u32>>) -> Option<Self> {
         let is_empty = |gap: &Range<u32>| gap.start >= gap.end;
         let is_in_order = missing.windows(2).all(|pair| pair[0].end < pair[1].start);
@@ -43,7 +43,7 @@ impl GapMap {
         is_sound.then_some(Self { size, missing })
     }
 
-    /// Bytes of the whole file.
+    /// The size of the whole file in bytes.
     pub fn size(&self) -> u32 {
         self.size
     }
@@ -53,7 +53,7 @@ impl GapMap {
         &self.missing
     }
 
-    /// How many bytes are missing.
+    /// The number of missing bytes.
     pub fn missing_bytes(&self) -> u32 {
         self.missing.iter().map(|gap| gap.end - gap.start).sum()
     }
@@ -62,7 +62,7 @@ impl GapMap {
         self.missing.is_empty()
     }
 
-    /// How much is there, 0 to 100; 100 only where nothing is missing.
+    /// The received share in percent, 0 to 100; 100 only if nothing is missing.
     pub fn percent(&self) -> u8 {
         if self.is_complete() {
             return 100;
@@ -71,14 +71,14 @@ impl GapMap {
         (there * 100 / u64::from(self.size)).min(99) as u8
     }
 
-    /// Whether any byte of a stretch is missing.
+    /// Whether any byte of a range is missing.
     pub fn lacks(&self, stretch: &Range<u32>) -> bool {
         let at = self.missing.partition_point(|gap| gap.end <= stretch.start);
         let next = self.missing.get(at);
         stretch.start < stretch.end && next.is_some_and(|gap| gap.start < stretch.end)
     }
 
-    /// Notes that a stretch has come; returns how many of its bytes are new. What lies behind the end is ignored.
+    /// Notes that a range was received; returns the number of new bytes. Bytes beyond the end are ignored.
     pub fn fill(&mut self, stretch: Range<u32>) -> u32 {
         let first = self.missing.partition_point(|gap| gap.end <= stretch.start);
         let behind = self.missing.partition_point(|gap| gap.start < stretch.end);
@@ -100,14 +100,14 @@ impl GapMap {
         touched - still
     }
 
-    /// Whether filling a stretch would make two gaps of one.
+    /// Whether filling a range would split a gap in two.
     pub fn splits(&self, stretch: &Range<u32>) -> bool {
         let at = self.missing.partition_point(|gap| gap.end <= stretch.start);
         let gap = self.missing.get(at);
         gap.is_some_and(|gap| gap.start < stretch.start && stretch.end < gap.end)
     }
 
-    /// Notes that the file ends earlier: what was missing behind its end is not.
+    /// Notes that the file ends earlier: bytes beyond its end no longer count as missing.
     pub fn truncate(&mut self, size: u32) {
         self.size = self.size.min(size);
         let behind = self.missing.partition_point(|gap| gap.start < self.size);
@@ -117,13 +117,13 @@ impl GapMap {
         }
     }
 
-    /// Notes that a stretch is missing after all.
+    /// Notes that a range is missing after all.
     pub fn open(&mut self, stretch: Range<u32>) {
         let stretch = stretch.start..stretch.end.min(self.size);
         if stretch.start >= stretch.end {
             return;
         }
-        // Gaps that touch become one.
+        // Adjacent gaps are merged.
         let first = self.missing.partition_point(|gap| gap.end < stretch.start);
         let behind = self.missing.partition_point(|gap| gap.start <= stretch.end);
         let mut joined = stretch;
@@ -199,7 +199,7 @@ mod tests {
     }
 
     proptest! {
-        /// The map says of each byte what a list of all bytes says.
+        /// The map gives the same answer for each byte as a list of all bytes.
         #[test]
         fn it_is_as_good_as_a_list_of_all_bytes(changes in proptest::collection::vec(change(), 0..60)) {
             const SIZE: usize = 250;

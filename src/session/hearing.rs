@@ -1,4 +1,4 @@
-//! Whether a vehicle is heard: the share of its messages that arrive, and its silence.
+//! The reception of a vehicle: the share of its messages that arrive, and its silence.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, LossMeter};
 
-/// The time of silence after which a vehicle counts as lost; it must show within 3 s.
+/// The time of silence after which a vehicle counts as lost; the screen must show it within 3 s.
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;

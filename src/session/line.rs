@@ -1,6 +1,6 @@
 //! The line to a vehicle: waiting orders, the one that awaits its answer, and those that await their effect.
 //!
-//! Only one order at a time awaits its answer, because an acknowledgement names just the command.
+//! Only one order at a time awaits its answer, because an acknowledgement names only the command.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -18,26 +18,26 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
-/// The most orders that wait for one vehicle; more are refused.
+/// The maximum number of orders that wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
 
-/// How often the vehicle's speeds are repeated with a manoeuvre's setpoints: the first may be lost.
+/// How many of a manoeuvre's setpoints repeat the vehicle's speeds, since the first may be lost.
 const SPEEDS_SAID: u8 = 3;
 
 /// The orders of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Line {
-    /// Those that wait for their turn, with the time they were given.
+    /// The orders that wait for their turn, with the time they were given.
     queue: VecDeque<(VehicleCommand, Duration)>,
     /// Finds the vehicle's name for the next order's parameter.
     search: Search,
-    /// The one that awaits its answer.
+    /// The order that awaits its answer.
     active: Option<Transaction>,
-    /// Those that were accepted and await their effect.
+    /// The orders that were accepted and await their effect.
     watched: Vec<Transaction>,
-    /// The last one carried out, while its effect lasts.
+    /// The last order carried out, while its effect lasts.
     holding: Option<Holding>,
-    /// The number of consecutive manoeuvre setpoints that lead to a place at rest.
+    /// The number of consecutive manoeuvre setpoints that end at rest at a place.
     places_in_a_row: u8,
     owed: OwedAcks,
 }
@@ -66,7 +66,7 @@ impl Moment<'_> {
 }
 
 impl Line {
-    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before all waiting orders.
+    /// Queues an order. Urgent ones (kill, disarm, land, return, hold) go before all waiting orders.
     pub fn order(&mut self, mut order: VehicleCommand, mut moment: Moment) {
         if precedence::is_urgent(&order, moment.vehicle) {
             self.clear(&order.verb.name.into(), &mut moment);
@@ -85,7 +85,7 @@ impl Line {
         }
     }
 
-    /// Keeps status texts; they may be the reason for a refusal.
+    /// Stores status texts, which may explain a refusal.
     pub fn hear_texts(&mut self, notices: &[Notice]) {
         if let Some(active) = &mut self.active {
             for notice in notices {
@@ -154,7 +154,7 @@ impl Line {
         } else {
             0
         };
-        // The first ones may be lost.
+        // The first messages may be lost.
         if is_place && self.places_in_a_row <= SPEEDS_SAID {
             output.say_speeds(commands::asked_again(vehicle)?);
         }
@@ -200,7 +200,7 @@ impl Line {
         }
         if order.moves_the_vehicle() {
             self.supersede_movements(&order.verb().name.into(), moment.now, moment.output);
-            // Its old target is void; the next message has the new one.
+            // The old target is void; the next message contains the new one.
             moment.vehicle.target = None;
         }
         match progress {
@@ -261,7 +261,7 @@ impl Line {
         })
     }
 
-    /// Answers to repeated speeds are not those that an order waits for.
+    /// Notes the answers expected to repeated speeds, which are not those that an order waits for.
     fn note_speeds(&mut self, now: Duration, output: &mut Output) {
         let count = std::mem::take(&mut output.speed_acks);
         self.owed.add(commands::CHANGE_SPEED, count, now);
@@ -271,20 +271,20 @@ impl Line {
         self.active.is_none()
     }
 
-    /// Whether something must be repeated or is awaited.
+    /// Whether something is awaited or must be repeated.
     pub fn is_busy(&self) -> bool {
         // Effects show in arriving messages, and their deadline is seconds away.
         let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
         self.active.is_some() || !self.queue.is_empty() || self.watched.iter().any(is_kept_up)
     }
 
-    /// The next order, with the vehicle's own name for its parameter. `None` without one, or while that name is
-    /// unknown.
+    /// The next order, with the vehicle's own name for its parameter. `None` if there is no order, or while that name
+    /// is unknown.
     fn next(&mut self, moment: &mut Moment) -> Option<(VehicleCommand, Duration)> {
         loop {
             let (order, given) = self.queue.front_mut()?;
             let (state, reason) = if naming::settle(order, moment.parameters) {
-                // A name found only now has not been checked.
+                // A name that was found only now has not been checked.
                 let is_new = order.renamed.is_some();
                 match fit::check(&order.command, moment.parameters) {
                     Err(reason) if is_new => (RowState::Refused, reason),
@@ -301,7 +301,7 @@ impl Line {
                         return None;
                     }
                     Searching::Wait => return None,
-                    // Its transaction ends it at once, with a report.
+                    // Its transaction ends the order at once, with a report.
                     Searching::TooLate => return self.queue.pop_front(),
                     Searching::Over => {
                         naming::not_found(&order.command, moment.parameters, moment.vehicle)

@@ -1,7 +1,7 @@
 //! The `DataFlash` logs of a vehicle: their list, and copying them into files.
 //!
-//! They have orders of their own, one at a time, beside the line of commands: a download takes minutes, and must not hold
-//! up a command. `ArduPilot` sends no logs while it is armed.
+//! These orders are separate from the line of commands, one at a time: a download takes minutes, and must not hold up a
+//! command. `ArduPilot` sends no logs while it is armed.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ use listing::Listing;
 use reading::Reading;
 use words::{WholeLog, kept, list};
 
-/// Orders that may wait for one vehicle.
+/// The maximum number of orders that wait for one vehicle.
 const MOST_WAITING: usize = 8;
 
 /// The orders about the logs of one vehicle.
@@ -40,7 +40,7 @@ pub(super) struct LogReader {
     keeper: Option<Arc<dyn LogKeeper>>,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
-    /// The order that ends the others.
+    /// The order to end the others.
     stop: Option<VehicleCommand>,
 }
 
@@ -50,21 +50,21 @@ struct Job {
     order: VehicleCommand,
     command: LogCommand,
     phase: Phase,
-    /// What was reported last.
+    /// The progress last reported, in percent.
     percent: Option<u8>,
-    /// The logs that are whole by now.
+    /// The logs that are complete.
     whole: Vec<WholeLog>,
 }
 
 #[derive(Debug, Clone)]
 enum Phase {
     Listing(Listing),
-    /// The list is there; a vehicle that hands out files is asked for those of its logs.
+    /// The list has been read; a vehicle that offers files is asked for those of its logs.
     Searching(Box<FileSearch>),
     Reading(Box<Reading>),
 }
 
-/// What an order is carried out with.
+/// The inputs and outputs of an order.
 struct Desk<'a> {
     keeper: &'a dyn LogKeeper,
     vehicle: &'a Vehicle,
@@ -77,12 +77,12 @@ struct Desk<'a> {
 type Ending = (RowState, Text);
 
 impl LogReader {
-    /// Where logs are kept from now on.
+    /// Sets where logs are stored from now on.
     pub fn keep_in(&mut self, keeper: Arc<dyn LogKeeper>) {
         self.keeper = Some(keeper);
     }
 
-    /// Whether something is awaited.
+    /// Whether an answer is awaited.
     pub fn is_busy(&self) -> bool {
         self.job.is_some()
     }
@@ -116,7 +116,7 @@ impl LogReader {
         }
     }
 
-    /// Gives up everything: the vehicle has rebooted. What was read of a log stays.
+    /// Ends all orders, because the vehicle has rebooted. The parts of a log that were read are kept.
     pub fn clear(&mut self, newer: &Text, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let reason = text!("outcome-superseded", by = newer);
         for order in self.waiting.drain(..) {
@@ -124,7 +124,7 @@ impl LogReader {
         }
         if let Some(mut job) = self.job.take() {
             if let (Phase::Reading(reading), Some(keeper)) = (&mut job.phase, &self.keeper) {
-                // Nothing more can be done where it cannot be written.
+                // If this cannot be written, nothing more can be done.
                 drop(reading.write(keeper.as_ref(), now));
             }
             job.report(RowState::Superseded, Some(reason), vehicle, now, output);
@@ -171,7 +171,7 @@ impl LogReader {
         }
     }
 
-    /// Takes in what came of a task for the client for files.
+    /// Handles an event of the client for files.
     pub fn hear_file(
         &mut self,
         ticket: FtpTicket,
@@ -188,7 +188,7 @@ impl LogReader {
         }
     }
 
-    /// Lets time pass: requests, files, the end.
+    /// Advances time: sends requests, writes files, ends orders.
     pub fn poll(
         &mut self,
         vehicle: &Vehicle,
@@ -272,7 +272,7 @@ impl Job {
         }
     }
 
-    /// Does what is due; the end as an error.
+    /// Does what is due. The end of the order is returned as an error.
     fn advance(&mut self, desk: &mut Desk<'_>) -> Result<(), Ending> {
         match &mut self.phase {
             Phase::Listing(listing) => match listing.complete() {
@@ -302,7 +302,7 @@ impl Job {
         }
     }
 
-    /// Asks for the list of logs, until it is there.
+    /// Requests the list of logs until it is complete.
     fn list(
         &mut self,
         vehicle: &Vehicle,
@@ -338,7 +338,7 @@ impl Job {
         Ok(())
     }
 
-    /// Begins with the logs that are wanted.
+    /// Begins to read the requested logs.
     fn choose(
         &mut self,
         logs: Vec<ListedLog>,
@@ -378,7 +378,7 @@ impl Job {
     }
 }
 
-/// Nothing can be kept.
+/// The end of an order whose logs cannot be stored.
 fn failed(reason: Text) -> Ending {
     (RowState::Refused, reason)
 }

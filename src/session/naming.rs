@@ -1,4 +1,4 @@
-//! The vehicle's name of a parameter: versions of the firmware differ, mostly for simulated faults (`SIM_*`).
+//! The vehicle's name for a parameter: versions of the firmware differ, mostly for simulated faults (`SIM_*`).
 
 use std::time::Duration;
 
@@ -85,7 +85,7 @@ pub(super) enum Searching {
 }
 
 impl Search {
-    /// Advances time while an order waits, until `deadline`.
+    /// Advances time while an order waits, up to `deadline`.
     pub fn poll(
         &mut self,
         order: &VehicleCommand,
@@ -121,7 +121,7 @@ impl Search {
     }
 }
 
-/// The name in a command, and the other firmware's.
+/// The name in a command, and the other firmware's name for it.
 fn names(command: &Command) -> (&str, &str) {
     match command {
         Command::Parameter(ParameterCommand::Get { name } | ParameterCommand::Set { name, .. }) => {

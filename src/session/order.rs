@@ -13,9 +13,9 @@ use crate::verb::Verb;
 /// A command to one vehicle, as part of an order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehicleCommand {
-    /// The ledger's entry that is kept informed.
+    /// The ledger's entry that receives the reports.
     pub entry: EntryId,
-    /// The verb it was given with: retries, precedence.
+    /// The verb of the order, which sets retries and precedence.
     pub verb: &'static Verb,
     pub command: Command,
     /// The parameter's name as typed, where the vehicle has another one.

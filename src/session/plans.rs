@@ -1,10 +1,10 @@
-//! Reads the plan, the fence and the rally points of a vehicle: once when it is ready, and again after changes.
+//! Reads the plan, the fence and the rally points of a vehicle: once it is ready, and again after changes.
 //!
-//! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or id,
-//! when the vehicle has accepted another program's upload, or, as `ArduPilot` gives no ids, when it says so in a text or
-//! by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over another link shows in none of
-//! these, so a list without an id is read again periodically. A list that the vehicle does not offer is not requested;
-//! a failed one is requested again at growing intervals, and then given up.
+//! Only one list is read at a time, and only one question is open. A list has changed when `MISSION_CURRENT` gives
+//! another count or id, or when the vehicle has accepted another program's upload. `ArduPilot` gives no ids, but
+//! reports changes in texts and by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over
+//! another link shows in none of these, so a list without an id is read again periodically. A list that the vehicle
+//! does not offer is not requested; a failed one is requested again at growing intervals, and then abandoned.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -24,18 +24,18 @@ mod wire;
 use download::{Download, Step};
 use wire::Answer;
 
-/// How long a new vehicle is not queried: `ArduPilot` stalls while it boots.
+/// How long to wait before the first query to a new vehicle: `ArduPilot` stalls while it boots.
 const AFTER_FIRST_HEARD: Duration = Duration::from_secs(3);
 /// The delay between groups of a swarm's vehicles, by system id, and the number of groups.
 const STAGGER: Duration = Duration::from_millis(100);
 const STAGGER_GROUPS: u32 = 16;
-/// A vehicle without reported capabilities by then is asked for its plan anyway, which all have.
+/// A vehicle that has not reported its capabilities by then is asked for its plan anyway, since every vehicle has one.
 const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
-/// How long after its last sign an upload counts as under way.
+/// How long an upload counts as under way after its last sign.
 const SETTLED_AFTER: Duration = Duration::from_millis(1500);
-/// The least time between two readings of the same list.
+/// The minimum time between two readings of the same list.
 const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
-/// The interval for reading a list without an id again, and the extra time per item: on average less than one small
+/// How often a list without an id is read again, and the extra time per item: on average less than one small
 /// message a second.
 const AGAIN_AFTER: Duration = Duration::from_secs(120);
 const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
@@ -51,12 +51,12 @@ const MISSION_INT: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_
 const MISSION_FENCE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE.bits();
 const MISSION_RALLY: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY.bits();
 
-/// `ArduPilot`'s texts after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
+/// The texts that `ArduPilot` sends after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
 const UPLOAD_TEXTS: [(&[u8], PlanKind); 2] = [
     (b"Flight plan received", PlanKind::Plan),
     (b"Fence Indexed OK", PlanKind::Fence),
 ];
-/// `ArduPilot`'s counts of what was uploaded, sent unasked when they change.
+/// The parameters with `ArduPilot`'s counts of uploaded items, which it sends on its own when they change.
 const UPLOAD_PARAMETERS: [(&[u8], PlanKind); 2] = [
     (b"FENCE_TOTAL", PlanKind::Fence),
     (b"RALLY_TOTAL", PlanKind::Rally),
@@ -79,7 +79,7 @@ pub(super) struct PlanReader {
     /// Lists that the vehicle has refused: they are not requested again.
     refused: [bool; 3],
     download: Option<Download>,
-    /// Count and ids of `MISSION_CURRENT`.
+    /// The count and the ids in `MISSION_CURRENT`.
     announced: Option<[u32; 4]>,
 }
 
@@ -94,7 +94,7 @@ impl PlanReader {
         self.download.is_some()
     }
 
-    /// Takes a frame of the autopilot.
+    /// Handles a frame of the autopilot.
     pub fn receive(
         &mut self,
         vehicle: &mut Vehicle,
@@ -111,7 +111,7 @@ impl PlanReader {
         }
     }
 
-    /// Starts due downloads, and repeats requests.
+    /// Starts downloads that are due, and repeats requests.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, out: &mut Vec<MavMessage>) {
         let heard_at = *self.heard_at.get_or_insert(now);
         let lead = STAGGER * (u32::from(vehicle.system) % STAGGER_GROUPS);
@@ -215,7 +215,7 @@ impl PlanReader {
                 self.read_at[list] = Some(now);
                 self.failures[list] = 0;
                 if !self.has_id(kind) {
-                    // Lengths fit: no list has more than some thousand items.
+                    // The length fits: no list has more than some thousand items.
                     let length = items.len() as u32;
                     self.due[list] = Some(now + AGAIN_AFTER + AGAIN_PER_ITEM * length);
                 }
@@ -230,7 +230,7 @@ impl PlanReader {
             Step::Failed => {
                 let wait = AFTER_FAILURE.get(self.failures[list]);
                 self.failures[list] += 1;
-                // A sign of a change may have come meanwhile, and takes precedence.
+                // A sign of a change may have arrived in the meantime, and takes precedence.
                 self.due[list] = self.due[list].or(wait.map(|wait| now + *wait));
                 Transfer::Failed
             }

@@ -5,7 +5,7 @@ use crate::commands::{Command, FlightCommand};
 use crate::vehicle::Vehicle;
 use crate::verb::Precedence;
 
-/// Whether everything else must give way: the operator wants the vehicle to stop, land or return now.
+/// Whether the order takes precedence over everything: the operator wants the vehicle to stop, land or return now.
 pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
     match order.verb.precedence {
         Precedence::InTurn | Precedence::Awaited => false,
@@ -21,8 +21,8 @@ pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
     }
 }
 
-/// Whether later commands wait for its effect: a takeoff checked before the heartbeat says "armed" would be refused,
-/// although the vehicle is about to arm.
+/// Whether later commands wait for its effect. For example, a takeoff checked before the heartbeat shows the vehicle as
+/// armed would be refused, although the vehicle is about to arm.
 pub(super) fn later_ones_depend_on_it(order: &VehicleCommand) -> bool {
     match order.verb.precedence {
         Precedence::Awaited | Precedence::ByMode => true,

@@ -1,4 +1,4 @@
-//! Parameters that a mission keeps at a value without an order: weather and faults of a simulator.
+//! Parameters that a mission sets and maintains without an order: weather and faults of a simulator.
 //!
 //! They bypass the simulated radio and the orders. Each is sent under the vehicle's own name until the vehicle
 //! confirms the value, and again after a reboot.
@@ -18,10 +18,10 @@ use crate::wire::{Content, Frame, Outgoing};
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 /// The longest time-out; it grows while the vehicle does not answer.
 const LONGEST_PATIENCE: Duration = Duration::from_secs(5);
-/// The most settings under way; a link of 57600 baud has room for them.
+/// The maximum number of settings under way; a link of 57600 baud has room for them.
 const MOST_AT_ONCE: usize = 8;
 
-/// A change to a simulator or a link without a notice. It holds until it is replaced by another of its kind.
+/// A change to a simulator or a link, made without a notice. It lasts until another of its kind replaces it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Want {
     /// Sets a parameter of the simulator.

@@ -1,7 +1,8 @@
 //! Requests the telemetry for display, without competing with other ground stations for the rates.
 //!
-//! What arrives is counted. A message that comes often enough is left alone, even if another station requested it; one that comes too
-//! seldom is requested, a few times at most: if another ground station keeps changing it back, that one wins.
+//! The reader counts the messages that arrive. A message that arrives often enough is left alone, even if another
+//! station requested it. One that arrives too seldom is requested, a few times at most: if another ground station keeps
+//! changing the rate back, that station wins.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -19,7 +20,7 @@ use crate::commands::{Answer, Command, QueryCommand};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// A message with its wanted rate.
+/// A message and the rate at which it is needed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stream {
     pub message: u32,
@@ -56,11 +57,11 @@ const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
 /// The time over which rates are measured.
 const WINDOW: Duration = Duration::from_secs(4);
-/// The first measurement is shorter, so that a new vehicle shows its telemetry soon.
+/// The time of the first measurement, shorter so that a new vehicle's telemetry appears soon.
 const FIRST_LOOK: Duration = Duration::from_millis(150);
-/// How often a message is requested before it is given up.
+/// How many times a message is requested.
 const TRIES: u32 = 3;
-/// An unknown home is requested at growing intervals, at most this many windows: it is set when the position is found,
+/// An unknown home is requested at growing intervals, up to this many windows. It is set when the position is found,
 /// which may take long.
 const HOME_EVERY: u32 = 16;
 /// The share of the wanted rate that is sufficient.
@@ -97,7 +98,7 @@ impl Streams {
         *self.arrived.entry(message).or_default() += 1;
     }
 
-    /// Due requests, each with the `MAV_CMD` that will be acknowledged for it.
+    /// The requests that are due, each with the `MAV_CMD` of its acknowledgement.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<(Outgoing, u16)> {
         if now < self.next_look {
             return Vec::new();

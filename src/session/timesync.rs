@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::{MavMessage, TIMESYNC_DATA};
 
 use crate::wire::{MavAddress, Outgoing, SystemId};
 
-/// The interval of measurements.
+/// The time between measurements.
 const EVERY: Duration = Duration::from_secs(5);
 
 /// Measures the round trip to a vehicle.

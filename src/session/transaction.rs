@@ -14,9 +14,9 @@ use crate::verb::Verb;
 mod answer;
 mod effect;
 
-/// How long later commands wait for the effect of one that they depend on.
+/// How long later commands wait for the effect of a command that they depend on.
 const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
-/// What a transaction needs next.
+/// The state of a transaction for its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Progress {
     /// The line stays occupied.
@@ -34,7 +34,7 @@ enum Phase {
         deadline: Duration,
         /// The vehicle works on it, so it is not sent again.
         in_progress: bool,
-        /// It was temporarily rejected: worth another attempt.
+        /// The vehicle rejected it temporarily, so it is worth another attempt.
         rejected: bool,
     },
     /// Refused; the reason may still come.
@@ -45,7 +45,7 @@ enum Phase {
     /// Accepted, or sent where no answer exists.
     AwaitingEffect {
         since: Duration,
-        /// How often a setpoint, which has no answer, was repeated.
+        /// How many times a setpoint, which has no answer, was repeated.
         repeated: u8,
     },
     Done,
@@ -63,18 +63,18 @@ pub(super) struct Transaction {
     tries: u8,
     first_sent: Duration,
     last_sent: Duration,
-    /// Built once, from the state at the first transmission: a repeated "10 m further" must not add up.
+    /// Built once, from the state at the first transmission: a repeated "10 m further" must not accumulate.
     request: Request,
     effect: Effect,
-    /// The effect was present before the command: only newer telemetry proves it.
+    /// Whether the effect was there before the command, so that only newer telemetry proves it.
     effect_was_there: bool,
-    /// It was accepted, or sent where no acceptance exists.
+    /// Whether it was accepted, or sent where no acceptance exists.
     is_accepted: bool,
     /// The claim that holds while its effect lasts.
     claim: Claim,
-    /// Since when telemetry has shown that.
+    /// Since when telemetry has shown that claim.
     holds_since: Option<Duration>,
-    /// The effect showed while setpoints were being repeated.
+    /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,
     /// The vehicle's texts since the first transmission.
     texts: Vec<Text>,
@@ -173,14 +173,14 @@ impl Transaction {
         self.report(RowState::Superseded, Some(reason.clone()), now, output);
     }
 
-    /// Keeps a status text; it may be the reason for a refusal.
+    /// Stores a status text, which may explain a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
         if notice.severity <= Severity::Warning {
             self.texts.push(notice.text.clone());
         }
     }
 
-    /// Ends it if another source has taken over the vehicle, and none of our orders is changing it.
+    /// Ends it if another source has taken over the vehicle, unless one of our own orders is causing the change.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {

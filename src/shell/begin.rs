@@ -20,7 +20,7 @@ use crate::store;
 use crate::text;
 use crate::text::Text;
 
-/// How long the program waits at its end for its vehicles' processes.
+/// How long the program waits for its vehicles' processes when it ends.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 
 impl Console {
@@ -56,7 +56,7 @@ impl Console {
         Ok(())
     }
 
-    /// What decides how a mission would count if flown now.
+    /// The terms under which a mission would count if flown now.
     fn terms<'a>(
         &'a self,
         mission: &'a Mission,
@@ -96,7 +96,7 @@ impl Console {
         self.start(plan).await
     }
 
-    /// Starts the present session again: with a new seed, unless the user has chosen one or wants the same. A
+    /// Starts the current session again: with a new seed, unless the user has chosen one or wants the same. A
     /// prediction and a goal from before launch are kept.
     pub(super) async fn start_again(&mut self, alike: bool) -> Result<(), Text> {
         let Some(plan) = self.running.as_ref().map(RunningSession::plan) else {
@@ -123,12 +123,12 @@ impl Console {
     pub(super) fn end_session(&mut self) {
         self.go_on();
         self.replaying = None;
-        // It was meant for the flight that ends.
+        // The ghost was meant for the flight that ends.
         self.ghost = None;
         self.end_flight();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
-            // Another console may have stored flights meanwhile.
+            // Another console may have stored flights in the meantime.
             self.show_career();
         }
     }

@@ -138,7 +138,7 @@ impl Console {
         }
     }
 
-    /// Passes the present career to the state.
+    /// Passes the current career to the state.
     pub(super) fn show_career(&mut self) {
         let Some(careers) = &mut self.careers else {
             return;

@@ -11,8 +11,8 @@ use super::{Console, ConsoleOptions, key};
 use crate::app::event::TerminalEvent;
 use crate::terminal::Screen;
 
-/// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
-/// goes through the command line, and `look` sees the bytes drawn so far after every tick.
+/// Runs the console without a terminal and without a user, for measurements. At each of the given times, a line is
+/// entered on the command line. After every tick, `look` gets the bytes drawn so far.
 ///
 /// # Errors
 /// Drawing failed.

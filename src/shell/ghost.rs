@@ -42,7 +42,7 @@ impl Console {
     /// Starts to fetch another flight of the mission; [`take_ghost`](Self::take_ghost) shows it.
     ///
     /// # Errors
-    /// No such flight exists; as text.
+    /// A text if no such flight exists.
     pub(super) fn fetch_ghost(&mut self, source: GhostSource) -> Result<(), Text> {
         let shown = self
             .shown_mission()
@@ -125,7 +125,7 @@ impl Console {
     }
 }
 
-/// The bookmarks of a flight as they stand now.
+/// The current bookmarks of a flight.
 fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> {
     journal.map_or_else(Vec::new, |journal| {
         let recorded: Vec<Moment> = journal.bookmarks().collect();
@@ -133,7 +133,7 @@ fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> 
     })
 }
 
-/// The bookmarks of the record that a run belongs to; none where it has no journal that can be read.
+/// The bookmarks of the record that a run belongs to; none if it has no readable journal.
 fn bookmarks_beside(run: &Path) -> Vec<FlightBookmark> {
     let files = RecordFiles::beside(run);
     let read = |path: &Path| std::fs::read_to_string(path).ok();

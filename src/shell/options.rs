@@ -13,7 +13,7 @@ use crate::store::{History, Records, Runs};
 use crate::text::Text;
 use crate::ui::{Look, Themes};
 
-/// What the console starts with.
+/// The first activity of the console.
 #[derive(Debug, Clone)]
 pub enum Opening {
     Home,
@@ -28,7 +28,7 @@ pub enum Opening {
 /// The options of the console.
 #[derive(Debug, Clone)]
 pub struct ConsoleOptions {
-    /// What it starts with.
+    /// The first activity.
     pub opening: Opening,
     pub backend: VehicleBackend,
     /// ArduPilot's SITL, if it is available for a choice on the home screen.
@@ -41,14 +41,14 @@ pub struct ConsoleOptions {
     pub speedup: f64,
     /// The source of the commands: a person, or a pipe.
     pub flown_by: FlownBy,
-    /// What it looks like.
+    /// The look of the screen.
     pub look: Look,
     pub preferences: Preferences,
 }
 
 #[cfg(test)]
 impl ConsoleOptions {
-    /// One simulated vehicle, the same every time, flown by hand.
+    /// Options for one simulated vehicle with a fixed seed, flown by hand.
     pub fn for_test(opening: Opening) -> Self {
         Self {
             flown_by: FlownBy::Hand,
@@ -68,7 +68,7 @@ impl ConsoleOptions {
 #[derive(Debug, Clone, Default)]
 pub struct Preferences {
     pub config: Config,
-    /// Whether the command line sets the language: then no profile changes it.
+    /// Whether the command line sets the language: then a profile does not change it.
     pub is_lang_given: bool,
     pub keymap: Keymap,
     pub themes: Themes,

@@ -47,7 +47,7 @@ impl Console {
     }
 }
 
-/// The explanation of a row whose order could not be sent.
+/// The explanation for a row whose order could not be sent.
 pub(super) fn not_sent(error: Unreachable) -> Text {
     text!("outcome-not-sent", reason = Text::from(error))
 }

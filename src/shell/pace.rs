@@ -7,7 +7,7 @@ use tokio::time::{Interval, MissedTickBehavior};
 /// The simulated time between two ticks, in which telemetry is collected and missions are stepped: a mission gets the
 /// same detail at any speed-up.
 pub(super) const TICK: Duration = Duration::from_millis(100);
-/// The least time between two ticks, at any speed-up.
+/// The minimum time between two ticks, at any speed-up.
 const LEAST_TICK: Duration = Duration::from_millis(5);
 
 /// The ticks of a console.

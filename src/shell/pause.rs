@@ -34,7 +34,7 @@ impl Console {
         };
         running.hold(false);
         running.rest(now);
-        // Reading the brief is no pause.
+        // Reading the brief is not a pause.
         if !was_read && let Some(notice) = running.note_pause(lasted, now) {
             self.post(notice);
         }
@@ -57,8 +57,8 @@ impl Console {
         running.map_or(self.options.speedup, RunningSession::speedup)
     }
 
-    /// On the first reading of a brief, stops a mission in the embedded simulator once its vehicles are there, and
-    /// resumes it when the brief is left.
+    /// On the first reading of a brief, stops a mission in the embedded simulator once its vehicles are there. Resumes
+    /// it when the brief is left.
     pub(super) fn wait_for_reader(&mut self) {
         let session = self.app.state().session();
         let is_reading = session.is_reading();
@@ -76,7 +76,7 @@ impl Console {
         }
     }
 
-    /// Triggers an inject, and shows its title or the reason against it.
+    /// Triggers an inject, and shows its title, or why it cannot be triggered.
     pub(super) fn inject(&mut self, name: &str) {
         let Some(outcome) = self.running.as_mut().and_then(|it| it.inject(name)) else {
             return;
@@ -155,7 +155,7 @@ mod tests {
         assert!(!session.is_reading() && !session.is_paused());
         let late = Duration::from_secs(5).saturating_sub(elapsed(&console));
         assert!(late < Duration::from_secs(1), "{late:?}");
-        // A pause shows a message when it ends; reading does not.
+        // A pause shows a message when it ends, but reading the brief does not.
         assert_eq!(console.app.state().message(), None);
     }
 

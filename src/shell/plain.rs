@@ -1,11 +1,12 @@
 //! The console without a screen: lines in, lines out, for screen readers and for pipes.
 //!
-//! It is the same console: the same [`App`](crate::app::App) and session. What a screen would show is printed as
-//! lines, each once: notices, outcomes of commands, the state of objectives, the debrief. The output is plain text.
+//! It is the same console, with the same [`App`](crate::app::App) and session. The things that a screen would show are
+//! printed as lines, each once: notices, outcomes of commands, the state of objectives, the debrief. The output is
+//! plain text.
 //!
-//! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles are ready, each next
-//! one until the earlier commands have ended, and `wait` can delay it further. The end of the pipe ends the flight;
-//! outside of missions a failed line makes the whole flight fail.
+//! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles are ready. Each
+//! further line waits until the earlier commands have ended, and `wait` can delay it further. The end of the pipe ends
+//! the flight. Outside of missions, a failed line makes the whole flight fail.
 
 use std::time::Duration;
 
@@ -32,9 +33,9 @@ use input::PlainLine;
 use output::PlainOutput;
 use report::PlainReport;
 
-/// The interval of news: reports of several vehicles are merged into one line.
+/// The time between news, so that reports of several vehicles are merged into one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
-/// How long the end of the input waits for a mission to end by itself.
+/// How long the console waits after the end of the input for a mission to end on its own.
 const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 
 /// Runs the plain console until its user quits or its input ends. Returns whether the mission was passed, or without a
@@ -106,17 +107,17 @@ struct Plain {
     console: Console,
     report: PlainReport,
     output: PlainOutput,
-    /// The wait that delays the next line.
+    /// The script that delays the next line with its waits.
     pilot: Option<Pilot>,
-    /// What the first line waits for.
+    /// The condition that the first line waits for.
     beginning: Beginning,
     is_person: bool,
     /// Whether the input has ended.
     ended: bool,
     said_at: Duration,
-    /// The limit for vehicles that do not start.
+    /// The time limit for vehicles that do not start.
     start: Patience,
-    /// The limit for a mission that is about to pass.
+    /// The time limit for a mission that is about to pass.
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
@@ -256,7 +257,7 @@ impl Plain {
         }
     }
 
-    /// Prints what a screen would show after a line.
+    /// Prints the result of a line, as a screen would show it.
     async fn tell_outcome(&mut self) {
         let state = self.console.app.state();
         let mut texts = Vec::new();
@@ -293,7 +294,7 @@ impl Plain {
     /// Carries out reports and waits; true if the line was one.
     fn carry_out_here(&mut self, line: &str) -> bool {
         let state = self.console.app.state();
-        // Faults are reported where all lines are given.
+        // Faults are reported where all lines are handled.
         let Ok(statement) = state.with_context(|context| language::parse(line, context)) else {
             return false;
         };
@@ -352,7 +353,7 @@ impl Plain {
         }
     }
 
-    /// Ends what is left at the end of the input: a mission gets its debrief.
+    /// Ends the session at the end of the input: a mission gets its debrief.
     async fn abandon(&mut self) {
         if self.console.app.state().session().mission().is_some() {
             self.console.abandon();
@@ -362,7 +363,7 @@ impl Plain {
         }
     }
 
-    /// Ends the flight: in a pipe, no user can restart the vehicles.
+    /// Ends the flight: with input from a pipe, no user can restart the vehicles.
     fn give_up(&mut self) {
         self.tell_news();
         self.say(&text!("hangar-plain-given-up"));

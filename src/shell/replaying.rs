@@ -14,12 +14,12 @@ use crate::store::user_path;
 use crate::text;
 use crate::text::Text;
 
-/// The interval of counting messages.
+/// The time between counts of the messages.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of the present session, or starts with its review: the one at a path, otherwise
-    /// the present session's, otherwise the trainee's newest.
+    /// Replays a recording in place of the current session, or starts with its review: the one at a path, otherwise
+    /// the current session's, otherwise the trainee's newest.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
             let path = user_path(path);
@@ -137,7 +137,7 @@ mod tests {
         console.feed(TerminalEvent::Line(line.to_owned())).await;
     }
 
-    /// The mission's state as the console shows it.
+    /// The mission's state as the console shows it: its time, and its lines of text.
     fn told(state: &State) -> (Option<Duration>, Vec<String>, Vec<String>) {
         let session = state.session();
         let entries = session.ledger().entries();

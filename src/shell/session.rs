@@ -38,7 +38,7 @@ use mission_run::MissionRun;
 use recorder::FlightRecorder;
 pub(super) use start::{SessionBackend, SessionPlan};
 
-/// The most fleet events per tick, so that a flood of notices cannot block the screen.
+/// The maximum number of fleet events per tick, so that a flood of notices cannot block the screen.
 const EVENTS_PER_TICK: usize = 2000;
 
 /// A running session. Dropping it ends its tasks.
@@ -82,7 +82,7 @@ impl RunningSession {
         })
     }
 
-    /// Downloads all parameters of vehicles. Those that cannot be asked now are asked at a later tick.
+    /// Downloads all parameters of vehicles. Vehicles that cannot be asked now are asked at a later tick.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             if self.fleet.fetch_parameters(vehicle).is_err() {
@@ -91,7 +91,7 @@ impl RunningSession {
         }
     }
 
-    /// Forgets vehicles: one that is heard again is new.
+    /// Forgets vehicles: one that is heard again counts as new.
     pub fn forget(&mut self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             // The hub may still route such a vehicle: it must appear when it is heard again.

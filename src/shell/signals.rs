@@ -19,7 +19,7 @@ pub enum Happened {
     Continued,
 }
 
-/// The signals that end the program. By default each would end it with the terminal in raw mode.
+/// The signals that end the program. By default, each would end it and leave the terminal in raw mode.
 const ENDS: &[Number] = &[
     Number::SIGTERM,
     Number::SIGHUP,
@@ -34,7 +34,7 @@ const ENDS: &[Number] = &[
     Number::SIGXFSZ,
 ];
 
-/// Signals; in raw mode Ctrl-C, Ctrl-\ and Ctrl-Z are keys, so that all signals come from other programs.
+/// The signals. In raw mode Ctrl-C, Ctrl-\ and Ctrl-Z are keys, so all signals come from other programs.
 pub struct Signals {
     ends: Vec<Signal>,
     resized: Signal,

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::{StoreError, sharing};
 
-/// A file for its owner and the readers of its folder. It is locked while open, which shows other consoles that it is
-/// still being written.
+/// A file for its owner and the readers of its folder. It is locked while it is open, which shows other consoles that
+/// it is still being written.
 #[derive(Debug)]
 pub(super) struct AppendFile {
     file: File,
@@ -16,14 +16,14 @@ pub(super) struct AppendFile {
 }
 
 impl AppendFile {
-    /// Creates a file; `None` if there is one of that name.
+    /// Creates a file; `None` if one of that name exists.
     pub fn create(path: PathBuf) -> Result<Option<Self>, StoreError> {
         let mut options = OpenOptions::new();
         match sharing::open(options.create_new(true).append(true), &path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Ok(None),
             Err(error) => Err(StoreError::Unwritable { path, error }),
             Ok(file) => {
-                // Without file locks, an abandoned file cannot be told from one being written.
+                // Without file locks, an abandoned file cannot be distinguished from one being written.
                 drop(file.try_lock());
                 Ok(Some(Self { file, path, len: 0 }))
             }
@@ -39,7 +39,7 @@ impl AppendFile {
             self.len += bytes.len() as u64;
             return Ok(());
         };
-        // An unavailable disk cannot be tidied up either.
+        // On an unavailable disk, this may fail too.
         drop(if self.len == 0 {
             fs::remove_file(&self.path)
         } else {
@@ -53,7 +53,7 @@ impl AppendFile {
         &self.path
     }
 
-    /// Refuses further bytes, as on a full disk.
+    /// Makes the file refuse further bytes, as on a full disk.
     #[cfg(test)]
     pub fn make_read_only(&mut self) {
         self.file = File::open(&self.path).expect("it is there");

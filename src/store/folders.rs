@@ -1,4 +1,4 @@
-//! Where the program keeps its files: the folders of the XDG Base Directory Specification.
+//! The folders of the program's files: those of the XDG Base Directory Specification.
 
 use std::path::PathBuf;
 use std::{env, iter};
@@ -12,9 +12,9 @@ const CONFIG_FILE: &str = "config.toml";
 /// The program's folders. None of them needs to exist.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Folders {
-    /// What the user writes: configuration, keymap, themes, missions.
+    /// Files that the user writes: configuration, keymap, themes, missions.
     pub config: PathBuf,
-    /// What the program makes and the user keeps.
+    /// Files that the program writes and the user keeps.
     pub data: PathBuf,
     /// Expendable files: the history of the command line, logs.
     pub state: PathBuf,
@@ -42,8 +42,8 @@ impl Folders {
         })
     }
 
-    /// The folders that hold missions, designs or themes. Of files with the same name the last folder's counts; the
-    /// user's folder is the last.
+    /// The folders that hold missions, designs or themes. If several have a file of the same name, that of the last
+    /// folder counts; the user's folder is the last.
     pub fn layers(&self) -> impl Iterator<Item = &PathBuf> {
         let system = self.system_data.iter().rev();
         let configured = system.chain(self.system_config.iter().rev());
@@ -71,7 +71,7 @@ impl Folders {
     }
 }
 
-/// The program's folders below those of a variable or its default. Relative paths are ignored, as the specification
+/// The program's folders within those of a variable or its default. Relative paths are ignored, as the specification
 /// requires.
 fn system(variable: &str, usual: &str) -> Vec<PathBuf> {
     let set = env::var_os(variable).filter(|value| !value.is_empty());

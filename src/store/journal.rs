@@ -1,9 +1,9 @@
-//! The step from a finished flight to its entry in a career; and recovery of runs that a killed program recorded but
-//! did not store.
+//! The step from a finished flight to its entry in a career, and the recovery of runs that a killed program recorded
+//! but did not store.
 //!
-//! A run's record is written line by line, its end last; only then it is stored in the profile. If the program is
-//! killed in between, the next start recovers it: a finished record of a profile that lacks it is scored again and
-//! stored. So is the record of an abandoned exam: it counts as ended there.
+//! The record of a run is written line by line, its end last; only then is it stored in the profile. If the program is
+//! killed in between, the next start recovers it: a finished record that its profile lacks is scored again and stored.
+//! The record of an abandoned exam is stored too, and counts as ended there.
 //!
 //! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
 //! open to the trainee, and an exam has its seed. Anything else is practice.
@@ -25,10 +25,10 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
 
-/// Seconds of a day.
+/// The number of seconds in a day.
 const DAY_S: u64 = 24 * 60 * 60;
 
-/// Facts about a finished flight from outside of it.
+/// Facts about a finished flight that the flight itself does not know.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Landing {
     /// The unique id of the run: [`RunFile::id`](super::RunFile::id).
@@ -52,7 +52,7 @@ impl RunEntry {
         Self {
             when: utc(landing.when),
             flight: CareerFlight::of(mission, report, stake, day),
-            // The shell's additions belong to the moment of display.
+            // The shell's additions apply only when the report is shown.
             report: Report {
                 drill: None,
                 tries: Vec::new(),
@@ -74,7 +74,7 @@ pub struct Recovery {
     pub score: u16,
     /// Whether it is an abandoned exam.
     pub is_left_exam: bool,
-    /// Why it counts for less than its record says, if it does.
+    /// Why it counts for less than its record claims, if it does.
     pub reduced: Vec<PracticeReason>,
 }
 
@@ -121,9 +121,9 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that belong to a profile but are missing there, and abandoned exams; each
-/// once, even if several consoles start together. If none is missing, it reads only file names, and the first and last
-/// lines of records without a profile.
+/// Stores the finished runs of a folder that belong to a profile but are missing there, and abandoned exams, each once
+/// even if several consoles start together. If none is missing, it reads only file names, and the first and last lines
+/// of records without a profile.
 ///
 /// # Errors
 /// The database cannot be read or written; entries stored before that stay.
@@ -162,8 +162,8 @@ struct LeftRun<'a> {
 }
 
 impl<'a> LeftRun<'a> {
-    /// Reads a record; `None` if it belongs to none of these profiles, or is not over. A profile created after the
-    /// record merely has the same name.
+    /// Reads a record; `None` if it belongs to none of these profiles, or is not over. A profile that was created after
+    /// the record merely has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
         let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_written(path);
@@ -180,7 +180,7 @@ impl<'a> LeftRun<'a> {
             stored.end()?;
         }
         let mut report = stored.rescore().ok()?.report;
-        // An exam whose brief was only read has not begun.
+        // An exam has not begun if only its brief was read.
         if is_left_exam && report.sim_time_s <= 0.0 {
             return None;
         }
@@ -202,7 +202,7 @@ impl<'a> LeftRun<'a> {
         })
     }
 
-    /// Why it counts only as practice, although the record says more.
+    /// Why it counts only as practice, although the record claims more.
     fn practice_reasons(&self, standing: &CareerStanding) -> Vec<PracticeReason> {
         if self.head.stake == Stake::Practice {
             return Vec::new();
@@ -218,7 +218,7 @@ impl<'a> LeftRun<'a> {
             }),
             means: AttemptMeans {
                 mission_file: super::mission_file(&self.mission),
-                // Records older than this field counted as they say.
+                // Records from before this field existed count as they claim.
                 flown_by: self.head.flown_by.unwrap_or_default(),
                 has_own_airframes: false,
                 speedup: 1.0,

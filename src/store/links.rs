@@ -1,4 +1,4 @@
-//! Links in paths that the program writes on its own: the user's own are followed, those of others are not.
+//! Links in paths that the program writes without being asked: the user's own are followed, those of others are not.
 //!
 //! In a folder writable by others, a link planted there could redirect a write into any of this user's files.
 
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use nix::fcntl::OFlag;
 
-/// The most links in a chain, as in Linux.
+/// The maximum number of links in a chain, as in Linux.
 const MOST_LINKS: usize = 40;
 /// The superuser, whose links lead to devices such as `/dev/stderr`.
 const ROOT: u32 = 0;
@@ -23,7 +23,7 @@ pub fn open_own(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
         return options.open(path);
     }
     let target = end_of_links(path, nix::unistd::geteuid().as_raw())?;
-    // If a link replaces the target meanwhile, that is an error.
+    // If a link replaces the target in the meantime, that is an error.
     let flags = OFlag::O_NOFOLLOW.bits();
     options.custom_flags(flags).open(target)
 }
@@ -60,7 +60,7 @@ mod tests {
 
     use super::*;
 
-    /// A user id that is neither the superuser's nor the tester's.
+    /// A user id that is neither that of the superuser nor that of the tester.
     const OTHER: u32 = 65_533;
 
     #[test]
@@ -72,7 +72,8 @@ mod tests {
         symlink(&near, &far).expect("linked");
         let owner = fs::symlink_metadata(&near).expect("there").uid();
         assert_eq!(end_of_links(&far, owner).expect("ours"), target);
-        // Only the superuser can change the owner of a link; the rule is the same for a user who never owned it.
+        // Only the superuser can change the owner of a link; otherwise the test checks the rule with the id of another
+        // user.
         let is_given = lchown(&near, Some(OTHER), None).is_ok();
         let stranger = if is_given { owner } else { OTHER };
         let refused = end_of_links(&far, stranger).expect_err("a link of another user");

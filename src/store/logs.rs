@@ -1,9 +1,9 @@
-//! The folder of logs: what vehicles have kept of their flights, copied from them.
+//! The folder of logs, which were copied from vehicles.
 //!
-//! A log that has not come whole lies there as `NAME.bin.part`, and what is missing of it as `NAME.bin.gaps`: its size, and
-//! a line for each gap. The gaps are written after the bytes, so that a program that is killed asks again for a little
-//! that it has, and never takes for read what it lacks. A part goes by vehicle and number; whether it is of the same log
-//! shows when some of it is read again.
+//! An incomplete log is stored as `NAME.bin.part`, with its missing parts in `NAME.bin.gaps`: the size, and a line for
+//! each gap. The gaps are written after the bytes. A program that was killed therefore requests a little again that it
+//! has, but never counts missing bytes as read. A part is found by vehicle and number; some of it is read again to
+//! check that it belongs to the same log.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
@@ -16,15 +16,15 @@ use crate::session::{FileBytes, FtpChecksum, GapMap, KeptLog, LogKeeper, Vehicle
 use crate::text;
 use crate::text::{Text, utc_of};
 
-/// Bytes of a file that are read again to see that it is of the same log.
+/// The number of bytes that are read again to check that a file belongs to the same log.
 const SAMPLE: u32 = 720;
-/// Bytes that are read at one time for a check sum.
+/// The number of bytes that are read at a time for a checksum.
 const BLOCK: usize = 64 * 1024;
-/// Stretches of a file that are compared.
+/// The maximum number of ranges of a file that are compared.
 const MOST_SAMPLES: usize = 16;
-/// As many logs of one name may lie beside each other.
+/// The maximum number of logs with the same name.
 const MOST_ALIKE: usize = 100;
-/// No list of gaps is longer.
+/// The maximum size of a list of gaps, in bytes.
 const LONGEST_GAPS: u64 = 16 * 1024 * 1024;
 
 /// A folder of logs.
@@ -49,7 +49,7 @@ impl LogFolder {
         }
     }
 
-    /// Creates the folder of a log. The mode of one that the user has named is the user's.
+    /// Creates the folder of a log. If the user has named the folder, its mode is the user's choice.
     fn make_folder(&self, log: &VehicleLog) -> Result<(), StoreError> {
         let folder = self.folder_of(log);
         let made = if log.folder.is_some() {
@@ -85,12 +85,12 @@ impl LogFolder {
 struct LogPaths {
     part: PathBuf,
     gaps: PathBuf,
-    /// What the whole file is called, without its ending.
+    /// The path of the complete file, without its ending.
     name: PathBuf,
 }
 
 impl LogPaths {
-    /// The names that the whole file may have, the best first.
+    /// The possible names of the complete file, the best first.
     fn names(&self) -> impl Iterator<Item = PathBuf> + '_ {
         (1..=MOST_ALIKE).map(|number| {
             let mut name = self.name.clone().into_os_string();
@@ -102,7 +102,7 @@ impl LogPaths {
         })
     }
 
-    /// Refuses links, FIFOs and the like, which others may have put there.
+    /// Refuses links, FIFOs and the like, which others may have created.
     fn check(&self) -> Result<(), StoreError> {
         for path in [&self.part, &self.gaps] {
             if fs::symlink_metadata(path).is_ok_and(|found| !found.is_file()) {
@@ -113,7 +113,7 @@ impl LogPaths {
         Ok(())
     }
 
-    /// What is missing of the part, if there is one that can be gone on with.
+    /// The missing ranges of the part, if there is a part that can be continued.
     fn missing(&self, size: u32) -> Option<GapMap> {
         let text = read_regular_text(&self.gaps, LONGEST_GAPS).ok()?;
         let mut lines = text.lines();
@@ -127,7 +127,7 @@ impl LogPaths {
         let known = GapMap::of_gaps(before, gaps?)?;
         let length = fs::metadata(&self.part).ok()?.len();
         let reach = known.missing().last().map_or(0, |gap| gap.end);
-        // The log may have grown since; a shorter one is another.
+        // The log may have grown since; a shorter one is a different log.
         let is_sound = before <= size && (length >= u64::from(before) || reach == before);
         if !is_sound {
             return None;
@@ -212,7 +212,7 @@ impl LogKeeper for LogFolder {
         let mut options = OpenOptions::new();
         let options = options.create(true).truncate(false).write(true);
         let sized = sharing::open(options, &paths.part).and_then(|file| {
-            // What a longer log of that number has left behind the end goes.
+            // Removes bytes beyond the end, which a longer log with that number has left.
             if file.metadata()?.len() > u64::from(log.log.size) {
                 file.set_len(u64::from(log.log.size))?;
             }
@@ -243,8 +243,8 @@ impl LogKeeper for LogFolder {
     }
 }
 
-/// Bytes of what is there: the last before each gap and before the end, where logs of one vehicle differ. Of many gaps,
-/// some.
+/// Some of the stored bytes: the last ones before each gap and before the end, where logs of one vehicle differ. If
+/// there are many gaps, only some are used.
 fn samples(path: &Path, gaps: &GapMap) -> Vec<FileBytes> {
     let ends = gaps.missing().iter().map(|gap| gap.start);
     let starts = iter::once(0).chain(gaps.missing().iter().map(|gap| gap.end));
@@ -253,7 +253,7 @@ fn samples(path: &Path, gaps: &GapMap) -> Vec<FileBytes> {
     let Ok(mut file) = File::open(path) else {
         return Vec::new();
     };
-    // The last one counts most: what differs once mostly differs from then on.
+    // The last one matters most: after the first difference, logs usually differ to the end.
     let every = kept.len().div_ceil(MOST_SAMPLES).max(1);
     let chosen = kept.iter().rev().step_by(every);
     let read = chosen.filter_map(|&(start, end)| {
@@ -329,7 +329,7 @@ mod tests {
         }
         let again = folder.find(&log).expect("it can be kept");
         assert_eq!(again.gaps.missing(), [900..1000, 1500..2000]);
-        // The end of each stretch that is there, the last one first.
+        // The end of each stored range, the last one first.
         assert_eq!(again.samples, [bytes(1000, 500), bytes(180, 720)]);
         let rest = [bytes(900, 100), bytes(1500, 500)];
         for stretch in &rest {

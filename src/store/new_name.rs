@@ -1,4 +1,4 @@
-//! Names for finished files that replace no other file, also on file systems without hard links.
+//! Naming finished files without replacing another file, also on file systems without hard links.
 
 use std::fs::{self, OpenOptions};
 use std::io;
@@ -8,7 +8,7 @@ use std::path::Path;
 pub(super) type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 
 /// Renames a finished draft. Unlike [`fs::rename`], it never replaces a file that has that name, even one that appears
-/// meanwhile. Where hard links exist, the draft keeps its own name too: the caller removes it.
+/// in the meantime. Where hard links exist, the draft also keeps its own name, and the caller removes it.
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] if the name is taken; or the folder cannot be written.
@@ -21,7 +21,7 @@ pub(super) fn give_new_name_by(link: LinkFile, draft: &Path, name: &Path) -> io:
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {}
         linked => return linked,
     }
-    // An empty file of our own takes the name first, so that the rename replaces nothing else.
+    // An empty file of our own reserves the name first, so that the rename replaces nothing else.
     OpenOptions::new().write(true).create_new(true).open(name)?;
     let renamed = fs::rename(draft, name);
     if renamed.is_err() {

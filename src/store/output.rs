@@ -1,4 +1,4 @@
-//! Writing a file completely or not at all, whatever the path names: a file, a link, a device, a FIFO, standard
+//! Writing a file completely or not at all, whatever the path is: a file, a link, a device, a FIFO or standard
 //! output.
 
 use std::ffi::OsStr;
@@ -14,16 +14,16 @@ use crate::config::Readers;
 const STANDARD_OUTPUT: &str = "-";
 /// The mode of files that are not a trainee's results.
 const PUBLIC: u32 = 0o666;
-/// The most links in a chain, as in Linux.
+/// The maximum number of links in a chain, as in Linux.
 const MOST_LINKS: usize = 40;
 
-/// Writes a text file completely or not at all: a reader finds the old one or the new one.
+/// Writes a text file completely or not at all: a reader finds either the old file or the new one.
 ///
-/// A link stays a link, and its target is written. A file that is replaced keeps its mode, and its owner if the system
-/// allows it. Anything that is not a regular file (a device, a FIFO) is written into; a FIFO needs a reader.
+/// A link stays a link; its target is written. A file that is replaced keeps its mode, and its owner if the system
+/// allows it. Anything that is not a regular file (a device, a FIFO) is written to; a FIFO needs a reader.
 ///
 /// # Errors
-/// It cannot be written, or it exists already and is not to be replaced.
+/// It cannot be written, or it exists already and must not be replaced.
 pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
     write_with_mode(path, text, replace, PUBLIC)
 }
@@ -49,7 +49,7 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
     })
 }
 
-/// Writes results of a trainee: `-` is standard output, a file is replaced. `readers` may read a new one.
+/// Writes results of a trainee: `-` is standard output, a file is replaced. `readers` may read a new file.
 ///
 /// # Errors
 /// It cannot be written.
@@ -71,7 +71,7 @@ pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), Sto
         })
 }
 
-/// The metadata of a path, links followed.
+/// The metadata of a path, with links followed.
 fn present(path: &Path) -> io::Result<Option<Metadata>> {
     match fs::metadata(path) {
         Ok(found) => Ok(Some(found)),
@@ -111,14 +111,14 @@ fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
     fs::rename(&part.path, &target)
 }
 
-/// Writes a new file; one that has appeared meanwhile is replaced.
+/// Writes a new file; one that has appeared in the meantime is replaced.
 fn put_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
     let part = Part::write(&target, text, PartMode::New(mode))?;
     fs::rename(&part.path, &target)
 }
 
-/// Writes a new file; one that has appeared meanwhile stays.
+/// Writes a new file; one that has appeared in the meantime stays.
 fn create_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
     let part = Part::write(&target, text, PartMode::New(mode))?;
@@ -161,7 +161,7 @@ impl Part {
         beside.push(name);
         beside.push(format!(".{}.part", std::process::id()));
         let path = target.with_file_name(beside);
-        // A leftover of a killed program; a link planted there must not be followed.
+        // Removes what a killed program left; a link planted there must not be followed.
         drop(fs::remove_file(&path));
         let mut file = new_file(&path, mode)?;
         let part = Self { path };

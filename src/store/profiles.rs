@@ -1,5 +1,5 @@
-//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Readers of its folder can read
-//! it.
+//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Those who can read its folder
+//! can read it.
 //!
 //! A career is an append-only history ([`crate::campaign`]); this file stores it with the full report of each run.
 //! Every change is one transaction with a write-ahead log, so that a killed program loses nothing that it has reported
@@ -38,7 +38,7 @@ pub use transfer::ProfileFile;
 
 /// The file in the program's data folder.
 const FILE: &str = "profiles.sqlite";
-/// How long a console waits for another's write.
+/// How long a console waits while another one writes.
 const PATIENCE: Duration = Duration::from_secs(5);
 /// The greatest length of a profile's name.
 const LONGEST_NAME: usize = 40;
@@ -85,7 +85,7 @@ impl Profiles {
         };
         match sharing::private_folder(data).and_then(|()| private(&path)) {
             Ok(_) => {}
-            // Another user's results, or a read-only folder.
+            // The results belong to another user, or the folder is read-only.
             Err(error) if is_forbidden(&error) && path.is_file() => {
                 return Ok((Self::read_only(path)?, None));
             }
@@ -101,7 +101,7 @@ impl Profiles {
         Ok((profiles, rescue))
     }
 
-    /// Opens a file read-only. In a read-only folder there is no log beside it; then it is read without the locks that
+    /// Opens a file read-only. In a read-only folder without a log beside the file, it is read without the locks that
     /// `SQLite` would have to write.
     fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
         let database = |error| ProfileError::Database {
@@ -142,7 +142,7 @@ impl Profiles {
         self.is_read_only
     }
 
-    /// Restores damaged rows from the copies, as far as possible; `None` without any damage.
+    /// Restores damaged rows from the copies, if possible; `None` if there is no damage.
     ///
     /// # Errors
     /// The database cannot be read or written.
@@ -297,11 +297,11 @@ impl Profiles {
         }
     }
 
-    /// Parses stored JSON. This or an older version wrote it: anything else is damage.
+    /// Parses stored JSON, which this or an older version wrote; anything else is damage.
     fn read<T: serde::de::DeserializeOwned>(&self, json: &str) -> Result<T, ProfileError> {
         serde_json::from_str(json).map_err(|error| ProfileError::Damaged {
             path: self.path.clone(),
-            // The message quotes the content.
+            // The message quotes the content, which may contain control characters.
             fault: sanitised(&error.to_string()),
         })
     }
@@ -325,12 +325,12 @@ fn profile(row: &rusqlite::Row<'_>) -> rusqlite::Result<Profile> {
     })
 }
 
-/// Plain structures are always JSON.
+/// The JSON of a plain structure, which can always be serialised.
 fn json<T: serde::Serialize>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
-/// Creates a private file, or one for its folder's readers, before `SQLite` would create a public one.
+/// Creates a file that is private, or readable for its folder's readers, before `SQLite` would create a public one.
 fn private(path: &Path) -> io::Result<File> {
     let mut file = OpenOptions::new();
     sharing::open(file.create(true).truncate(false).write(true), path)

@@ -1,4 +1,4 @@
-//! Small files that others may have put there: a FIFO, a device or an endless file must not stop the program.
+//! Reading small files that others may have created: a FIFO, a device or an endless file must not stop the program.
 
 use std::fs::{self, File};
 use std::io::{self, Read as _};
@@ -9,7 +9,7 @@ use std::path::Path;
 /// # Errors
 /// It does not exist, is not a regular file, is larger, or cannot be read.
 pub(super) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    // Opening a FIFO waits for its writer: look first.
+    // Opening a FIFO would wait for its writer, so its type is checked first.
     if !fs::metadata(path)?.is_file() {
         return Err(io::Error::other("it is not a regular file"));
     }

@@ -1,8 +1,8 @@
-//! Recorded runs, one file each, readable for the readers of their folder.
+//! Recorded runs, one file each, readable for those who can read their folder.
 //!
-//! A file's name has the time and the mission, so that the attempts at a mission are found without opening the others.
-//! Lines are written completely, even when the disk is full; a crash loses only what was not written yet. Only files
-//! with such names are ever removed, and only in the program's own folder.
+//! A file's name contains the time and the mission, so that the attempts at a mission are found without opening the
+//! others. Only complete lines are written, even when the disk is full; a crash loses only the lines not yet written.
+//! Only files with such names are ever removed, and only in the program's own folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -28,12 +28,12 @@ pub(super) const ENDING: &str = ".run.jsonl";
 pub(super) const INPUTS: &str = ".inputs.jsonl";
 /// The pattern of its prefix, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
-/// The most runs; the oldest are removed first.
+/// The maximum number of runs; the oldest are removed first.
 const RUNS_KEPT: usize = 300;
-/// The most bytes of all runs.
+/// The maximum size of all runs, in bytes.
 const BYTES_KEPT: u64 = 256 * 1024 * 1024;
 const LARGEST_RUN: u64 = 64 * 1024 * 1024;
-/// The most bytes of the head with the mission's text, and of the end.
+/// The maximum size of the head with the mission's text, in bytes; then that of the end.
 const HEAD_LEN: u64 = 2 * 1024 * 1024;
 const TAIL_LEN: u64 = 16 * 1024;
 
@@ -50,7 +50,7 @@ pub struct Runs {
 pub struct RunFile(AppendFile);
 
 impl Runs {
-    /// The runs in the program's folder for data: the newest 300, as long as they take no more than 256 MiB.
+    /// The runs in the program's folder for data: the newest 300, limited to 256 MiB in total.
     pub fn within(data: &Path) -> Self {
         Self {
             folder: data.join("runs"),
@@ -115,7 +115,7 @@ impl Runs {
         tries
     }
 
-    /// The attempts at all missions, by the mission's id, oldest first; as [`tries_at`](Self::tries_at) reads them.
+    /// The attempts at all missions, by the mission's id, oldest first; read as by [`tries_at`](Self::tries_at).
     pub fn all_tries(&self, whose: Option<&str>) -> BTreeMap<String, Vec<TryReport>> {
         self.tries(whose, |_| true)
     }
@@ -127,7 +127,7 @@ impl Runs {
     ) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
         let files = self.files().into_iter().filter(|path| wanted(path));
-        // A flight under way is no attempt yet.
+        // A flight under way is not an attempt yet.
         let outlines = files.filter_map(|path| {
             let (head, end) = outline(&path).ok()?;
             (end.is_some() || !is_written(&path)).then_some((head, end))
@@ -139,8 +139,8 @@ impl Runs {
         tries
     }
 
-    /// The run with the highest score at a revision of a mission, of one profile; `whose` is its name, or `None` for runs
-    /// without a profile. Practice and the run called `except` are left out.
+    /// The run with the highest score at a revision of a mission, of one profile; `whose` is its name, or `None` for
+    /// runs without a profile. Practice and the run called `except` are left out.
     pub fn best(
         &self,
         whose: Option<&str>,

@@ -1,4 +1,4 @@
-//! Readers of a trainee's results: the trainee alone, or a group as well.
+//! The readers of a trainee's results: the trainee alone, or also a group.
 //!
 //! The data folder's mode decides: if its group may read it and its set-group-ID bit is set, its files are readable
 //! for the group, in folders of the same kind.
@@ -15,7 +15,7 @@ const SHARED_FOLDER: u32 = 0o2050;
 /// The mode bit of a file in such a folder.
 const SHARED_FILE: u32 = 0o040;
 
-/// Lets the group of a data folder read all that is in it; creates the folder if needed.
+/// Lets the group of a data folder read everything in it; creates the folder if needed.
 ///
 /// # Errors
 /// The folder cannot be created, or belongs to another user.
@@ -50,7 +50,7 @@ pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
     if !is_shared(above) {
         return private_folder(path);
     }
-    // It inherits the group and its bit, which an owner outside of the group could not set afterwards.
+    // It inherits the group and its bit, which an owner outside the group could not set afterwards.
     DirBuilder::new().recursive(true).mode(0o750).create(path)?;
     allow(path, SHARED_FOLDER)
 }

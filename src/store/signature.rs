@@ -1,5 +1,5 @@
-//! Keys and signatures of files, in the format of [minisign](https://jedisct1.github.io/minisign/), which can check
-//! them too. The signature of a file is beside it, with `.minisig` added to its name.
+//! Keys and signatures of files, in the format of [minisign](https://jedisct1.github.io/minisign/), which can also
+//! check them. The signature of a file is next to it, with `.minisig` added to its name.
 
 use std::fmt;
 use std::fs::{self, DirBuilder, OpenOptions};
@@ -14,7 +14,7 @@ use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
 
-/// No key and no signature is longer.
+/// The maximum size of a key or a signature, in bytes.
 const LONGEST: u64 = 64 * 1024;
 /// The suffix of a signature file.
 const SIGNATURE: &str = ".minisig";
@@ -28,7 +28,7 @@ const PUBLIC_KEY: &str = "minisign.pub";
 pub enum SignatureError {
     /// A file cannot be read or written.
     File { path: PathBuf, error: io::Error },
-    /// The file is no key, or the password is wrong.
+    /// The file is not a key, or the password is wrong.
     Key { path: PathBuf, why: String },
     /// The password is missing or cannot be asked for.
     Password(String),
@@ -68,7 +68,7 @@ impl RecordKey {
     /// Reads the key of a file, as `minisign -G` writes it. Asks on the terminal for the password of an encrypted one.
     ///
     /// # Errors
-    /// The file cannot be read, is no key, or the password is wrong.
+    /// The file cannot be read, is not a key, or the password is wrong.
     pub fn read(path: &Path) -> Result<Self, SignatureError> {
         let text = read_regular_text(path, LONGEST).map_err(|error| unreadable(path, error))?;
         let invalid = |error: PError| SignatureError::Key {
@@ -181,13 +181,13 @@ pub(super) struct FileSignature {
 pub enum SignatureFault {
     /// It cannot be read.
     Unreadable(String),
-    /// It is no signature in minisign's format.
+    /// It is not a signature in minisign's format.
     Damaged,
-    /// It was made by another key than the given one.
+    /// It was made with a different key from the given one.
     OtherKey { key: String },
     /// The file or the signature's comment was changed after signing.
     Changed,
-    /// Its comment names another file, or none: another program made it.
+    /// Its comment names another file, or none, because another program made it.
     OtherFile,
     /// Its key or its comment differs from those of the record's other files.
     Mixed,
@@ -209,7 +209,7 @@ impl From<&SignatureFault> for Text {
     }
 }
 
-/// Reads the signature of a file, and checks it with a key, where one is given. `None` if the file has none.
+/// Reads the signature of a file, and checks it with a key, if one is given. `None` if the file has none.
 ///
 /// # Errors
 /// The signature is damaged, belongs to another file or key, or the file was changed.
@@ -275,13 +275,14 @@ pub(super) fn signature_of(path: &Path) -> PathBuf {
 fn is_whole(text: &str) -> bool {
     let lines: Vec<&str> = text.lines().collect();
     match lines[..] {
-        // Two bytes for the algorithm, eight for the key and 64 for the signature; and 64 bytes.
+        // The first has two bytes for the algorithm, eight for the key and 64 for the signature; the second has 64
+        // bytes.
         [_, file, _, comment] => is_base64(file, 99, "=") && is_base64(comment, 86, "=="),
         _ => false,
     }
 }
 
-/// Whether a text is base64 of so many letters, with this padding.
+/// Whether a text is base64 with this number of letters and this padding.
 fn is_base64(text: &str, letters: usize, padding: &str) -> bool {
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '+' || c == '/';
     let body = text.strip_suffix(padding);

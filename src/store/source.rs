@@ -9,7 +9,7 @@ use crate::diagnostic::{self, Diagnostic};
 use crate::text;
 use crate::text::Text;
 
-/// The largest text file: no mission, script or theme comes near it.
+/// The maximum size of a text file, in bytes; no mission, script or theme comes near it.
 pub(super) const LARGEST_FILE: u64 = 1024 * 1024;
 
 /// A text with its name for fault reports.
@@ -37,7 +37,7 @@ pub enum StoreError {
     /// It is too large.
     TooLarge {
         path: PathBuf,
-        /// The message that says what was expected.
+        /// The id of the message for what was expected.
         kind: &'static str,
     },
     /// It cannot be written.
@@ -46,7 +46,7 @@ pub enum StoreError {
     Exists { path: PathBuf },
     /// Neither a file nor a known name.
     Unknown {
-        /// The message that says what was expected.
+        /// The id of the message for what was expected.
         kind: &'static str,
         name: String,
         known: String,
@@ -94,7 +94,7 @@ impl From<&StoreError> for Text {
     }
 }
 
-/// Reads a text file of at most 1 MiB. `kind` is the message that says what it should be.
+/// Reads a text file of at most 1 MiB. `kind` is the id of the message for what it should be.
 ///
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
@@ -103,7 +103,7 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         path: path.to_owned(),
         error,
     };
-    // A claimed size means nothing for a device or a pipe, so the reading itself is limited.
+    // The reported size means nothing for a device or a pipe, so the reading itself is limited.
     let mut bytes = Vec::new();
     fs::File::open(path)
         .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes))

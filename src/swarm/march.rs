@@ -32,7 +32,7 @@ const SAME_COURSE_RAD: f64 = 0.01;
 /// Longer intervals between two steps are shortened to this, so that the places do not run away from the vehicles.
 const LONGEST_STEP_S: f64 = 0.5;
 
-/// A formation, and its present position.
+/// A formation, and its current position.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct March {
     pub shape: Shape,
@@ -154,7 +154,7 @@ impl March {
         let brakes = (2.0 * ACCELERATION_M_S2 * left_m).sqrt();
         let faster = self.velocity.length() + ACCELERATION_M_S2 * step_s;
         let speed = faster.min(self.speed_m_s.min(climbs) * pace).min(brakes);
-        // Braking never ends by itself: the last centimetres are flown at once.
+        // Braking never ends on its own: the last centimetres are flown at once.
         if left_m <= (speed * step_s).max(0.05) {
             self.anchor = goal;
             self.goal = None;

@@ -35,7 +35,7 @@ struct Stage {
     ledger: Ledger,
     notices: Vec<String>,
     areas: BTreeMap<String, Outline>,
-    /// The least distance of two that both fly.
+    /// The minimum distance of two that both fly.
     nearest_m: f64,
 }
 

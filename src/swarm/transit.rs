@@ -14,7 +14,7 @@ use super::geometry::Segment;
 pub(super) const MARGIN_M: f64 = 1.0;
 const MARGIN_ABOVE_M: f64 = 1.5;
 
-/// The most heights tried for one path.
+/// The maximum number of heights tried for one path.
 const MOST_LAYERS: usize = 40;
 /// The accuracy of positions, in metres.
 const ROUNDING_M: f64 = 0.05;
@@ -65,7 +65,7 @@ impl Leg {
     }
 
     /// Whether the paths come closer than the clearance. If both start or end slightly closer than that, as on their
-    /// pads, their present distance is the limit.
+    /// pads, their current distance is the limit.
     fn comes_near(&self, other: &Self, clearance: Clearance) -> bool {
         let least = clearance.least_m();
         let wanted = clearance.aside_m;
@@ -149,7 +149,7 @@ mod tests {
         above_m: 6.5,
     };
 
-    /// Flies the three parts with vehicles of very different speeds, and returns the least distance between two of
+    /// Flies the three parts with vehicles of very different speeds, and returns the minimum distance between two of
     /// them.
     fn least_distance(legs: &[Leg], heights: &[f64]) -> f64 {
         let parts: [Vec<(DVec3, DVec3)>; 3] = [

@@ -17,7 +17,7 @@ use super::writer::FrameWriter;
 /// the console's own input thread reads. The console does not need the position.
 pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
-    /// Whether any part of the present frame has been written.
+    /// Whether any part of the current frame has been written.
     begun: bool,
     /// The last cursor sent to the terminal.
     cursor: Cursor,

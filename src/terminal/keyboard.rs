@@ -12,7 +12,7 @@ use super::input::{Input, Parser};
 
 /// How long the rest of a sequence may take; after that its beginning was the Esc key.
 const SEQUENCE_PATIENCE: Duration = Duration::from_millis(50);
-/// The most pieces of input in the queue; faster input is held back.
+/// The maximum number of pieces of input in the queue; faster input is held back.
 const PIECES: usize = 16;
 
 /// The input of the terminal. Dropping it leaves its thread in its last read, which ends with the program.

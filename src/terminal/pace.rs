@@ -25,7 +25,7 @@ const REPEAT_AFTER: Duration = Duration::from_secs(5);
 const BLOCKED: Duration = Duration::from_millis(200);
 /// The longest pause after a write to a full buffer.
 const LONGEST_REST: Duration = Duration::from_secs(2);
-/// The least interval of frames caused by keys, so that fast typing does not cause too many frames.
+/// The minimum interval of frames caused by keys, so that fast typing does not cause too many frames.
 const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
 /// A write that takes longer than this has met a terminal that did not read, not a slow line.
 const STALLED: Duration = Duration::from_secs(5);

@@ -41,12 +41,12 @@ fn nearest(c: char) -> char {
         '“' | '”' | '„' | '″' => '"',
         '‘' | '’' | 'ʼ' | '′' => '\'',
         '⚠' => '!',
-        // A letter or a digit would read as part of the number before it, a quotation mark as minutes.
+        // A letter or a digit would read as part of the number before it, a quotation mark would read as minutes.
         '°' | 'º' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{2800}' => ' ',
         '▁' | '▂' | '⎽' => '_',
         '━' | '═' | '▅' | '▆' | '▒' => '=',
         '▇' | '█' | '▀' | '▓' | '■' | '▪' | '◼' => '#',
-        // Braille, by how much of the cell is dots.
+        // Braille patterns, by the number of their dots.
         '\u{2801}'..='\u{28ff}' => match (u32::from(c) - 0x2800).count_ones() {
             1 | 2 => '.',
             3 | 4 => ':',

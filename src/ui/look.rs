@@ -22,17 +22,17 @@ pub struct Look {
     pub hits: Hits,
 }
 
-/// A colour and a sign that distinguish a drone or a team: neighbours differ in both, and only every thirtieth pair is
-/// the same.
+/// A colour and a sign that distinguish a drone or a team: neighbours differ in both, and the combinations repeat only
+/// after thirty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Badge {
     pub role: Role,
-    /// The sign: one character, in ASCII too.
+    /// The sign: one character, also in ASCII.
     pub sign: char,
 }
 
 impl Badge {
-    /// All differ from one another, and from arrows and the cursor's marks, in ASCII too (`o ^ # + v`).
+    /// The signs. They differ from one another, and from arrows and the cursor's marks, also in ASCII (`o ^ # + v`).
     const SIGNS: [char; 5] = ['●', '▲', '■', '✚', '▼'];
 
     /// The badge of a drone, on every screen.
@@ -65,7 +65,7 @@ impl Look {
         self.style(role).remove_modifier(kept_off)
     }
 
-    /// A text in the present language, safe to show on one line.
+    /// A text in the current language, safe to show on one line.
     pub fn text(&self, text: &Text) -> String {
         sanitised(&self.locale.text(text))
     }

@@ -33,7 +33,7 @@ impl<'a> Panel<'a> {
         self.at(upper(self.area, rows))
     }
 
-    /// The rest of it below its first rows.
+    /// The rest of the panel below its first rows.
     pub fn below(self, rows: u16) -> Self {
         self.at(below(self.area, rows))
     }
@@ -53,7 +53,7 @@ impl<'a> Panel<'a> {
         self.look.style(role)
     }
 
-    /// A text in the present language, safe to show on one line.
+    /// A text in the current language, safe to show on one line.
     pub fn text(self, text: &Text) -> String {
         self.look.text(text)
     }
@@ -63,12 +63,12 @@ impl<'a> Panel<'a> {
         self.look.say(id)
     }
 
-    /// Draws a rule with a title along its top and returns what is left below it.
+    /// Draws a rule with a title along its top and returns the rest below it.
     pub fn titled(self, title: &str, buffer: &mut Buffer) -> Rect {
         self.ruled(title, '─', self.style(Role::Border), buffer)
     }
 
-    /// The same for a pane that can have the focus, which shows as a heavy rule.
+    /// Draws such a rule for a pane that can have the focus; a heavy rule marks the focus.
     pub fn focused(self, title: &str, has_keys: bool, buffer: &mut Buffer) -> Rect {
         if has_keys {
             self.ruled(title, '━', self.style(Role::Key), buffer)
@@ -129,8 +129,8 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Highlights the cursor. Cells with a background of their own, such as ARMED, keep it, so that the cursor hides
-    /// no state.
+    /// Highlights the cursor. Cells with a background of their own, such as ARMED, keep it, so that the cursor does not
+    /// hide the state.
     pub fn mark_cursor(self, buffer: &mut Buffer) {
         let ground = self.style(Role::Text).bg.unwrap_or(Color::Reset);
         let cursor = self.style(Role::Cursor);

@@ -25,7 +25,7 @@ pub mod workshop;
 
 macro_rules! declare_drawing {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
-        /// Draws the present room.
+        /// Draws the current room.
         pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             match state.room() {
                 $(Room::$Room => $module::draw(state, panel, buffer),)+

@@ -1,6 +1,6 @@
-//! Themes: the styles of the console's roles. A widget uses a role ("warning"), never a colour; a theme file gives
-//! roles a style and may inherit the rest from another theme. One that inherits nothing must define every role that
-//! has no stand-in.
+//! Themes: the styles of the console's roles. A widget uses a role ("warning"), never a colour. A theme file gives
+//! roles a style and may inherit the rest from another theme. A theme that inherits nothing must define every role
+//! without a stand-in.
 
 use std::collections::BTreeMap;
 
@@ -47,13 +47,13 @@ pub enum Role {
     Info,
     Warning,
     Danger,
-    /// The word of an input that is wrong.
+    /// A faulty word in an input.
     Error,
     /// An armed vehicle: the most conspicuous state.
     Armed,
     /// A vehicle that can be armed.
     Ready,
-    /// An alert that waits to be acknowledged.
+    /// An unacknowledged alert.
     Alert,
     /// Where vehicles may fly.
     Fence,
@@ -113,8 +113,8 @@ impl Role {
         Self::Drone6,
     ];
 
-    /// The role that replaces this one in a theme that neither inherits nor defines it: a theme needs only the roles
-    /// of the first version.
+    /// The role that replaces this one in a theme that neither inherits nor defines it. A theme therefore needs only
+    /// the roles of the first version.
     fn stand_in(self) -> Option<Self> {
         match self {
             Self::Armed | Self::Alert => Some(Self::Danger),
@@ -164,8 +164,8 @@ impl Theme {
         Themes::default().read(name, source).ok()
     }
 
-    /// The theme reduced to a terminal's colours; without any, the monochrome theme, because a role marked only by its
-    /// background would vanish.
+    /// The theme reduced to a terminal's colours; without colours, the monochrome theme, because a role marked only by
+    /// its background would vanish.
     #[must_use]
     pub fn for_colours(&self, depth: ColourDepth) -> Self {
         if depth == ColourDepth::None {
@@ -174,7 +174,7 @@ impl Theme {
         let mut theme = self.mapped(|colour| depth.map(colour));
         let ground = |theme: &Self, role| theme.style(role).bg;
         for (&role, style) in &mut theme.styles {
-            // If its background has become that of ordinary text, the cursor's line would be invisible.
+            // The cursor's line would be invisible if its background had become that of ordinary text.
             let is_lost = ground(self, role) != ground(self, Role::Text)
                 && style.bg.is_some()
                 && style.bg == self.style(Role::Text).bg.map(|colour| depth.map(colour));

@@ -34,7 +34,7 @@ pub mod urgent;
 
 pub use crate::text::clock;
 
-/// A box of a size in the middle of an area, made smaller where it does not fit.
+/// A centred box of this size in an area, made smaller if it does not fit.
 pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
     let (width, height) = (width.min(area.width), height.min(area.height));
     Rect {
@@ -61,7 +61,7 @@ pub fn aligned(text: &str, columns: usize, right: bool) -> String {
     }
 }
 
-/// The same without a zero in front.
+/// A clock time without a leading zero.
 pub fn short_clock(time: Duration) -> String {
     let text = clock(time);
     text.strip_prefix('0').map_or(text.clone(), str::to_owned)

@@ -4,7 +4,7 @@ use super::look::Look;
 use crate::app::State;
 use crate::text;
 
-/// What flies and how it stands, so that the window is found among others: `sortie - First flight - 1 of 3 armed`.
+/// The session and its state, so that the user can find the window: `sortie - First flight - 1 of 3 armed`.
 pub fn window_title(state: &State, look: &Look) -> String {
     let session = state.session();
     let Some(activity) = session.activity() else {

@@ -1,8 +1,8 @@
-//! Grades of readings, by the limits at which `ArduPilot` itself refuses, acts or warns.
+//! Grades of readings, by the limits at which `ArduPilot` itself refuses, reacts or warns.
 
 use super::{Ekf, EkfFlags, FixType, Gps, GpsAccuracy};
 
-/// A reading against its limits.
+/// The grade of a reading, compared with its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
     /// Well within the limit.
@@ -19,7 +19,7 @@ const EKF_BAD: f32 = 0.8;
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
 const HDOP_POOR: f32 = 1.4;
-/// Our own limit: far enough above that the position drifts by metres.
+/// Our own limit, high enough above that one that the position drifts by metres.
 const HDOP_BAD: f32 = 2.0;
 /// Fewer satellites than EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0).
 const SATELLITES_BAD: u8 = 6;
@@ -33,7 +33,7 @@ const VIBRATION_BAD_M_S2: f32 = 60.0;
 const CLIPPING_BAD: u32 = 100;
 
 impl Grade {
-    /// A value where less is better, down to zero. NaN and negative values are bad.
+    /// The grade of a value that is better the lower it is, down to zero. NaN and negative values are bad.
     fn rising(value: f32, poor: f32, bad: f32) -> Self {
         if (0.0..poor).contains(&value) {
             Self::Good

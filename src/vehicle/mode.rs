@@ -15,7 +15,7 @@ pub enum VehicleClass {
     /// Ground vehicles and boats.
     Rover,
     Sub,
-    /// Any other vehicle: its modes are shown by number.
+    /// Any other vehicle, whose modes are shown by number.
     Other,
 }
 
@@ -189,7 +189,7 @@ impl VehicleClass {
 }
 
 impl Mode {
-    /// The mode's name, if its class has one for the number.
+    /// The mode's name, if its class has a name for the number.
     pub fn name(self) -> Option<&'static str> {
         self.class
             .modes()
@@ -198,11 +198,11 @@ impl Mode {
             .map(|&(_, name)| name)
     }
 
-    /// Whether the vehicle returns or lands by itself, so that it ends on the ground.
+    /// Whether the vehicle returns or lands on its own, so that it ends on the ground.
     pub fn comes_down(self) -> bool {
         let names: &[&str] = match self.class {
             VehicleClass::Copter => &["LAND", "RTL", "SMART_RTL", "AUTO_RTL"],
-            // In RTL a plane circles above its home.
+            // In RTL, a plane circles above its home, so RTL is missing here.
             VehicleClass::Plane => &["QLAND", "QRTL", "LOITER_ALT_QLAND", "AUTOLAND"],
             VehicleClass::Rover => &["RTL", "SMART_RTL"],
             VehicleClass::Sub | VehicleClass::Other => &[],

@@ -1,4 +1,4 @@
-//! The lists on board of a vehicle: its plan, its fence and its rally points, each a separate list in the mission
+//! The lists on board a vehicle: its plan, its fence and its rally points, each a separate list in the mission
 //! protocol (`MAV_MISSION_TYPE`).
 
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::MavFrame;
 
 use crate::geo::LatLon;
 
-/// `MAV_CMD_NAV_FENCE_*` and `MAV_CMD_NAV_RALLY_POINT`: the only items that fences and rally points consist of.
+/// The items that fences and rally points consist of.
 mod command {
     pub const FENCE_RETURN_POINT: u16 = 5000;
     pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
@@ -25,7 +25,7 @@ const WITH_PLACE: &[u16] = &[
 /// The last command number that the vehicle flies to; higher numbers only name a place.
 const LAST_FLOWN: u16 = 94;
 
-/// Which of the three lists.
+/// The kind of list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlanKind {
     /// The plan that the mode AUTO flies.
@@ -52,7 +52,7 @@ pub struct Plans {
     pub rally: Stored<RallyPlan>,
 }
 
-/// One list, as far as it has been read.
+/// One list, with the content that has been read.
 #[derive(Debug, Clone, Default)]
 pub struct Stored<T> {
     /// The last content that was read; it stays while a newer version is being read.
@@ -80,7 +80,8 @@ pub enum Transfer {
     Failed,
 }
 
-/// Parameters may be NaN ("not set"), which is not equal to itself; here a list is always equal to itself.
+/// Parameters may be NaN ("not set"), which is not equal to itself. This comparison makes a list always equal to
+/// itself.
 impl<T: PartialEq> PartialEq for Stored<T> {
     fn eq(&self, other: &Self) -> bool {
         let same = match (&self.content, &other.content) {
@@ -253,7 +254,7 @@ impl FencePlan {
     }
 }
 
-/// The number of a polygon's corners, at least three.
+/// The number of a polygon's corners, raised to at least three.
 fn corner_count(said: f32) -> usize {
     (said as usize).max(3)
 }

@@ -148,7 +148,7 @@ impl Health {
     /// The bit of the checks before arming.
     pub const PREARM: u32 = MavSysStatusSensor::MAV_SYS_STATUS_PREARM_CHECK.bits();
 
-    /// Whether all checks before arming pass, in the present mode only.
+    /// Whether all checks before arming pass, in the current mode only.
     pub fn prearm_ok(&self) -> bool {
         self.healthy & Self::PREARM != 0
     }
@@ -202,10 +202,10 @@ impl Ekf {
 /// The vibration of the sensors (VIBRATION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {
-    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). Not a
-    /// number where a sensor does not work.
+    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). NaN
+    /// if a sensor does not work.
     pub level_m_s2: [f32; 3],
-    /// How often each accelerometer clipped.
+    /// How many times each accelerometer clipped.
     pub clipping: Option<[u32; 3]>,
 }
 
@@ -271,13 +271,13 @@ pub struct LinkQuality {
     pub lost: bool,
     /// Frames received from it.
     pub received: u64,
-    /// Frames missing by the gaps in its sequence numbers.
+    /// Frames missing according to the gaps in its sequence numbers.
     pub missing: u64,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,
     /// The number of reboots observed.
     pub reboots: u32,
-    /// The number of the link by which it is heard.
+    /// The number of the link on which it is heard.
     pub via: Option<u16>,
 }
 

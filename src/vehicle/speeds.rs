@@ -1,6 +1,6 @@
 //! The commanded speeds of a vehicle.
 
-/// Which speed a `DO_CHANGE_SPEED` changes.
+/// The speed that a `DO_CHANGE_SPEED` changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpeedAxis {
     /// The speed over ground.
@@ -9,8 +9,8 @@ pub enum SpeedAxis {
     Descend,
 }
 
-/// The accepted speed limits, in m/s. ArduCopter keeps one for both vertical directions: setting the climb resets the
-/// descent to its parameter, and the other way round.
+/// The accepted speed limits, in m/s. ArduCopter stores one for both vertical directions: setting the climb resets the
+/// descent to its parameter, and vice versa.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AskedSpeeds {
     ground_m_s: Option<f64>,

@@ -1,4 +1,4 @@
-//! Small enumerations of the vehicle model. Unknown wire numbers have a variant of their own, so that a newer
+//! Small enumerations of the vehicle model. Unknown wire numbers have their own variant, so that a newer
 //! autopilot is still shown.
 
 use std::fmt;
@@ -19,7 +19,7 @@ pub enum SystemStatus {
     Active,
     /// A failsafe is active.
     Critical,
-    /// Control is lost, over parts of the airframe or all of it.
+    /// Control is lost over parts of the airframe or all of it.
     Emergency,
     /// Anything else, by number.
     Other(u8),
@@ -152,7 +152,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// From the wire number; anything beyond the known is `Debug`.
+    /// From the wire number; unknown numbers become `Debug`.
     pub fn from_wire(number: u8) -> Self {
         const NAMED: [(MavSeverity, Severity); 7] = [
             (MavSeverity::MAV_SEVERITY_EMERGENCY, Severity::Emergency),

@@ -6,11 +6,11 @@ use super::{Vehicle, VehicleClass, Wind};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
-/// The mean current follows the measured one with this time constant: a climb of a few seconds does not count for long.
+/// The mean current follows the measured one with this time constant, so that a short climb does not count for long.
 const LOAD_TIME_S: f32 = 15.0;
 /// Below this current the motors count as stopped, in amperes.
 const IDLE_A: f32 = 1.0;
-/// Charge is reported in whole percent: before this much is used, the capacity cannot be estimated from it.
+/// Charge is reported in whole percent, so the capacity cannot be estimated until this much is used.
 const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
@@ -25,11 +25,11 @@ const LANDING_HEIGHT_M: f64 = 10.0;
 const LANDING_M_S: f64 = 0.5;
 /// The time for acceleration and braking, `RTL_LOIT_TIME`, and the stop of the motors.
 const PAUSES_S: f64 = 12.0;
-/// The highest airspeed of a return: a headwind above this less `RETURN_SPEED_M_S` slows it.
+/// The highest airspeed of a return: a headwind stronger than the difference from `RETURN_SPEED_M_S` slows it down.
 const FASTEST_M_S: f64 = 15.0;
-/// The least ground speed that is assumed in any wind.
+/// The minimum ground speed assumed in any wind.
 const SLOWEST_M_S: f64 = 1.0;
-/// The growth of current with the square of the airspeed: measured 12 % more at 10 m/s.
+/// The growth of current with the square of the airspeed, from a measurement of 12 % more at 10 m/s.
 const DRAG_PER_SPEED2: f64 = 0.0012;
 /// Current in a climb, relative to the hover.
 const CLIMBING: f64 = 1.3;

@@ -28,7 +28,7 @@ pub enum FindingKind {
     PowerCells,
     /// The power module is not rated for the current of a hover.
     PowerCurrent,
-    /// Too heavy: the thrust cannot hold a position in wind.
+    /// The drone is too heavy: the thrust cannot hold a position in wind.
     Thrust,
     /// The thrust leaves little margin in wind.
     Weak,
@@ -89,7 +89,7 @@ impl DesignFinding {
 }
 
 impl Design {
-    /// All problems of the design, faults first. A design without faults flies.
+    /// All problems of the design, faults first. A design without faults can fly.
     pub fn findings(&self, air: Air) -> Vec<DesignFinding> {
         self.findings_with(self.figures(air).as_ref())
     }
@@ -154,7 +154,7 @@ impl Found {
         }
     }
 
-    /// Checks that motors, speed controllers and battery match; any two of them can be checked.
+    /// Checks that motors, speed controllers and battery match; any two of them can be checked without the third.
     fn bears(&mut self, design: &Design) {
         let motor = match design.spec(PartSlot::Motor) {
             Some(Spec::Motor(motor)) => Some(motor),

@@ -38,7 +38,7 @@ pub(super) struct Drive<'a> {
 }
 
 impl Design {
-    /// A design without any part.
+    /// A design without any parts.
     pub fn new(name: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -49,7 +49,7 @@ impl Design {
     /// The same design with another name.
     ///
     /// # Errors
-    /// The name is empty, too long, or longer than one line.
+    /// The name is empty, too long, or has more than one line.
     pub fn named(&self, name: &str) -> Result<Self, Text> {
         let name = name.trim();
         file::checked_name(name)?;
@@ -59,7 +59,7 @@ impl Design {
         })
     }
 
-    /// Whether the design has no part.
+    /// Whether the design has no parts.
     pub fn is_empty(&self) -> bool {
         self.slots.is_empty()
     }
@@ -83,7 +83,7 @@ impl Design {
         self.slots.values().flatten().any(|part| part.id == id)
     }
 
-    /// This design with one more part. In a slot for one part it replaces the present one, and so does a battery of
+    /// This design with one more part. In a slot for one part it replaces the current one, and so does a battery of
     /// another kind. Any other part that is already on board is not added again, unless it is a load.
     #[must_use]
     pub fn with(&self, part: &'static Part) -> Self {
@@ -175,7 +175,7 @@ impl Design {
         }
     }
 
-    /// The gain of its antenna beyond that of its radio, in dBi: a relay on board has a better antenna.
+    /// The gain of its antenna beyond that of its radio, in dBi: only a relay on board has a better antenna.
     pub fn antenna_gain_dbi(&self) -> f64 {
         if self.has(RELAY) { RELAY_DBI } else { 0.0 }
     }

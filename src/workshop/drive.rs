@@ -11,9 +11,9 @@ const WARM_COPPER: f64 = 1.10;
 /// The voltage at which the no-load current is stated, and the share of that current at work (fitted to bench tests).
 const NO_LOAD_V: f64 = 20.0;
 const NO_LOAD_SHARE: f64 = 0.5;
-/// A motor at full throttle gets no more than this share of the battery's voltage (mean of bench tables, 0.76 to 0.88).
+/// The maximum share of the battery's voltage that a motor gets at full throttle (mean of bench tables, 0.76 to 0.88).
 pub(super) const VOLTAGE_SHARE: f64 = 0.83;
-/// The factor on its rated power that a motor can give for the time of a climb.
+/// The multiple of its rated power that a motor can give for the duration of a climb.
 const SHORT_POWER: f64 = 1.25;
 /// The factor on hover power for interacting rotors and control, compared with single rotors on a test bench.
 const INTERACTION: f64 = 1.03;
@@ -71,7 +71,8 @@ impl Drive<'_> {
         }
     }
 
-    /// One motor in the hover of a drone with a given mass. The arms block a part of the downwash, which costs thrust.
+    /// One motor in the hover of a drone with a given mass. The arms block a part of the downwash, which reduces the
+    /// thrust.
     pub fn hovering(&self, mass_kg: f64, density: f64) -> Turning {
         let thrust_n = mass_kg * GRAVITY_M_S2 * (1.0 + self.frame.download) / self.motors();
         self.turning(thrust_n, density)

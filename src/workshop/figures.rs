@@ -10,15 +10,15 @@ use super::pack::Pack;
 use super::part::Radio;
 use crate::geo::maths;
 
-/// With less thrust over weight than this a drone cannot hold its position in wind.
+/// The thrust over weight below which a drone cannot hold its position in wind.
 pub const LEAST_THRUST: f64 = 1.3;
-/// With less than this, gusts saturate its motors.
+/// The thrust over weight below which gusts saturate the motors.
 pub const GOOD_THRUST: f64 = 1.8;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Thrust is stated at this charge in percent, as in the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
-/// The greatest lean of any drone, in degrees; little thrust reduces it, since a tenth is kept for control.
+/// The maximum lean of any drone, in degrees; low thrust reduces it, since a tenth is kept for control.
 const MOST_LEAN_DEG: f64 = 35.0;
 const CONTROL_SHARE: f64 = 0.9;
 /// The step between the computed speeds.
@@ -50,7 +50,7 @@ impl Default for Air {
 }
 
 impl Air {
-    /// Kilograms per cubic metre (standard atmosphere, corrected for the temperature).
+    /// The density in kilograms per cubic metre (standard atmosphere, corrected for the temperature).
     pub fn density(&self) -> f64 {
         let standard = 1.225 * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
         standard * 288.15 / (273.15 + self.temperature_c)
@@ -124,8 +124,8 @@ impl Design {
         Some(bench.figures(self))
     }
 
-    /// The power of level flight in watts at each speed from 0 in steps of half a metre per second, as far as the
-    /// drone can fly; empty while parts of the drive are missing.
+    /// The power of level flight in watts at each speed from 0 in steps of half a metre per second, up to the
+    /// fastest that the drone can fly; empty while parts of the drive are missing.
     pub fn polar(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
             return Vec::new();
@@ -279,7 +279,7 @@ impl<'a> Bench<'a> {
 }
 
 impl Figures {
-    /// The greatest distance out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest
+    /// The maximum distance out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest
     /// range; zero if the wind is as fast.
     pub fn radius_m(&self, wind_m_s: f64) -> f64 {
         let speed = self.range_speed_m_s;
@@ -290,7 +290,7 @@ impl Figures {
 }
 
 impl Radio {
-    /// The greatest distance with the fade margin left. `more_dbi` is the additional gain of the drone's antenna.
+    /// The maximum distance that leaves the fade margin. `more_dbi` is the additional gain of the drone's antenna.
     fn range_m(&self, height_m: f64, more_dbi: f64) -> f64 {
         let budget_db = self.budget_db(self.air_dbi, self.ground_dbi) - FADE_MARGIN_DB + more_dbi;
         let height_m = height_m.max(LOWEST_ANTENNA_M);

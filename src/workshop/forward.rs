@@ -7,12 +7,12 @@ use crate::geo::maths;
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// The induced power of a real rotor relative to the ideal one.
 const INDUCED: f64 = 1.15;
-/// The share of the theoretical saving at speed that is assumed: one half gives a known folding drone its best
+/// The share of the theoretical saving at speed that is assumed. One half gives a known folding drone its best
 /// endurance at 9 m/s with 0.87 of its hover power, as its maker states.
 const SAVED: f64 = 0.5;
 /// Profile power grows with the square of the advance ratio (Glauert).
 const PROFILE: f64 = 4.65;
-/// The speed above which the arms no longer block the air stream; below, they block less the faster the drone is.
+/// The speed above which the arms no longer block the air stream; below it, they block less, the faster the drone is.
 const CLEAN_M_S: f64 = 15.0;
 const ROUNDS: u32 = 40;
 

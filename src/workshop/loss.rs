@@ -1,13 +1,13 @@
-//! Radio loss over a distance, and the range of a budget: inverse functions.
+//! Radio loss over a distance, and the range for a loss budget: inverse functions of each other.
 
 use super::part::Radio;
 use crate::geo::maths;
 
-/// The least height of an antenna in the formulas, in metres.
+/// The minimum height of an antenna in the formulas, in metres.
 pub(crate) const LOWEST_ANTENNA_M: f64 = 0.3;
 /// The height of the ground antenna in metres, unless a mission sets another.
 pub(crate) const GROUND_ANTENNA_M: f64 = 2.0;
-/// Within this distance, in metres, the signal gets no stronger.
+/// The distance within which the signal does not get stronger, in metres.
 const NEAREST_M: f64 = 1.0;
 /// The loss in free space over 1 km at 1 MHz, in dB (ITU-R P.525).
 const FREE_SPACE_DB: f64 = 32.44;

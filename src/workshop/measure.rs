@@ -70,7 +70,7 @@ impl Measure {
         Self::Spare,
     ];
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Mass => text!("measure-mass"),
@@ -188,7 +188,7 @@ impl Measure {
         Some(with_unit(change, self.unit()))
     }
 
-    /// Whether a change is an improvement; `None` if that depends, or nothing changes.
+    /// Whether a change is an improvement; `None` if that depends on the purpose, or nothing changes.
     pub fn is_gain(self, before: f64, after: f64) -> Option<bool> {
         self.change(before, after)?;
         match self.better() {

@@ -3,7 +3,7 @@
 use super::design::Drive;
 use super::part::Chemistry;
 
-/// Resting volts of a cell of lithium polymer, by percent of charge.
+/// Resting voltage of a lithium polymer cell, by charge in percent.
 const POLYMER: [(f64, f64); 14] = [
     (0.0, 3.0),
     (5.0, 3.45),
@@ -20,9 +20,9 @@ const POLYMER: [(f64, f64); 14] = [
     (95.0, 4.13),
     (100.0, 4.2),
 ];
-/// Resting volts of a lithium ion cell, by percent of charge. `ArduPilot`'s `SIM_Battery` has one curve for all cells,
-/// so the simulators' voltage differs slightly between the ends; the energy, which decides the endurance, differs by
-/// less than 4 %.
+/// Resting voltage of a lithium ion cell, by charge in percent. `ArduPilot`'s `SIM_Battery` has one curve for all
+/// cells, so the simulators' voltage differs slightly between the ends; the energy, which decides the endurance,
+/// differs by less than 4 %.
 const ION: [(f64, f64); 12] = [
     (0.0, 2.5),
     (5.0, 3.0),
@@ -89,12 +89,12 @@ impl Pack {
         }
     }
 
-    /// Volts at rest when full.
+    /// The voltage at rest with a full charge.
     pub fn full_v(&self) -> f64 {
         self.resting_v(100.0)
     }
 
-    /// Energy at nominal voltage (3.7 V a cell), in watt hours.
+    /// The energy at nominal voltage (3.7 V per cell), in watt hours.
     pub fn energy_wh(&self) -> f64 {
         self.cells * 3.7 * self.capacity_ah
     }

@@ -60,7 +60,7 @@ impl PartSlot {
         }
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Frame => text!("slot-frame"),
@@ -76,7 +76,7 @@ impl PartSlot {
         }
     }
 
-    /// The most parts in the slot.
+    /// The maximum number of parts in the slot.
     pub fn room(self) -> usize {
         match self {
             Self::Battery => 4,
@@ -92,18 +92,18 @@ impl PartSlot {
         }
     }
 
-    /// Whether a drone has one for each motor.
+    /// Whether a drone has one piece for each motor.
     pub fn is_per_motor(self) -> bool {
         matches!(self, Self::Motor | Self::Propeller | Self::Esc)
     }
 
-    /// Whether every drone needs a part in it.
+    /// Whether every drone needs a part in this slot.
     pub fn is_required(self) -> bool {
         self != Self::Payload
     }
 }
 
-/// A kind of part. Masses, prices and powers are of one piece.
+/// A kind of part. Masses, prices and powers are those of one piece.
 #[derive(Debug, PartialEq)]
 pub struct Part {
     /// Its id in designs and mission files.
@@ -244,7 +244,7 @@ impl Part {
         }
     }
 
-    /// Its name for people: from its figures, or its own name.
+    /// Its name on the screen: made from its figures, or its own name.
     pub fn name(&self) -> Text {
         match &self.spec {
             Spec::Motor(motor) => {
@@ -269,7 +269,7 @@ impl Part {
         size.split_once('_').map_or(size, |(size, _)| size)
     }
 
-    /// `10x4.5`, with the maker if one size has several.
+    /// The name of a propeller, such as `10x4.5`, with the maker if one size has several.
     fn propeller_name(&self) -> Text {
         let size = self.id.trim_start_matches('p');
         if let Some(size) = size.strip_suffix("cf") {
@@ -285,8 +285,8 @@ impl Part {
 }
 
 impl Frame {
-    /// The largest propellers that turn without touching each other (with a gap of 5 %) or that the frame allows, in
-    /// inches.
+    /// The diameter of the largest propellers that turn without touching each other (with a gap of 5 %) or that the
+    /// frame allows, in inches.
     pub(super) fn clearance_in(&self) -> f64 {
         let between_m =
             self.wheelbase_m * maths::sin(std::f64::consts::PI / f64::from(self.motors));

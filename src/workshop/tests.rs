@@ -1,4 +1,4 @@
-//! Worked examples, real machines, and properties of every design.
+//! Tests with worked examples, real drones, and properties of every design.
 
 use std::collections::BTreeSet;
 

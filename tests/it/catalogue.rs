@@ -15,7 +15,7 @@ use sortie::mission::record::{Occasion, Stored};
 use sortie::mission::{Mission, Report};
 use sortie::scoring::{FlightBackend, Medal};
 
-/// The most points for a flight without any command.
+/// The maximum number of points for a flight without any command.
 const IDLE_AT_MOST: u16 = 250;
 
 /// Missions that an unoptimised program flies within a second or two.

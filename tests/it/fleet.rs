@@ -38,7 +38,7 @@ fn world(vehicles: usize) -> World {
     World::new(&WorldConfig::row(vehicles, start))
 }
 
-/// Waits for a change of a watched value; for ever if its sender is gone.
+/// Waits for a change of a watched value; forever if its sender is gone.
 async fn changed<T>(state: &mut watch::Receiver<T>) {
     if state.changed().await.is_err() {
         pending::<()>().await;

@@ -7,7 +7,7 @@
 use super::LatLon;
 use crate::maths;
 
-/// Dots in a cell, beside each other.
+/// Dots in a cell, side by side.
 pub const DOTS_ACROSS: u16 = 2;
 /// Dots in a cell, one above the other.
 pub const DOTS_DOWN: u16 = 4;
@@ -58,7 +58,7 @@ impl Zoom {
 /// Columns and rows of a grid of cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GridSize {
-    /// Cells beside each other.
+    /// Cells side by side.
     pub columns: u16,
     /// Cells one above the other.
     pub rows: u16,
@@ -103,7 +103,7 @@ pub struct Viewport {
     pub centre: LatLon,
     /// The width of a column.
     pub zoom: Zoom,
-    /// Cells beside each other.
+    /// Cells side by side.
     pub columns: u16,
     /// Cells one above the other.
     pub rows: u16,

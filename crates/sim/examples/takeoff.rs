@@ -1,6 +1,6 @@
 //! A ground station of another program, tested against a simulated `ArduCopter`: it arms the vehicle, takes off, and
-//! reads from the telemetry where the vehicle is. No sockets, no threads, no waiting: a minute of flight takes
-//! milliseconds, and each run is the same.
+//! reads the vehicle's position from the telemetry. There are no sockets, no threads and no waiting: a minute of flight
+//! takes milliseconds, and every run is the same.
 //!
 //! `cargo run -p sortie-sim --example takeoff`
 

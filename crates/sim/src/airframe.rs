@@ -60,8 +60,8 @@ pub(super) struct Conditions {
 }
 
 impl Default for Airframe {
-    /// The quadcopter of a SITL without a frame file, whose battery never runs down. For comparison with recordings;
-    /// flights use [`Airframe::standard`].
+    /// The quadcopter of a SITL without a frame file, whose battery never runs down. It serves for comparison with
+    /// recordings; flights use [`Airframe::standard`].
     fn default() -> Self {
         Self::derived(Figures::default())
     }
@@ -82,7 +82,7 @@ impl Airframe {
         Ok((airframe, warnings))
     }
 
-    /// The airframe with initial parameters, which can be changed later.
+    /// The airframe with these initial parameters, which can be changed later.
     #[must_use]
     pub fn with_parameters(self, parameters: Vec<(&'static str, f64)>) -> Self {
         Self { parameters, ..self }
@@ -119,7 +119,7 @@ impl Airframe {
         self.figures.diagonal_m
     }
 
-    /// How closely thrust follows the square of a motor's command, 0 to 1 (`propExpo`).
+    /// The degree to which thrust follows the square of a motor's command, 0 to 1 (`propExpo`).
     pub fn thrust_expo(&self) -> f64 {
         self.figures.expo
     }
@@ -198,7 +198,7 @@ impl Airframe {
         self.figures.battery_resistance_ohm
     }
 
-    /// The greatest thrust per mass, with air flowing into the rotors at `inflow_m_s`.
+    /// The maximum thrust per mass, with air flowing into the rotors at `inflow_m_s`.
     pub(super) fn thrust_max(&self, inflow_m_s: f64, conditions: &Conditions) -> f64 {
         let full = self.motor_thrust(1.0, inflow_m_s, conditions);
         full.max(0.0)
@@ -267,7 +267,7 @@ impl Airframe {
         0.05 * self.figures.diagonal_m
     }
 
-    /// Moments of inertia per mass, square metres. Without a figure, half the mass lies on a ring.
+    /// Moments of inertia per mass, square metres. If the file has no figure, half the mass is assumed to be on a ring.
     pub(super) fn inertia_m2(&self) -> DVec3 {
         let given = self.figures.inertia_kg_m2;
         if given.min_element() > 0.0 {
@@ -286,7 +286,7 @@ impl Airframe {
         }
     }
 
-    /// The greatest change of a motor's command within `seconds`.
+    /// The maximum change of a motor's command within `seconds`.
     pub(super) fn slew(&self, seconds: f64) -> f64 {
         if self.figures.slew_per_s > 0.0 {
             self.figures.slew_per_s * seconds

@@ -6,11 +6,11 @@ use std::time::Duration;
 
 pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
 
-/// The least time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
+/// The minimum time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
 /// After each arming, each core of the EKF aligns its yaw once more at this height, clear of magnetic disturbance.
 const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
-/// A vehicle that rests this long with idle motors has landed.
+/// A vehicle that rests for this long with idle motors counts as landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
 /// The delay from touchdown to disarming in a landing.
 const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
@@ -25,7 +25,7 @@ pub(super) struct Safety {
     pub(super) armed_at: Duration,
     /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
     aligns_above_m: Option<f64>,
-    /// When the reasons against arming are reported next.
+    /// When the reasons against arming will be reported next.
     pub(super) reports_at: Duration,
     /// Whether the last check found no reason against arming.
     pub(super) may_arm: bool,
@@ -56,7 +56,7 @@ pub(super) struct GroundInputs {
     pub(super) on_ground: bool,
     /// When a landing touched the ground.
     pub(super) touched: Option<Duration>,
-    /// Whether the vehicle is on the ground and its task has nothing to do there.
+    /// Whether the vehicle is on the ground and its task has nothing more to do there.
     pub(super) is_resting: bool,
     /// The time after which an idle vehicle is disarmed; zero for never.
     pub(super) disarm_delay: Duration,
@@ -113,7 +113,7 @@ impl Safety {
         !inputs.disarm_delay.is_zero() && now >= idle_since + inputs.disarm_delay
     }
 
-    /// Whether to report reasons against arming now; `is_free` without any.
+    /// Whether to report reasons against arming now; `is_free` if there are none.
     pub(super) fn tells_obstacles(&mut self, is_free: bool, now: Duration) -> bool {
         let could_arm = std::mem::replace(&mut self.may_arm, is_free);
         if could_arm && !is_free && self.reports_at > now + checks::REPORT_SOON {

@@ -1,8 +1,8 @@
-//! AUTO: carrying out the mission, one navigation command and one action beside it at a time (`AP_Mission` with
+//! AUTO: carrying out the mission, one navigation command and one parallel action at a time (`AP_Mission` with
 //! `ArduCopter`'s `mode_auto`).
 //!
-//! The vehicle's plans hold the list, this module the position in it. A navigation command becomes the vehicle's task,
-//! so that takeoffs, returns and landings are the same as in the other modes.
+//! The vehicle's plans contain the list; this module has the position in it. A navigation command becomes the vehicle's
+//! task, so that takeoffs, returns and landings are the same as in the other modes.
 
 mod advance;
 mod command;
@@ -38,7 +38,7 @@ enum PlanState {
     Complete,
 }
 
-/// The action that runs beside the navigation command.
+/// The action that runs in parallel with the navigation command.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct PlanAction {
     at: Option<u16>,
@@ -49,7 +49,7 @@ struct PlanAction {
     since: Duration,
 }
 
-/// What the current navigation command waits for.
+/// The condition that the current navigation command waits for.
 #[derive(Debug, Clone, PartialEq, Default)]
 enum PlanWait {
     #[default]
@@ -82,21 +82,21 @@ pub(super) struct AutoPlan {
     /// The navigation command, and whether it is under way.
     nav: Option<u16>,
     nav_loaded: bool,
-    /// The command as it was when it began, even if the list has changed since.
+    /// The command as it was when it began; the list may have changed since.
     nav_item: Item,
     wait: PlanWait,
     action: PlanAction,
     jumps: Jumps,
-    /// AUTO has been entered, but the mission has not been started yet.
+    /// Whether AUTO has been entered, but the mission has not been started yet.
     starting: bool,
-    /// Since arming, the throttle was raised, a takeoff commanded or a mission started.
+    /// Whether the throttle was raised, a takeoff commanded or a mission started since arming.
     may_lift: bool,
-    /// The nose points at a region of interest.
+    /// Whether the nose points at a region of interest.
     looks_at_place: bool,
     paused: bool,
-    /// The next start resumes at the current item, whatever `MIS_RESTART` says.
+    /// Whether the next start resumes at the current item, whatever the value of `MIS_RESTART`.
     resumes: bool,
-    /// A requested landing sequence is being flown.
+    /// Whether a requested landing sequence is being flown.
     returns: bool,
     /// The last item reached in this step: one slot, as in the real vehicle.
     reached: Option<u16>,
@@ -240,8 +240,8 @@ impl AutoPlan {
         }
     }
 
-    /// Handles a changed mission: called for every stored item, and whenever the length changes. A command on its way
-    /// to a place begins again with the new item; an emptied mission is reset.
+    /// Handles a changed mission: called for every stored item, and whenever the length changes. A command that is
+    /// flying to a place begins again with the new item; an emptied mission is reset.
     pub(super) fn list_changed(&mut self, vehicle: &mut Vehicle) {
         let runs = self.state == PlanState::Running;
         if vehicle.plans.mission.is_empty() && !(runs && vehicle.safety.armed) {

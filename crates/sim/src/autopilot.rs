@@ -29,7 +29,7 @@ use super::{fence, mode, trail};
 
 /// The delay between the acknowledgement of a reboot and the loss of the links.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
-/// The interval of time synchronisation requests.
+/// The time between time synchronisation requests, in steps.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
 /// The autopilot of one vehicle, together with that vehicle.

@@ -1,5 +1,5 @@
-//! The battery, after `ArduPilot`'s `SIM_Battery`: the resting voltage follows a lithium polymer curve, the load pulls
-//! it down. Without a capacity it never runs down.
+//! The battery, after `ArduPilot`'s `SIM_Battery`. The resting voltage follows a lithium polymer curve, and the load
+//! reduces it. Without a capacity, the battery never runs down.
 
 use super::airframe::Airframe;
 use super::kinematics::STEP_S;
@@ -107,7 +107,7 @@ impl Battery {
         self.voltage_v / airframe.full_voltage_v()
     }
 
-    /// The rest of a capacity, in percent.
+    /// The remaining share of a capacity, in percent.
     pub(super) fn remaining_percent(&self, capacity_mah: f64) -> i8 {
         (100.0 * (1.0 - self.consumed_mah / capacity_mah)).clamp(0.0, 100.0) as i8
     }

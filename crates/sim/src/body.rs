@@ -36,7 +36,7 @@ pub(super) enum Demand {
 struct RotorStream {
     /// The downward part of the drag, in metres per second squared.
     drag_down_m_s2: f64,
-    /// The downward part of the thrust's direction: -1 where the body is level.
+    /// The downward part of the thrust's direction: -1 if the body is level.
     axis_down: f64,
     /// The speed of the inflow along the rotors' axis.
     inflow_m_s: f64,
@@ -50,7 +50,7 @@ pub(super) struct Body {
     pub(super) velocity_m_s: DVec3,
     /// The actual acceleration in the last step, in metres per second squared.
     pub(super) accel_m_s2: DVec3,
-    /// The horizontal acceleration from the present lean while the thrust carries the weight.
+    /// The horizontal acceleration from the current lean while the thrust carries the weight.
     pub(super) lean_m_s2: DVec2,
     lift_m_s2: f64,
     known_drag_m_s2: f64,
@@ -69,7 +69,7 @@ pub(super) struct Body {
     angles_rad: (f64, f64),
     /// Roll and pitch rates, radians per second.
     pub(super) angle_rates_rad_s: (f64, f64),
-    /// A collision has broken the propellers; only a reboot mends them.
+    /// Whether a collision has broken the propellers; only a reboot repairs them.
     pub(super) wrecked: bool,
     /// The rotation of a vehicle that is out of control.
     pub(super) upset: Option<Box<Upset>>,

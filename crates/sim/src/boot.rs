@@ -175,7 +175,7 @@ impl Boot {
         }
     }
 
-    /// Why the boot forbids arming, in the order of `ArduCopter`'s checks.
+    /// The reasons why the boot forbids arming, in the order of `ArduCopter`'s checks.
     pub(super) fn obstacles(&self, mode: &Mode, has_home: bool) -> Vec<&'static str> {
         let mut reasons = Vec::new();
         if self.over {
@@ -244,7 +244,7 @@ impl Boot {
         }
     }
 
-    /// One step of the boot; `is_blind` without a GPS position. Returns the events of the step.
+    /// One step of the boot; `is_blind` means that there is no GPS position. Returns the events of the step.
     pub(super) fn step(&mut self, is_blind: bool) -> impl Iterator<Item = BootEvent> + use<> {
         let table = self.table();
         let from = self.next;

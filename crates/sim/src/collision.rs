@@ -1,7 +1,7 @@
 //! Vehicles that touch each other or an obstacle.
 //!
-//! After every step of the world its vehicles are put into a grid, so that the cost grows with their number and not
-//! with its square. Vehicles are balls; the result depends only on the state after the step, not on the order of
+//! After every step of the world, its vehicles are put into a grid, so that the cost grows with their number and not
+//! with its square. Vehicles are spheres. The result depends only on the state after the step, not on the order of
 //! processing.
 
 mod grid;
@@ -27,7 +27,7 @@ const RADIUS_MAX_M: f64 = 5.0;
 const RESTITUTION: f64 = 0.3;
 /// A vehicle that descends on an obstacle below this speed lands on it undamaged.
 const LANDING_M_S: f64 = 1.0;
-/// The least vertical component of the surface normal for that.
+/// The minimum vertical component of the surface normal for that.
 const LANDING_SLOPE: f64 = 0.7;
 
 /// A collision that broke something.
@@ -35,9 +35,9 @@ const LANDING_SLOPE: f64 = 0.7;
 pub struct Collision {
     /// Simulated time since the world began.
     pub at: Duration,
-    /// The vehicle, from 0; of two vehicles the first.
+    /// The vehicle, from 0; the first one of two vehicles.
     pub vehicle: usize,
-    /// What the vehicle hit: an obstacle or another vehicle.
+    /// The thing that the vehicle hit: an obstacle or another vehicle.
     pub with: Met,
     /// The vehicle's position.
     pub place: LatLon,
@@ -47,7 +47,7 @@ pub struct Collision {
     pub speed_m_s: f64,
 }
 
-/// What a vehicle collided with.
+/// The thing that a vehicle collided with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Met {
     /// Another vehicle, counted from 0.
@@ -173,7 +173,7 @@ impl Collisions {
         }
     }
 
-    /// The pairs that touch, at least one of them in the air, in rising order.
+    /// The pairs that touch, at least one of them in the air, in ascending order.
     fn find_pairs(&mut self) {
         let (balls, pairs) = (&self.balls, &mut self.pairs);
         pairs.clear();
@@ -185,7 +185,7 @@ impl Collisions {
             self.grid
                 .near(ball.centre_m, ball.radius_m + largest_m, |second| {
                     let other = &balls[second];
-                    // Of two in the air, the earlier one finds the pair.
+                    // If both are in the air, the one with the lower number finds the pair.
                     if second == first || (other.in_air && second < first) {
                         return;
                     }

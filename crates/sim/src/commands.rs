@@ -36,7 +36,7 @@ pub(super) struct Command {
 
 impl Command {
     /// A `COMMAND_LONG`: the vehicle turns its fifth and sixth parameter into whole numbers, in degrees times 1e7
-    /// where the command is about a place.
+    /// if the command has a place.
     pub(super) fn from_long(number: u16, p: [f32; 4], [x, y, z]: [f32; 3]) -> Self {
         let whole = |value: f32| {
             if WITH_PLACE.contains(&number) {
@@ -60,7 +60,7 @@ impl Command {
         LatLon::from_e7(self.x, self.y)
     }
 
-    /// A parameter without its fraction. Not-a-number is denied here; it crashes the real vehicle.
+    /// A parameter without its fraction. NaN is denied here, because it crashes the real vehicle.
     fn whole(&self, parameter: usize) -> Option<i32> {
         let value = self.p.get(parameter).copied()?;
         (!value.is_nan()).then_some(value as i32)

@@ -14,8 +14,8 @@ const ROW_SPACING_M: f64 = 5.0;
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
-    /// The airframe of each vehicle, in the order of the starts; the last one applies to all further vehicles; without
-    /// any, the vehicles are [`Airframe::standard`] quadcopters.
+    /// The airframe of each vehicle, in the order of the starts; the last one applies to all further vehicles; if there
+    /// are none, the vehicles are [`Airframe::standard`] quadcopters.
     pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
@@ -44,7 +44,7 @@ impl WorldConfig {
         }
     }
 
-    /// The airframe of a vehicle; `usual` if none was given.
+    /// The airframe of a vehicle; `usual` if none was configured.
     pub(super) fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
         let own = self.airframes.get(vehicle).or(self.airframes.last());
         Arc::clone(own.unwrap_or(usual))
@@ -65,7 +65,7 @@ pub struct Start {
 /// A serial port of a vehicle. Each has its own rates of telemetry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Serial {
-    /// The USB port: it accepts unsigned packets too.
+    /// The USB port: it also accepts unsigned packets.
     Zero,
     /// The first radio: it refuses unsigned packets once a signing key is set.
     One,

@@ -21,7 +21,7 @@ const INTEGRAL_MAX_M_S2: f64 = 10.0;
 /// The increase of vertical acceleration for a speed beyond its limit, per share of the limit.
 const OVERSPEED_GAIN_Z: f64 = 2.0;
 
-/// The limit of a path's downward acceleration, whatever the limits say.
+/// The limit of a path's downward acceleration, whatever the limits.
 const FALL_MAX_M_S2: f64 = 7.5;
 
 /// The limits of a path.
@@ -37,7 +37,7 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// The limits for a path that climbs or sinks too fast: its vertical speed may change faster
+    /// The limits for a path that climbs or descends too fast: its vertical speed may change faster
     /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so that a velocity is obeyed regardless of speed limits.
     pub(super) fn overspeed(self, down_m_s: f64) -> Self {
         let most = if down_m_s < 0.0 {
@@ -111,7 +111,7 @@ impl PositionControl {
         control
     }
 
-    /// Starts again from the body's present state, without a jolt in the lean: the integrator holds all of it, and the
+    /// Starts again from the body's current state, without a jolt in the lean: the integrator holds all of it, and the
     /// path starts without acceleration (`init_xy_controller`).
     pub(super) fn take_over(&mut self, body: &Body) {
         self.path_m = body.position_m;
@@ -284,7 +284,7 @@ impl PositionControl {
         let mut delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
         let along = |v: DVec2| v.dot(self.saturated);
         if along(delta_m.truncate()) > 0.0 && along(self.last_error_m) > 0.0 {
-            // ArduPilot stops and goes with every step, so that the path keeps its distance from the body.
+            // ArduPilot stops and starts in every step, so that the path keeps its distance from the body.
             let most_m = (self.last_moving_m_s.length() * STEP_S).min(delta_m.truncate().length());
             delta_m = (delta_m.truncate().normalize_or_zero() * most_m).extend(delta_m.z);
         }
@@ -315,7 +315,7 @@ struct Speeds {
     vertical: f64,
 }
 
-/// Speeds for a straight path within both the horizontal and the vertical limit.
+/// The speeds for a straight path that stay within both the horizontal and the vertical limit.
 fn speeds_along(way: DVec3, limits: &Limits) -> Speeds {
     let vertical_max = if way.z < 0.0 {
         limits.speed_up_m_s

@@ -5,14 +5,14 @@ use std::time::Duration;
 use super::body::Body;
 use super::parameters::Parameters;
 
-/// The interval of storing and reporting the counters.
+/// The time between storing and reporting the counters.
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
-/// The interval of counting.
+/// The time between counts.
 const LOOK: Duration = Duration::from_millis(100);
 /// The vertical speed below which the vehicle hovers; the time constant of learning its throttle.
 const HOVER_CLIMB_M_S: f64 = 0.6;
 const HOVER_LEARNT_S: f64 = 10.0;
-/// The least change of the hover throttle in a flight that is reported.
+/// The minimum change of the hover throttle in a flight that is reported.
 const HOVER_MOVED: f32 = 0.001;
 
 /// Counts not stored yet.

@@ -9,7 +9,7 @@ use super::mode;
 use super::reaction::Reaction;
 use sortie_geo::maths;
 
-/// Crash detection: the least lean error and lean, the greatest speed and acceleration, and the time.
+/// Crash detection: the minimum lean error and lean, the maximum speed and acceleration, and the time.
 const CRASH_ERROR_DEG: f64 = 30.0;
 const CRASH_LEAN_DEG: f64 = 15.0;
 const CRASH_SPEED_M_S: f64 = 10.0;
@@ -19,9 +19,9 @@ const CRASH_STEPS: u32 = 200;
 const LOSS_LEAN_DEG: f64 = 15.0;
 const LOSS_THROTTLE: f64 = 0.9;
 const LOSS_STEPS: u32 = 100;
-/// The motor named as failing: with equal load it is random; the real vehicle named the second.
+/// The motor reported as failing. With equal loads it is random; the real vehicle reported the second one.
 const SOME_MOTOR: usize = 2;
-/// The time after a touchdown before the next report of one.
+/// The minimum time between two reports of a touchdown, in steps.
 const CONTACT_STEPS: u32 = 100;
 /// The acceleration is filtered at 1 Hz.
 const ACCEL_BLEND: f64 = STEP_S / (STEP_S + 1.0 / std::f64::consts::TAU);
@@ -127,7 +127,7 @@ impl CrashWatch {
             return None;
         }
         self.losing_steps = 0;
-        // Reported once per flight: on the real vehicle the thrust boost stays on from here.
+        // Reported once per flight, because the thrust boost of the real vehicle stays on from here.
         self.loss_told = true;
         let upset = body.upset.as_ref();
         let motor = upset.map_or(SOME_MOTOR, |upset| upset.mixer.lost + 1);

@@ -1,9 +1,9 @@
 //! The autopilot's estimate of its motion: the truth, with an error from faulty sensors.
 //!
-//! The model stores the error, not the estimate: without faults the estimate is the truth itself at no cost. Times,
-//! thresholds and texts are those measured at `ArduCopter`'s EKF3 in SITL: GPS innovations beyond a gate are rejected
-//! for ten seconds, after which the position jumps to the GPS; without GPS the estimate is blind, distrusted after
-//! seven seconds and given up after fifteen.
+//! The model stores the error, not the estimate: without faults, the estimate is the truth itself at no cost. Times,
+//! thresholds and texts were measured with the EKF3 of `ArduCopter` in SITL. GPS innovations beyond a gate are rejected
+//! for ten seconds; then the position jumps to the GPS. Without GPS the estimate is blind, distrusted after seven
+//! seconds and abandoned after fifteen.
 
 mod barometer;
 mod compass;
@@ -28,7 +28,7 @@ use super::body::Body;
 use super::kinematics::STEP_S;
 use super::texts;
 
-/// The time without a GPS position after which the horizontal estimate is distrusted, and after which it is given up.
+/// The time without a GPS position after which the horizontal estimate is distrusted, and after which it is abandoned.
 const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
 const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
 /// A position rejected for this long is adopted after all.
@@ -88,7 +88,7 @@ pub(super) struct Estimator {
     shake_m_s: DVec3,
     barometer: Barometer,
     compass: Compass,
-    /// The last known position, reported while the position is given up.
+    /// The last known position, reported while the position is abandoned.
     last_known_m: Option<DVec3>,
 }
 
@@ -129,12 +129,12 @@ impl Estimator {
         self.trust == Trust::Good
     }
 
-    /// Whether the position is still estimated, well or badly.
+    /// Whether the position is still being estimated, however well.
     pub(super) fn is_aiding(&self) -> bool {
         self.trust != Trust::GivenUp
     }
 
-    /// The last known position, metres from the start, while the position is given up.
+    /// The last known position, metres from the start, while the position is abandoned.
     pub(super) fn last_known_m(&self) -> Option<DVec3> {
         self.last_known_m
     }
@@ -318,7 +318,7 @@ impl Estimator {
         self.velocity_error_m_s = DVec3::ZERO;
     }
 
-    /// Without a position the estimate drifts, unless the vehicle is on the ground.
+    /// Lets an estimate without a position drift, unless the vehicle is on the ground.
     fn run_away(&mut self, truth: &Body) {
         if truth.on_ground {
             self.velocity_error_m_s = DVec3::ZERO;
@@ -360,7 +360,7 @@ impl Estimator {
         }
     }
 
-    /// Whether positions are missing, as opposed to bad.
+    /// Whether positions are missing, rather than wrong.
     fn is_blind(&self) -> bool {
         !self.receiver.fix.is_locked()
     }

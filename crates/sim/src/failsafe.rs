@@ -20,7 +20,7 @@ use super::mode::{self, Mode};
 use super::parameters::Parameters;
 use super::reaction::Reaction;
 
-/// The interval of the checks, in steps.
+/// The time between checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 10;
 
 /// Exceptions from the failsafes: the bits of `FS_OPTIONS`.
@@ -51,7 +51,7 @@ pub(super) struct FailsafeRules {
     /// The throttle below which the radio counts as lost (`FS_THR_VALUE`), in microseconds.
     pub(super) radio_low_us: f64,
     options: Options,
-    /// The greatest variance of the estimator (`FS_EKF_THRESH`); 0 for no limit.
+    /// The maximum variance of the estimator (`FS_EKF_THRESH`); 0 for no limit.
     pub(super) ekf_threshold: f64,
     ekf_action: i32,
     pub(super) battery: BatteryRules,

@@ -17,7 +17,7 @@ pub(super) use self::area::{Fence, FenceError};
 use self::avoidance::Limiter;
 use super::parameters::Parameters;
 
-/// The interval of the checks, in steps.
+/// The time between checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 4;
 /// The kinds of fences, a bit of `FENCE_TYPE` each.
 const CEILING: u8 = 1;
@@ -26,7 +26,7 @@ const AREAS: u8 = 4;
 const FLOOR: u8 = 8;
 /// A broken limit counts as broken again this much further out.
 const BACKUP_M: f64 = 20.0;
-/// The checks pause for this long after a change of mode: the pilot is bringing the vehicle back.
+/// How long the checks pause after a change of mode, because the pilot is bringing the vehicle back.
 const RECOVERY: Duration = Duration::from_secs(10);
 const COUNT_MAX: u16 = 65_500;
 
@@ -86,7 +86,7 @@ pub(super) struct Geofence {
     ceiling: Limit,
     floor: Limit,
     circle: Limit,
-    /// The floor is active after the first command that switches the fence on.
+    /// Whether the floor is active, which it is after the first command that switches the fence on.
     has_floor: bool,
     recovering_until: Option<Duration>,
     told: Option<Duration>,
@@ -203,7 +203,7 @@ impl Geofence {
         !outside
     }
 
-    /// How far outside the vehicle is, for these kinds.
+    /// The largest distance that the vehicle is outside fences of these kinds.
     fn farthest_m(&self, kinds: u8) -> f64 {
         [
             (CEILING, &self.ceiling),
@@ -220,7 +220,7 @@ impl Geofence {
             || (rules.kinds & AREAS != 0 && !self.areas.is_empty())
     }
 
-    /// Why the fence forbids arming.
+    /// The reason why the fence forbids arming.
     fn obstacle(&self, rules: &FenceRules) -> Option<&'static str> {
         if !rules.is_enabled {
             return None;

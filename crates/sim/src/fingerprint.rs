@@ -1,4 +1,4 @@
-//! A hash of a vehicle's whole state, to compare two flights.
+//! A hash of a vehicle's whole state, for comparing two flights.
 
 use std::fmt::{self, Debug, Write as _};
 

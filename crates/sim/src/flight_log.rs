@@ -1,4 +1,4 @@
-//! The flight logs that the vehicle keeps.
+//! The flight logs that the vehicle stores.
 
 mod flash;
 mod sample;
@@ -14,7 +14,7 @@ pub(super) use sample::{LogInputs, LogSample};
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
 /// Steps from one sample to the next: two samples per second.
 pub(super) const EVERY_STEPS: u64 = 50;
-/// The most samples of one log (20 minutes), and the most logs.
+/// The maximum number of samples of one log (20 minutes), and the maximum number of logs.
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;
@@ -80,7 +80,7 @@ impl FlightLog {
         };
     }
 
-    /// The logs that are kept, the oldest first.
+    /// The logs that are kept, oldest first.
     pub(super) fn kept(&self) -> &[RecordedLog] {
         &self.kept
     }
@@ -159,7 +159,7 @@ impl FlightLog {
         self.open.as_ref().map(|(_, file)| file.as_slice())
     }
 
-    /// Closes the file that was opened last.
+    /// Closes the file that was last opened.
     pub(super) fn close(&mut self) {
         self.open = None;
     }

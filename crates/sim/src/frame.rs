@@ -40,7 +40,7 @@ impl HeightOrigin {
         }
     }
 
-    /// The frame that the vehicle itself names for it.
+    /// The frame that the vehicle itself uses for it.
     pub(crate) fn frame(self) -> u8 {
         match self {
             Self::Sea => GLOBAL,

@@ -29,7 +29,7 @@ const UNIT_WITHIN: f64 = 1e-3;
 const THRUST_AS_THRUST: i32 = 1 << 3;
 /// Velocities and accelerations beyond this stop the vehicle.
 const SANE_MAX: f64 = 1000.0;
-/// Altitudes, speeds and offsets beyond this are mistakes: in metres, it is 2.5 times the circumference of the earth.
+/// Altitudes, speeds and offsets beyond this are mistakes; in metres, it is 2.5 times the circumference of the earth.
 const SENSIBLE_MAX: f64 = 1e8;
 
 /// The position of a setpoint, in one of two forms.
@@ -89,7 +89,7 @@ pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
         change_task(vehicle, task);
         aim_nose(vehicle, setpoint);
     } else {
-        // The control restarts as if the mode were entered anew.
+        // The control restarts as if the mode had just been entered.
         restart_control(vehicle);
         vehicle.flight.task = Task::STOP;
     }
@@ -142,13 +142,14 @@ pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
     });
 }
 
-/// The present lean forward and to the right, in radians: the start for a setpoint that gives rates.
+/// The current lean forward and to the right, in radians: the start for a setpoint that gives rates.
 fn leaning_rad(vehicle: &Vehicle) -> DVec2 {
     let (roll, pitch) = vehicle.plant.body.roll_pitch_rad();
     DVec2::new(-pitch, roll)
 }
 
-/// The lift of a thrust value: a climb rate, where one half holds the height, or a thrust if `GUID_OPTIONS` says so.
+/// The lift of a thrust value: a climb rate, where one half holds the height, or a thrust if `GUID_OPTIONS` requires
+/// it.
 fn lift_of(vehicle: &Vehicle, thrust: f64) -> Lift {
     if vehicle.tuning.guided_options & THRUST_AS_THRUST != 0 {
         return Lift::Thrust(thrust.clamp(-1.0, 1.0));
@@ -235,7 +236,7 @@ fn task_for(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<Task> {
 fn goal_of(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<DVec3> {
     match setpoint.point {
         TargetPoint::Local(offset) => Some(match setpoint.frame {
-            // Offsets start where the vehicle is.
+            // Offsets start at the vehicle's position.
             frame::LOCAL_OFFSET_NED | frame::BODY_NED | frame::BODY_OFFSET_NED => {
                 vehicle.believed().position_m + in_north_east(vehicle, setpoint, offset)
             }

@@ -63,7 +63,7 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         }
         StationRequest::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
         StationRequest::SetMode { base, custom } if base & CUSTOM_MODE != 0 => {
-            // Only the lowest byte counts, as in the real vehicle.
+            // Only the lowest byte counts, as on the real vehicle.
             autopilot.set_mode(*custom as u8);
         }
         StationRequest::SetMode { .. } => {}
@@ -133,7 +133,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
     }
 }
 
-/// Takes a key over from a ground station, for all links; refused while armed. Without an acknowledgement: the
+/// Stores a ground station's key for all links; refused while armed. There is no acknowledgement, because the
 /// protocol has none.
 fn set_up_signing(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_DATA) {
     if autopilot.vehicle.safety.armed {

@@ -1,4 +1,4 @@
-//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for the tests of ground stations and of other
+//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for tests of ground stations and of other
 //! programs.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
@@ -39,7 +39,7 @@
 //! `examples/takeoff.rs` arms the vehicle, takes off and reads its position, as a test of another program would.
 //!
 //! # How the parts fit
-//! In order from the bottom up: a module uses only those before it, and no two modules use each other.
+//! The modules in order from the bottom up. A module uses only those before it, and no two modules use each other.
 //!
 //! - The physics: `kinematics`, `airframe`, `battery`, `wind`, `body`; `upset` and `mixer` after the loss of a motor.
 //! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of
@@ -142,7 +142,7 @@ pub struct PortId {
 }
 
 impl PortId {
-    /// The id of a connection from its number and vehicle, to address it in another world that has the same inputs.
+    /// The id of a connection from its number and vehicle, for addressing it in another world that has the same inputs.
     pub fn numbered(vehicle: usize, number: u64) -> Self {
         Self { vehicle, number }
     }
@@ -233,11 +233,11 @@ impl World {
         self.steps
     }
 
-    /// A hash of the whole state of a vehicle, counted from 0. Vehicles that differ in any state that decides how they
-    /// fly on have different hashes, but for a chance of one in 2^64.
+    /// A hash of the whole state of a vehicle, counted from 0. Vehicles that differ in any state that determines how
+    /// they fly on have different hashes, except with a probability of 1 in 2^64.
     ///
     /// # Panics
-    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
     pub fn fingerprint(&self, vehicle: usize) -> u64 {
         self.slots[vehicle].fingerprint()
     }
@@ -245,7 +245,7 @@ impl World {
     /// The value of a parameter of a vehicle, counted from 0; 0 if there is no such parameter.
     ///
     /// # Panics
-    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
     pub fn parameter(&self, vehicle: usize, name: &str) -> f64 {
         self.slots[vehicle].autopilot.vehicle.parameters.value(name)
     }
@@ -271,7 +271,7 @@ impl World {
         STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
     }
 
-    /// Makes serial 0 of a vehicle that signs drop unsigned packets too, as its other ports do.
+    /// Makes serial 0 of a signing vehicle drop unsigned packets, as its other ports do.
     pub fn require_signatures(&mut self) {
         for slot in &mut self.slots {
             slot.require_signatures();
@@ -285,8 +285,8 @@ impl World {
     }
 
     /// Attaches a ground station to a serial port of a vehicle, counted from 0. Ground stations on the same serial
-    /// port get the same telemetry, at the rates that any of them has asked for; rates last until the vehicle reboots,
-    /// even without ground stations. Answers go only to the ground station that asked.
+    /// port get the same telemetry, at the rates that any of them has requested; rates last until the vehicle reboots,
+    /// even without ground stations. Answers go only to the requesting ground station.
     pub fn connect_to(&mut self, vehicle: usize, serial: Serial) -> PortId {
         let number = self.next_port;
         self.next_port += 1;
@@ -371,8 +371,8 @@ impl World {
         }
     }
 
-    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1). The
-    /// world cannot set its own pace: the caller that steps it should.
+    /// Simulated seconds per second, if a ground station has requested that from a vehicle (`SIM_SPEEDUP` other than
+    /// 1). The world cannot set its own pace: the caller that steps it should do that.
     pub fn wanted_speedup(&self) -> Option<f64> {
         self.slots
             .iter()
@@ -383,7 +383,7 @@ impl World {
     /// The truth about a vehicle, counted from 0.
     ///
     /// # Panics
-    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
     pub fn truth(&self, vehicle: usize) -> Truth {
         Truth::of(&self.slots[vehicle].autopilot)
     }

@@ -1,4 +1,4 @@
-//! The state that the vehicle keeps for one serial port.
+//! The state of one serial port on the vehicle.
 
 use std::time::Duration;
 
@@ -19,7 +19,7 @@ pub(super) struct Link {
     pub(super) schedule: Schedule,
     /// The transfer number of the ground station that is being answered.
     pub(super) transfer: LinkNumber,
-    /// Whether anything was received: until then the vehicle sends little.
+    /// Whether anything was received; until then, the vehicle sends little.
     pub(super) heard: bool,
     /// The index of the first parameter of a requested list.
     pub(super) listing: Option<u16>,

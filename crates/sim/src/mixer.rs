@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::airframe::Motor;
 
-/// The most motors of a frame.
+/// The maximum number of motors of a frame.
 pub(super) const MOTORS_MAX: usize = 12;
 /// Share of the range that yaw may always use (`MOT_YAW_HEADROOM`).
 const YAW_HEADROOM: f64 = 0.2;
@@ -70,7 +70,7 @@ impl Mixer {
         self.watch(motors.len(), dt_s);
     }
 
-    /// The yaw that fits beside roll and pitch, without a lost motor.
+    /// The yaw that is possible in addition to roll and pitch, without a lost motor.
     fn yaw_room(&self, motors: &[Motor], yaw: f64, throttle: f64) -> f64 {
         let room_of = |place: usize, motor: &Motor| {
             let share = throttle + self.shares[place];
@@ -105,7 +105,7 @@ impl Mixer {
         if high - low > 1.0 {
             scale = 1.0 / (high - low);
         }
-        // Half way towards the hover the throttle may be raised to keep the attitude.
+        // The throttle may be raised half way towards the hover to keep the attitude.
         let throttle_mean_most = throttle.max(0.5 * (throttle + HOVER_SHARE));
         if throttle_mean_most + low < 0.0 {
             scale = f64::min(scale, -throttle_mean_most / low);

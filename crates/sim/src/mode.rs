@@ -23,7 +23,7 @@ pub(super) struct Mode {
     /// Its name in `ArduCopter`'s texts.
     pub(super) name: &'static str,
     pub(super) entry: ModeEntry,
-    /// The autopilot holds or flies to positions: sets the GUIDED bit of `base_mode`.
+    /// Whether the autopilot holds or flies to positions, which sets the GUIDED bit of `base_mode`.
     pub(super) autonomous: bool,
     pub(super) controls_height: bool,
     pub(super) armable: bool,
@@ -148,7 +148,7 @@ pub(super) fn changes_speed(number: u8) -> bool {
     matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
 }
 
-/// Modes that take off by command; `ALT_HOLD` only where the vehicle need not hold its place.
+/// Modes that take off by command; `ALT_HOLD` only if the vehicle need not hold its place.
 pub(super) fn takes_off(number: u8, navigates: bool) -> bool {
     matches!(number, GUIDED | LOITER | POSHOLD | ZIGZAG) || (number == ALT_HOLD && !navigates)
 }
@@ -162,7 +162,7 @@ impl Mode {
         matches!(self.entry, ModeEntry::Position | ModeEntry::Plan)
     }
 
-    /// The mode of a number, if the firmware has it.
+    /// The mode with a number, if the firmware has it.
     pub(super) fn numbered(number: u8) -> Option<Self> {
         MODES.iter().copied().find(|mode| mode.number == number)
     }

@@ -22,7 +22,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// The type as `MAVLink` names it.
+    /// The corresponding `MAVLink` type.
     pub(super) fn on_the_wire(self) -> MavParamType {
         match self {
             Self::Int8 => MavParamType::MAV_PARAM_TYPE_INT8,
@@ -34,7 +34,7 @@ impl Kind {
 
     /// The value as it is stored: integers are truncated and saturate.
     fn stored(self, value: f32) -> f32 {
-        // The vehicle adds a hundredth away from zero before it cuts the fraction off.
+        // The vehicle adds a hundredth away from zero before it truncates the fraction.
         let whole = value + 0.01f32.copysign(value);
         match self {
             Self::Int8 => f32::from(whole as i8),
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// A parameter with its present value.
+/// A parameter with its current value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Parameter {
     pub(super) name: &'static str,
@@ -54,11 +54,11 @@ pub(super) struct Parameter {
     pub(super) index: u16,
 }
 
-/// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share the defaults: each keeps
+/// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share the defaults: each stores
 /// only the values that differ.
 #[derive(Debug, Clone)]
 pub(super) struct Parameters {
-    /// Places in the table with values other than the default, in rising order.
+    /// Places in the table with values other than the default, in ascending order.
     changed: Vec<(u16, f32)>,
 }
 
@@ -102,7 +102,7 @@ impl Parameters {
             .map_or(0.0, |row| row.default)
     }
 
-    /// The parameter with a name of either firmware; upper and lower case are the same.
+    /// The parameter with a name of either firmware; case does not matter.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
         if let Some(index) = TABLE.place(name) {
             return self.at(index as u16);
@@ -165,7 +165,7 @@ impl Parameters {
         found.map_or(0.0, |parameter| f64::from(parameter.value))
     }
 
-    /// Whether files are handed out by `MAVLink` FTP: a bit of the board's options turns it off.
+    /// Whether the vehicle offers files by `MAVLink` FTP; a bit of the board's options turns that off.
     pub(super) fn hands_out_files(&self) -> bool {
         self.value("BRD_OPTIONS") as i64 & 0x2 == 0
     }

@@ -51,7 +51,7 @@ impl LocalDatum {
         }
     }
 
-    /// Where home is; `None` until it is set.
+    /// The position of home; `None` until it is set.
     pub(super) fn home(&self) -> Option<Place> {
         self.home
     }
@@ -90,7 +90,7 @@ impl LocalDatum {
         altitude_amsl_m(frame, height_m, &self.start, self.home_point())
     }
 
-    /// Whether a place may be home.
+    /// Whether a place is valid as home.
     pub(super) fn may_be_home(&self, place: Place) -> bool {
         let above_m = place.altitude_amsl_m - self.start.altitude_amsl_m;
         place.at.is_valid() && above_m.abs() <= HOME_HEIGHT_MAX_M

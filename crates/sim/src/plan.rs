@@ -10,7 +10,7 @@ pub(super) struct Item {
     pub(super) auto_continue: bool,
     /// The first four parameters of the command.
     pub(super) p: [f32; 4],
-    /// Latitude, in 1e-7 degrees, where the command has a place; else the fifth parameter.
+    /// Latitude, in 1e-7 degrees, if the command has a place; otherwise the fifth parameter.
     pub(super) x: i32,
     /// Longitude, in 1e-7 degrees, or the sixth parameter.
     pub(super) y: i32,

@@ -1,8 +1,8 @@
 //! A vehicle's serial ports, and the ground stations on them.
 //!
-//! A serial port has one [`Link`]: the rates requested on it outlast the requesting ground station. A real one has room
-//! for one ground station; here any number can share it. Each of them gets the same streams and texts; an answer (and a
-//! parameter list) goes only to the requester.
+//! A serial port has one [`Link`]: the rates requested on it stay after the requesting ground station has gone. A real
+//! one has room for one ground station; here any number can share it. Each of them gets the same streams and texts; an
+//! answer (and a parameter list) goes only to the requester.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -14,17 +14,17 @@ use super::vehicle::Vehicle;
 use super::{Serial, inbound, transfer};
 use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
-/// The most bytes that wait for a reader.
+/// The maximum number of bytes that wait for a reader.
 const PENDING_MAX: usize = 256 * 1024;
-/// With more bytes waiting, telemetry is dropped and only answers are kept.
+/// If more bytes than this wait, telemetry is dropped and only answers are kept.
 const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
 /// A buffer that has grown beyond this is freed once it is empty.
 const PENDING_KEPT: usize = 4096;
-/// With more bytes waiting, transfers pause.
+/// If more bytes than this wait, transfers pause.
 const TRANSFERS_MAX: usize = PENDING_MAX / 2;
 /// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
 const PIECE: usize = 4096;
-/// After a pause of this many steps, an incomplete frame will not be completed any more (a frame takes far less).
+/// After a pause of this many steps, an incomplete frame will no longer be completed (a frame takes far less).
 const PAUSE_STEPS: u32 = 50;
 /// Parameters sent per step while a list is under way (2300 per second).
 const PARAMETERS_PER_STEP: u16 = 23;
@@ -82,7 +82,7 @@ impl Port {
         }
     }
 
-    /// Takes bytes and answers their requests. Broadcast messages are returned for the others; this ground station
+    /// Handles bytes and answers their requests. Broadcast messages are returned for the others; this ground station
     /// gets them in order with its answers.
     pub(super) fn receive(
         &mut self,
@@ -177,7 +177,7 @@ impl Port {
         }
     }
 
-    /// Sends telemetry; answers have precedence when the client does not read.
+    /// Sends telemetry; answers take precedence if the client does not read.
     pub(super) fn stream(&mut self, message: &MavMessage, signing: &mut Signing) {
         self.say(message, signing, TELEMETRY_MAX);
     }

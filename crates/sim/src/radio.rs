@@ -6,16 +6,17 @@ use super::parameters::Parameters;
 
 /// Channels that can be overridden.
 pub(super) const CHANNELS: usize = 16;
-/// Values of a channel in an override: it stays as it is; it is released (only channels from the ninth on).
+/// Special values of a channel in an override: the first leaves it unchanged; the second releases it (only channels
+/// from the ninth on).
 const UNCHANGED: u16 = u16::MAX;
 const GIVEN_BACK: u16 = u16::MAX - 1;
 /// A pulse that a receiver can send, in microseconds.
 const PULSE_MAX_US: u16 = 2500;
-/// The duration of an override without a time limit.
+/// The duration of an override that has no time limit.
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
 /// Upper limits of the pulse width for the first five positions of the mode switch.
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
-/// The number of equal readings, ten a second, before the switch counts.
+/// The number of identical readings, at ten per second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
 /// A stick in a lower corner arms or disarms after this many checks.
 const CORNER_LOOKS: u8 = 20;
@@ -27,7 +28,7 @@ const CORNER: f64 = 4000.0 / 4500.0;
 pub(super) struct RadioRules {
     /// Roll, pitch, throttle, yaw.
     pub(super) sticks: [StickRange; 4],
-    /// `None`: overrides are refused.
+    /// The duration of an override; `None` if overrides are refused.
     override_time: Option<Duration>,
     mode_channel: usize,
     rudder_arms: bool,
@@ -116,7 +117,7 @@ pub(super) struct Sticks {
 }
 
 impl Sticks {
-    /// Sticks centred and throttle down, as a SITL without a transmitter sees them.
+    /// Sticks centred and throttle down, as on a SITL without a transmitter.
     pub(super) const RELEASED: Self = Self {
         channels_us: [
             1500, 1500, 1000, 1500, 1800, 1000, 1000, 1800, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -133,7 +134,7 @@ impl Sticks {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
     overrides: [(u16, Duration); CHANNELS],
-    /// When overrides end at the latest.
+    /// The time at which overrides end at the latest.
     pub(super) until: Duration,
     switch: (usize, u8),
     obeyed: usize,
@@ -154,7 +155,7 @@ impl Default for Radio {
 }
 
 impl Radio {
-    /// The present channels: those of the transmitter unless overridden.
+    /// The current channels: those of the transmitter unless overridden.
     pub(super) fn sticks(&self, now: Duration) -> Sticks {
         let mut sticks = Sticks::RELEASED;
         if now < self.until {
@@ -186,14 +187,14 @@ fn switch_position(pulse_us: u16) -> usize {
 /// The requests of sticks and switches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct StickRequests {
-    /// The mode switch has a new position.
+    /// Whether the mode switch has a new position.
     pub(super) moved_switch: bool,
-    /// The sticks were held in the corner that arms.
+    /// Whether the sticks were held in the corner that arms.
     pub(super) arms: bool,
 }
 
 impl Radio {
-    /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 releases one of the first eight, 65534
+    /// Applies `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 releases one of the first eight, 65534
     /// one of the others.
     pub(super) fn override_channels(
         &mut self,
@@ -216,7 +217,7 @@ impl Radio {
         }
     }
 
-    /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis unchanged. A
+    /// Applies `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis unchanged. A
     /// message with a negative throttle is ignored.
     pub(super) fn control_manually(
         &mut self,
@@ -300,7 +301,7 @@ mod tests {
     fn sticks_are_read_with_their_dead_zones() {
         let rules = RadioRules::read(&Parameters::new(1));
         let [roll, _, throttle, _] = rules.sticks;
-        // A stick at 1300 leans by 0.375 of the most: 11.25 of 30 degrees.
+        // A stick at 1300 leans by 0.375 of the maximum: 11.25 of 30 degrees.
         assert!((roll.off_centre(1300) + 0.375).abs() < 1e-9);
         assert!(roll.off_centre(1515) == 0.0 && roll.off_centre(1485) == 0.0);
         assert!((throttle.pushed(1700) - 670.0 / 970.0).abs() < 1e-9);

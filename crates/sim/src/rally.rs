@@ -12,9 +12,9 @@ use sortie_geo::LatLon;
 /// The rules from the `RALLY_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RallyRules {
-    /// Rally points further away than this do not count; zero: all do.
+    /// Rally points farther away than this do not count; zero means that all count.
     limit_m: f64,
-    /// Home counts as one of them.
+    /// Whether home counts as one of them.
     with_home: bool,
 }
 
@@ -36,8 +36,8 @@ pub(super) struct Rally<'a> {
 }
 
 impl Rally<'_> {
-    /// The destination of a return from `here_m`: home, or the nearest allowed rally point. Its height is the least on
-    /// arrival.
+    /// The destination of a return from `here_m`: home, or the nearest allowed rally point. Its height is the minimum
+    /// on arrival.
     pub(super) fn destination(
         &self,
         rules: &RallyRules,

@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-/// One request; a part lists them in the order in which they are to be carried out.
+/// One request; a part lists them in the order in which they must be carried out.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Reaction {
     /// Sends a text to every ground station.
@@ -43,7 +43,7 @@ pub(super) enum FailsafeAction {
 }
 
 impl FailsafeAction {
-    /// The action of a battery parameter's value; unknown numbers do nothing.
+    /// The action of a battery parameter's value; unknown numbers mean no action.
     pub(super) fn numbered(number: i32) -> Self {
         match number {
             1 => Self::Land,
@@ -57,7 +57,7 @@ impl FailsafeAction {
         }
     }
 
-    /// Its urgency: 0 is the most urgent. The battery's second level must not undo the first's.
+    /// Its urgency: 0 is the most urgent. The battery's second level must not undo that of the first.
     pub(super) fn priority(self) -> u8 {
         match self {
             Self::Terminate => 0,

@@ -21,7 +21,7 @@ use mavlink::dialects::ardupilotmega::{
 use super::Serial;
 use super::parameters::Parameters;
 
-/// `TERRAIN_REQUEST` and `TERRAIN_REPORT` come together.
+/// `TERRAIN_REQUEST` and `TERRAIN_REPORT` are sent together.
 pub(super) const TERRAIN_REQUEST: u32 = TERRAIN_REQUEST_DATA::ID;
 pub(super) const TERRAIN_REPORT: u32 = TERRAIN_REPORT_DATA::ID;
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
@@ -30,7 +30,7 @@ const SHORTEST_US: i64 = 3_000;
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 const HEARTBEAT_US: i64 = 1_000_000;
 const TERRAIN_US: i64 = 2_000_000;
-/// Messages that are this many intervals late are given up.
+/// Messages that are this many intervals late are skipped.
 const LATE_INTERVALS: u64 = 4;
 
 /// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
@@ -136,7 +136,7 @@ impl Schedule {
         schedule
     }
 
-    /// Handles the first client after a time without any: each message is due at once, and only once.
+    /// Handles the first client after a time without clients: each message is due at once, and only once.
     pub(super) fn resume(&mut self, now: Duration) {
         let now_us = now.as_micros() as u64;
         for entry in &mut self.entries {
@@ -145,11 +145,11 @@ impl Schedule {
         self.earliest_us = now_us;
     }
 
-    /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too small
-    /// (negative ones too) sets the shortest interval.
+    /// Sets an interval in microseconds. 0 and -1 switch the message off; any other number that is too small
+    /// (including negative ones) sets the shortest interval.
     pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
         if id == TERRAIN_REQUEST {
-            // The report comes with every turn, the request for data not more often than every 2 s.
+            // The report is sent every time, the request for data no more often than every 2 s.
             self.set(TERRAIN_REPORT, interval_us, now);
             let on = interval_us != 0 && interval_us != -1;
             let rare_us = if on { interval_us.max(TERRAIN_US) } else { 0 };
@@ -199,7 +199,7 @@ impl Schedule {
         }
     }
 
-    /// Calls `send` for every message that is due, as often as it is due.
+    /// Calls `send` for every message that is due, as many times as it is due.
     pub(super) fn each_due(&mut self, now: Duration, mut send: impl FnMut(u32)) {
         let now_us = now.as_micros() as u64;
         if now_us < self.earliest_us {

@@ -32,7 +32,7 @@ pub(super) struct Signing {
     key: Option<SigningKey>,
     clocks: [u64; Serial::ALL.len()],
     streams: Vec<SignedStream>,
-    /// Whether serial 0 drops unsigned packets, too.
+    /// Whether serial 0 also drops unsigned packets.
     strict: bool,
 }
 
@@ -42,7 +42,7 @@ impl Signing {
         self.strict = true;
     }
 
-    /// Signs from now on; a key and a timestamp of zero switch signing off.
+    /// Switches signing on; a key and a timestamp of zero switch signing off.
     pub(super) fn load(&mut self, key: SigningKey, timestamp: u64) {
         let off = key == [0; 32] && timestamp == 0;
         self.key = (!off).then_some(key);
@@ -75,7 +75,7 @@ impl Signing {
         let Some(key) = self.key else {
             return true;
         };
-        // The table records valid signatures, even where everything is accepted.
+        // The table records valid signatures, even if everything is accepted.
         let is_signed_rightly = frame.signed
             && is_signed_with(&key, bytes)
             && Stamp::of(bytes).is_some_and(|stamp| self.is_new(serial, frame, stamp));

@@ -41,7 +41,7 @@ impl VehicleSlot {
         self.ports.push((number, port));
     }
 
-    /// Returns whether there was such a port.
+    /// Removes a port; returns whether there was one with this number.
     pub(super) fn disconnect(&mut self, number: u64) -> bool {
         let place = self.place(number);
         place.map(|place| self.ports.remove(place)).is_some()

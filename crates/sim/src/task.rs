@@ -45,7 +45,7 @@ pub(super) struct Cockpit<'a> {
     pub(super) tuning: &'a FlightTuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
-    /// A ground station overrides the transmitter, so that a pilot sets the throttle.
+    /// Whether a ground station overrides the transmitter, so that a pilot sets the throttle.
     pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
@@ -95,7 +95,7 @@ pub(super) enum Task {
     Brake,
     /// Flies home and lands.
     Return(Returning),
-    /// Comes down where it is.
+    /// Descends at the vehicle's position.
     Land(Landing),
     /// Circles around a point.
     Circle(Circle),
@@ -178,7 +178,7 @@ impl Task {
         }
     }
 
-    /// Whether a vehicle on the ground with this task has nothing to do.
+    /// Whether a vehicle on the ground with this task has nothing more to do.
     pub(super) fn is_resting(&self, throttle_is_low: bool) -> bool {
         match self {
             Self::Wait | Self::Route(_) => true,
@@ -196,7 +196,7 @@ impl Task {
         }
     }
 
-    /// A circle whose centre lies ahead of the nose.
+    /// A circle whose centre is ahead of the nose.
     pub(super) fn circle(body: &Body, tuning: &FlightTuning) -> Self {
         let (sin, cos) = maths::sin_cos(body.yaw_deg.to_radians());
         let here = body.position_m.truncate();

@@ -6,11 +6,11 @@ use glam::{DVec3, Vec3};
 
 use super::parameters::Parameters;
 
-/// The interval between breadcrumbs, in steps.
+/// The time between breadcrumbs, in steps.
 pub(super) const EVERY_STEPS: u64 = 33;
-/// Without a position, or without room, for longer than this the path is given up.
+/// The path is abandoned after this time without a position, or without room.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The most breadcrumbs that are ever kept.
+/// The maximum number of breadcrumbs that are ever kept.
 const POINTS_MAX: f64 = 500.0;
 /// The path is tidied when no more than this many breadcrumbs fit.
 const MARGIN: usize = 10;
@@ -23,7 +23,7 @@ const PRUNE_SHARE: f64 = 0.99;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrailRules {
     accuracy_m: f64,
-    /// The most breadcrumbs; 0 disables `SMART_RTL`.
+    /// The maximum number of breadcrumbs; 0 disables `SMART_RTL`.
     points: usize,
 }
 
@@ -36,7 +36,8 @@ impl TrailRules {
     }
 }
 
-/// The breadcrumbs, from where home was set or the motors were armed to where the vehicle was last, in metres from the start.
+/// The breadcrumbs, from the place where home was set or the motors were armed to the vehicle's last position, in
+/// metres from the start.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Trail {
     points_m: Vec<Vec3>,
@@ -60,7 +61,7 @@ impl Trail {
         (self.good, self.kept) = (now, now);
     }
 
-    /// Notes the vehicle's position, if it is known. Returns the reason if the path is given up.
+    /// Notes the vehicle's position, if it is known. Returns the reason if the path is abandoned.
     pub(super) fn note(
         &mut self,
         here_m: Option<DVec3>,
@@ -86,7 +87,7 @@ impl Trail {
         reason
     }
 
-    /// Keeps a place unless it is near the last one; `false` if there is no room.
+    /// Stores a place unless it is near the last one; `false` if there is no room.
     fn keep(&mut self, here_m: DVec3, rules: &TrailRules) -> bool {
         let last = self.points_m.last().map(|point| point.as_dvec3());
         if last.is_some_and(|last| last.distance(here_m) < rules.accuracy_m) {
@@ -150,7 +151,7 @@ fn off_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
     (way - along * way.dot(along)).length()
 }
 
-/// Cuts out what lies between two legs that pass each other nearer than `delta_m`.
+/// Removes the loop between two legs that pass each other nearer than `delta_m`.
 fn prune(points_m: &mut Vec<DVec3>, delta_m: f64) {
     let mut from = 1;
     while from + 2 < points_m.len() {

@@ -1,6 +1,6 @@
 //! Transfers to and from the vehicle: lists of items, files and flight logs.
 //!
-//! As in the real vehicle one upload per list, one open file and one log download are under way at a time, over all
+//! As on the real vehicle, one upload per list, one open file and one log download are under way at a time, over all
 //! links together.
 
 mod content;
@@ -91,7 +91,7 @@ impl Talk<'_> {
     }
 }
 
-/// Answers a message that belongs to a transfer; `false` if it belongs to none.
+/// Answers a message that belongs to a transfer; `false` if it does not belong to one.
 pub(super) fn handle(
     transfers: &mut Transfers,
     autopilot: &mut Autopilot,

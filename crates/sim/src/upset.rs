@@ -24,7 +24,7 @@ const INTEGRAL_MAX: f64 = 0.5;
 const SLOPE_FILTER_HZ: f64 = 20.0;
 /// Above this error of the lean, the heading is held less; above twice the error, not at all.
 const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
-/// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the least lean,
+/// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the minimum lean,
 /// and the time this takes (`ATC_ANG_LIM_TC`).
 const LEAN_THROTTLE: f64 = 0.8;
 const LEAN_LEAST_RAD: f64 = 0.175;
@@ -61,7 +61,7 @@ pub(super) struct Upset {
     pub(super) thrust_m_s2: f64,
     /// The thrust per mass that the autopilot demands of all motors.
     pub(super) asked_m_s2: f64,
-    /// The greatest lean at the present throttle, in radians.
+    /// The greatest lean at the current throttle, in radians.
     lean_max_rad: f64,
     /// The wanted direction of the thrust in the last step.
     last_up: DVec3,
@@ -145,7 +145,7 @@ impl Upset {
         self.rates_rad_s = DVec3::ZERO;
     }
 
-    /// Stops the rotation in the present attitude.
+    /// Stops the rotation in the current attitude.
     pub(super) fn lie(&mut self) {
         self.rates_rad_s = DVec3::ZERO;
     }

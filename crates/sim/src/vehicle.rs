@@ -1,4 +1,4 @@
-//! A vehicle that can be flown: its build, its estimated position and its present task. The decisions (commands,
+//! A vehicle that can be flown: its build, its estimated position and its current task. The decisions (commands,
 //! plans, failsafes) are made above it, in the autopilot.
 
 mod flight;
@@ -135,7 +135,7 @@ impl Vehicle {
         }
     }
 
-    /// The present sticks: centred unless moved lately.
+    /// The current sticks: centred unless moved lately.
     pub(super) fn sticks(&self) -> Sticks {
         self.radio.sticks(self.uptime())
     }
@@ -248,7 +248,7 @@ impl Vehicle {
         self.outbox.extend(self.datum.home_position(boot_us));
     }
 
-    /// Sets home to the present place, also for `SMART_RTL`.
+    /// Sets home to the current place, also for `SMART_RTL`.
     pub(super) fn set_home_here(&mut self) {
         self.set_home(self.here());
         self.begin_trail(true);

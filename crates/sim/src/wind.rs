@@ -8,7 +8,7 @@ use super::kinematics::STEP_S;
 use super::parameters::Parameters;
 use sortie_geo::maths;
 
-/// The least speed at which gusts drift past a vehicle, in metres per second: even one that hovers in a calm meets
+/// The minimum speed at which gusts drift past a vehicle, in metres per second: even one that hovers in a calm meets
 /// them.
 const DRIFT_MIN_M_S: f64 = 5.0;
 /// Standard deviation in m/s per unit of `SIM_WIND_TURB`: with 3, gusts move a hovering quad by about 0.1 m, as

@@ -26,7 +26,7 @@ pub(super) enum YawDemand {
         left_deg: f64,
         rate_deg_s: f64,
     },
-    /// Turns for ever, degrees per second, clockwise positive.
+    /// Turns forever, degrees per second, clockwise positive.
     Rate(f64),
     /// Turns by a pilot's stick, degrees per second; the limit of the autopilot's own turns does not apply.
     Stick(f64),
@@ -51,7 +51,7 @@ pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
     stick_deg_s: f64,
-    /// The present turn rate.
+    /// The current turn rate.
     rate_deg_s: f64,
 }
 
@@ -178,7 +178,7 @@ impl YawControl {
         left == 0.0 && wrap_180(self.setpoint_deg - yaw_deg).abs() <= 2.0
     }
 
-    /// Resets the setpoint to the present heading.
+    /// Resets the setpoint to the current heading.
     pub(super) fn settle(&mut self, yaw_deg: f64) {
         *self = Self::holding(wrap_180(yaw_deg));
     }

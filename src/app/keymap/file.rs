@@ -2,7 +2,7 @@
 //!
 //! ```toml
 //! [anywhere]
-//! "f5" = "all rtl"        # given at once; a dangerous line still asks
+//! "f5" = "all rtl"        # runs at once; a dangerous line still asks for confirmation
 //! "f6" = "all takeoff ..." # opened in the command line, to be completed
 //!
 //! [fly]
@@ -134,7 +134,7 @@ impl Reading<'_> {
     }
 
     fn keys(&mut self, place: Place, keys: DeTable<'_>) {
-        // In file order, so that the later of two equal rows is the duplicate.
+        // In file order, so that the later of two identical rows counts as the duplicate.
         let keys: BTreeMap<usize, _> = keys
             .into_iter()
             .map(|(key, value)| (key.span().start, (key, value)))

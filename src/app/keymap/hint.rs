@@ -9,7 +9,7 @@ use crate::language::{VerbRow, rows, words};
 use crate::text;
 use crate::text::Text;
 
-/// Keys and what they do, for the last line of the screen.
+/// Keys with their meaning, for the last line of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyHint {
     pub keys: HintKeys,
@@ -17,7 +17,7 @@ pub struct KeyHint {
     pub about: &'static str,
 }
 
-/// The keys of a hint, by their meaning.
+/// The keys of a hint, selected by meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HintKeys {
     /// The first key of each action.
@@ -52,7 +52,7 @@ impl Meaning {
         Self::Write(Cow::Borrowed(words))
     }
 
-    /// Whether both have the same meaning, ignoring trailing blanks of a line.
+    /// Whether both have the same meaning, apart from trailing spaces in a line.
     fn leads_where(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Write(one), Self::Write(other)) => one.trim_end() == other.trim_end(),
@@ -62,12 +62,12 @@ impl Meaning {
 }
 
 impl Keymap {
-    /// The label of the first key with a meaning at a place; `None` without one.
+    /// The label of the first key with a meaning at a place; `None` if no key has it.
     pub fn label(&self, meaning: &Meaning, place: Place) -> Option<String> {
         self.first(meaning, place).map(Press::symbol)
     }
 
-    /// The same for a message, with a fallback where no key has the meaning.
+    /// The label of that key for a message, with a fallback where no key has the meaning.
     pub fn key(&self, meaning: impl Into<Meaning>, place: Place) -> Text {
         let label = self.label(&meaning.into(), place);
         label.map_or_else(|| text!("key-none"), Text::verbatim)

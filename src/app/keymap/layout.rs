@@ -2,7 +2,7 @@
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-/// The rows of a Ukrainian keyboard (JCUKEN), each above the same keys of an English one.
+/// The rows of a Ukrainian keyboard (JCUKEN), each followed by the same keys on an English one.
 const ROWS: [[&str; 2]; 6] = [
     ["йцукенгшщзхї", "qwertyuiop[]"],
     ["фівапролджє", "asdfghjkl;'"],
@@ -20,7 +20,7 @@ pub fn latin(letter: char) -> Option<char> {
     })
 }
 
-/// The same key on an English keyboard, if it is one with a Ukrainian letter.
+/// The same key on an English keyboard, if the key has a Ukrainian letter.
 pub(super) fn by_position(key: KeyEvent) -> Option<KeyEvent> {
     let KeyCode::Char(letter) = key.code else {
         return None;

@@ -19,14 +19,15 @@ use crate::text;
 use crate::text::Locale;
 use crate::vehicle::Severity;
 
-/// For this long after the debrief opens, keys are ignored: they were meant for the flight.
+/// How long keys are ignored after the debrief opens, since they were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
 
 /// The width of the text in columns.
 pub const TEXT_WIDTH: u16 = 80;
-/// The least number of columns for the truth beside the text.
+/// The minimum number of columns to show the truth beside the text.
 const TRUTH_LEAST: u16 = 60;
-/// The least rows of a screen with a summary above the text; the rows of its head, and of the components below.
+/// The minimum height of a screen whose summary has the curve of the height, in rows; the rows of its head, and of the
+/// components below.
 const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 const SUMMARY_LEAST: u16 = 6;
@@ -110,7 +111,7 @@ impl Debrief {
         self.map && !self.is_beside(width)
     }
 
-    /// Whether it opened so recently that keys are ignored.
+    /// Whether the debrief opened so recently that keys are ignored.
     pub fn is_deaf(&self, now: Duration) -> bool {
         now.saturating_sub(self.since) < DEAF
     }
@@ -224,7 +225,7 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
     Vec::new()
 }
 
-/// Scrolls: `to` gets the present first line, the first lines of the sections, and the number of possible first lines.
+/// Scrolls: `to` gets the current first line, the first lines of the sections, and the number of possible first lines.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     let height = state.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {

@@ -13,7 +13,7 @@ use crate::config::{Column, TableSort};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The least time between changes of the order, so that a row can be followed.
+/// The minimum time between changes of the order, so that the eye can follow a row.
 const RESORT_EVERY: Duration = Duration::from_secs(1);
 /// The columns that the sort key cycles through where none are chosen.
 const SORTS: &[Column] = &[
@@ -220,7 +220,7 @@ pub fn filter(state: &mut State, text: &str) {
     }
 }
 
-/// Adds a row for a new vehicle; it is sorted in a little later.
+/// Adds a row for a new vehicle; it is sorted in at the next update.
 pub fn heard(state: &mut State, id: VehicleId) {
     let filter = VehicleFilter::new(&state.rooms.fly.filter);
     let fits = |state: &State| {
@@ -240,7 +240,7 @@ pub fn forget(state: &mut State, ids: &[VehicleId]) {
     state.rooms.fly.rows.retain(|id| !ids.contains(id));
 }
 
-/// Updates the rows now and then; returns whether they have changed.
+/// Updates the rows at intervals; returns whether they have changed.
 pub fn tick(state: &mut State) -> bool {
     let sort = sorted_by(state);
     let fly = &state.rooms.fly;

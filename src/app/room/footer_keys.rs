@@ -14,7 +14,7 @@ pub const MISSION_HINT: KeyHint = hint_words("hint", "hint-hint");
 pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
 pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 
-/// Whether a hint's keys are of use now: pause, if the mission allows it; hint, if one is left; prediction and goal,
+/// Whether a hint's keys are useful now: pause, if the mission allows it; hint, if one is left; prediction and goal,
 /// before launch.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.mission.as_ref();

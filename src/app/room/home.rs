@@ -60,7 +60,7 @@ pub fn items(state: &State) -> Vec<HomeItem> {
         .collect()
 }
 
-/// The mission that a drill belongs to, if it is available: such a drill is not listed by itself.
+/// The mission that a drill belongs to, if it is available: such a drill is not listed on its own.
 fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
     let of = drill.drill_of.as_ref()?;
     state.missions.iter().find(|mission| mission.id == *of)
@@ -173,7 +173,7 @@ fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<Ro
 /// A practice flight with the seed that was entered; without one, the shell chooses it.
 ///
 /// # Errors
-/// The text is no seed.
+/// The text is not a seed.
 pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, Text> {
     let seed = match entered.trim() {
         "" => None,

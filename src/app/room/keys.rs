@@ -1,4 +1,4 @@
-//! The keys by default: those of every room, and those of several.
+//! The default keys: those of every room, and those of several.
 
 use crossterm::event::KeyCode;
 

@@ -17,7 +17,7 @@ pub struct Ledger {
     pub(in crate::app) filter: String,
     /// The outcome to show.
     pub(in crate::app) outcome: Outcome,
-    /// The command under the cursor; `None` for the newest, also when newer ones come.
+    /// The command under the cursor; `None` follows the newest.
     pub(in crate::app) cursor: Option<EntryId>,
     /// Whether the rows of the command under the cursor fill the screen.
     pub(in crate::app) opened: bool,
@@ -84,7 +84,7 @@ impl Ledger {
         self.outcome
     }
 
-    /// The command under the cursor; `None` for the newest, also when newer ones come.
+    /// The command under the cursor; `None` follows the newest.
     pub fn cursor(&self) -> Option<EntryId> {
         self.cursor
     }
@@ -104,7 +104,7 @@ impl Ledger {
         &self.shown
     }
 
-    /// The index of the cursor among them.
+    /// The index of the cursor among the shown commands.
     pub fn place(&self) -> usize {
         let newest = self.shown.len().saturating_sub(1);
         let Some(cursor) = self.cursor else {
@@ -120,7 +120,7 @@ impl Ledger {
         self.shown.get(self.place()).copied()
     }
 
-    /// Marks the list for an update.
+    /// Marks the list as outdated.
     pub fn spoil(&mut self) {
         self.stale = true;
     }

@@ -21,10 +21,10 @@ pub use watch::{began, heard, leg, measured, refit, tick};
 /// Columns and rows by which a followed vehicle may leave the centre before the map moves.
 const LEASH_COLUMNS: f64 = 12.0;
 const LEASH_ROWS: f64 = 4.0;
-/// How far ahead of the vehicle the map is then centred, as a share of that.
+/// How far ahead of the vehicle the map is then centred, as a share of that distance.
 const AHEAD: f64 = 0.7;
 
-/// The least screen size with room for the legend.
+/// The minimum screen size with room for the legend.
 const LEGEND_LEAST: GridSize = GridSize::new(110, 30);
 /// Columns of the legend beside the canvas, with a gap.
 pub const LEGEND_WIDTH: u16 = 35;
@@ -107,7 +107,7 @@ impl Map {
         &self.overview
     }
 
-    /// The map of the next session: readings and trails are dropped, the user's settings stay.
+    /// The map for the next session: readings and trails are dropped, and the user's settings stay.
     #[must_use]
     pub fn for_next_session(&self) -> Self {
         Self {
@@ -216,14 +216,15 @@ impl Map {
         }
     }
 
-    /// Follows a vehicle at this place, at the present scale.
+    /// Follows a vehicle at this place, at the current scale.
     pub fn follow(&mut self, size: GridSize, place: LatLon) {
         if let Some(view) = self.view(size) {
             self.aim = Aim::Vehicle(place, view.zoom);
         }
     }
 
-    /// Updates the followed vehicle's place. The view moves only after some cells, and then ahead of it.
+    /// Updates the followed vehicle's place. The view moves only once the vehicle has moved some cells, and then to a
+    /// point ahead of it.
     pub fn followed(&mut self, place: LatLon) {
         let Aim::Vehicle(stand, zoom) = self.aim else {
             return;

@@ -20,13 +20,13 @@ mod tree;
 pub use pin::{GRAPH_SPAN, Pin, PinExtent};
 pub use tree::{Branch, Node};
 
-/// The most graphs below the fields.
+/// The maximum number of graphs below the fields.
 const MOST_PINS: usize = 4;
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Messages {
-    /// The traffic at the last look.
+    /// The traffic as last received.
     pub(in crate::app) traffic: Vec<LinkTraffic>,
     /// Whether the display is paused.
     pub(in crate::app) paused: bool,
@@ -126,7 +126,7 @@ impl Sort {
 }
 
 impl Messages {
-    /// The traffic at the last look.
+    /// The traffic as last received.
     pub fn traffic(&self) -> &[LinkTraffic] {
         &self.traffic
     }
@@ -182,7 +182,7 @@ impl Messages {
         self.selected_in(&self.branches())
     }
 
-    /// The same, from lines already computed.
+    /// The message under the cursor, from lines already computed.
     pub fn selected_in(&self, branches: &[Branch]) -> Option<Selected<'_>> {
         let Node::Message(link, key) = branches.get(self.cursor_row(branches))?.node else {
             return None;
@@ -202,7 +202,7 @@ impl Messages {
         Anatomy::of(last).map(|frame| read(&frame))
     }
 
-    /// The line under the cursor, or the one that took its place.
+    /// The line under the cursor; if it is hidden, the line that replaces it.
     pub fn cursor_branch(&self) -> Option<Branch> {
         let branches = self.branches();
         let at = self.cursor_row(&branches);

@@ -34,7 +34,7 @@ impl Mission {
         &self.hints
     }
 
-    /// Keeps the hint in a mission's progress if it is new.
+    /// Stores the hint in a mission's progress if it is new.
     pub fn hear(&mut self, progress: &Progress) {
         if let Some(hint) = &progress.hint
             && !self.hints.contains(hint)
@@ -44,7 +44,7 @@ impl Mission {
     }
 }
 
-/// The mission that is shown as long as nothing has flown in it: then a sketch of its area says what the map will.
+/// The mission shown before anything has flown in it. Until then a sketch of its area replaces the map.
 pub fn unflown(state: &State) -> Option<&Listing> {
     let has_begun = state.session.activity.is_some() && !state.session.is_reading();
     shown(state).filter(|_| !has_begun)
@@ -167,7 +167,7 @@ pub fn show_asked_hint(state: &mut State) {
     }
 }
 
-/// Rows for lines on a screen of `rows`: if not all fit, the last row tells which are shown.
+/// Rows for lines on a screen of `rows`: if not all fit, the last row shows which ones are visible.
 pub fn visible(lines: usize, rows: u16) -> usize {
     let rows = usize::from(rows);
     if lines > rows {

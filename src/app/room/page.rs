@@ -1,4 +1,4 @@
-//! Pages of text, line by line, each line with what it tells.
+//! Pages of text, line by line, each line with its meaning.
 
 use unicode_width::UnicodeWidthStr as _;
 
@@ -15,11 +15,11 @@ pub enum Tone {
     Met,
     /// An objective that was not reached.
     Missed,
-    /// What stands in the way.
+    /// An obstacle.
     Warning,
-    /// What to do next.
+    /// The next thing to do.
     Hint,
-    /// The hint that was asked for last.
+    /// The hint that was requested last.
     AskedHint,
 }
 
@@ -55,13 +55,13 @@ impl<'a> TextPage<'a> {
 }
 
 impl TextPage<'_> {
-    /// A line as it is.
+    /// Adds a line as it is, without wrapping.
     pub fn add(&mut self, tone: Tone, text: impl Into<String>) {
         let text = text.into();
         self.lines.push(PageLine { tone, text });
     }
 
-    /// A heading, with space above it.
+    /// Adds a heading, with a blank line above it.
     pub fn title(&mut self, text: &Text) {
         if !self.lines.is_empty() {
             self.add(Tone::Plain, "");
@@ -80,7 +80,7 @@ impl TextPage<'_> {
         self.paragraph(tone, &words);
     }
 
-    /// A line of a list; later lines of it are indented.
+    /// Adds an item of a list; its second and later lines are indented.
     pub fn item(&mut self, tone: Tone, lead: &str, text: &str) {
         let indent = " ".repeat(lead.len());
         let lines = wrap(text, self.width.saturating_sub(lead.len()));
@@ -90,7 +90,7 @@ impl TextPage<'_> {
         }
     }
 
-    /// Names with what they stand for beside them.
+    /// Adds names, each with its explanation beside it.
     pub fn rows(&mut self, rows: &[(Text, Text)]) {
         let plain = rows
             .iter()
@@ -98,7 +98,7 @@ impl TextPage<'_> {
         self.toned_rows(&plain.collect::<Vec<_>>());
     }
 
-    /// The same, each in its own tone.
+    /// Adds names and explanations, each pair in its own tone.
     pub fn toned_rows(&mut self, rows: &[(Text, Text, Tone)]) {
         let names: Vec<String> = rows
             .iter()
@@ -116,7 +116,7 @@ impl TextPage<'_> {
     }
 }
 
-/// A text with blanks behind it, `width` columns at least.
+/// A text padded with spaces to at least `width` columns.
 pub fn padded(text: &str, width: usize) -> String {
     let gap = width.saturating_sub(text.width());
     format!("{text}{}", " ".repeat(gap))

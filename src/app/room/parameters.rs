@@ -1,7 +1,7 @@
 //! The vehicles' parameters: list, search, edit, files, differences.
 //!
-//! The list is that of the vehicle under the cursor; a new value goes to the targets of any command: to the selection,
-//! if there is one.
+//! The list is that of the vehicle under the cursor. A new value goes to the targets of any command: the selection if
+//! there is one, otherwise the vehicle under the cursor.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -52,7 +52,7 @@ pub struct Parameters {
     under_way: BTreeSet<EntryId>,
     /// The values being set one after another.
     pub(in crate::app) batch: Option<Batch>,
-    /// Vehicles whose lists are to be downloaded again.
+    /// Vehicles whose lists must be downloaded again.
     anew: BTreeSet<VehicleId>,
     /// Vehicles that were asked and have not started to answer, with the time.
     asked: BTreeMap<VehicleId, Duration>,

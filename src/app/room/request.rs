@@ -5,9 +5,9 @@ use crate::text::Text;
 /// A request from a room for a change beyond the room.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RoomRequest {
-    /// Have the shell do something.
+    /// Pass an effect to the shell.
     Effect(Effect),
-    /// Have the shell do something that ends the session, after a question if data would be lost.
+    /// Pass an effect that ends the session to the shell, after a question if data would be lost.
     EndSession {
         question: Text,
         effect: Effect,

@@ -125,7 +125,7 @@ pub fn curve_rows(state: &State, rows: u16) -> u16 {
     if is_shown { rows / CURVE_SHARE } else { 0 }
 }
 
-/// The lines of the present page, for a screen of this width; empty for the page with the map.
+/// The lines of the current page, for a screen of this width; empty for the page with the map.
 pub fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
     page::lines(state, locale, width.min(WIDEST).saturating_sub(2))
 }

@@ -13,7 +13,7 @@ use crate::campaign::{Offer, Skill};
 use crate::text;
 use crate::vehicle::Severity;
 
-/// The least width and height to show everything at once.
+/// The minimum width and height to show everything at once.
 const WIDE: (u16, u16) = (140, 40);
 
 /// The state of the room.

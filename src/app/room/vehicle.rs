@@ -12,14 +12,14 @@ use crate::app::state::Window;
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Vehicle {
-    /// The time span of its curves.
+    /// The time span of the curves.
     pub(in crate::app) window: Window,
     /// The page shown where the screen is too small for everything, modulo the number of pages.
     pub(in crate::app) page: usize,
 }
 
 impl Vehicle {
-    /// The time span of its curves.
+    /// The time span of the curves.
     pub fn window(&self) -> Window {
         self.window
     }

@@ -154,12 +154,12 @@ pub fn air() -> Air {
 
 /// The mission to build for: the one in flight, otherwise the one under the home screen's cursor.
 pub fn mission(state: &State) -> Option<&Listing> {
-    // A finished flight is done: the bench is for the next one.
+    // After a finished flight, the bench is for the next one.
     let chosen = super::home::under_cursor(state).filter(|_| state.session.is_over());
     chosen.or_else(|| super::mission::shown(state))
 }
 
-/// The least width to show everything at once.
+/// The minimum width to show everything at once.
 pub const WIDE: u16 = 150;
 
 /// The part that an action on the bench applies to: the one under the cursor.

@@ -15,7 +15,7 @@ const FLICKER: Duration = Duration::from_secs(10);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Standing {
     pub alert: Alert,
-    /// When it reached its present severity, on the program's clock.
+    /// When it reached its current severity, on the program's clock.
     pub since: Duration,
     /// Whether it is acknowledged.
     pub acknowledged: bool,
@@ -55,7 +55,7 @@ impl Alarms {
     /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. Returns whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
-        // The lost link follows from that.
+        // The lost link is a consequence of that.
         let process = is_down.then(process_ended);
         let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let mut present = process.into_iter().chain(others).peekable();
@@ -96,7 +96,7 @@ impl Alarms {
         self.bell.call(now, call);
     }
 
-    /// The signals that are due; they count as given.
+    /// Returns the signals that are due and marks them as given.
     pub fn due(&mut self, now: Duration) -> Due {
         self.bell.due(now)
     }
@@ -177,7 +177,7 @@ impl Alarms {
     }
 }
 
-/// The alert as it is now: one that has become worse counts as new.
+/// The alert with its current condition: one that has become worse counts as new.
 fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Duration) -> Standing {
     match old {
         Some(old) if alert.severity >= old.alert.severity => Standing {
@@ -203,7 +203,7 @@ fn fading(old: Standing, now: Duration) -> Option<Standing> {
     })
 }
 
-/// When a condition began: a link is lost from the last message on.
+/// When a condition began: a lost link counts as lost since its last message.
 fn began(vehicle: &Vehicle, now: Duration) -> impl Fn(AlertKind) -> Duration {
     let last_heard = vehicle.link.last_heard;
     move |kind| {

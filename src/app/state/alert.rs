@@ -1,4 +1,4 @@
-//! The present alerts of a vehicle.
+//! The current alerts of a vehicle.
 
 use std::time::Duration;
 
@@ -19,14 +19,14 @@ const EKF_LIMIT: f32 = 0.8;
 /// The vibration above which estimates suffer, in m/s2 (ArduPilot's documentation of VIBRATION).
 const VIBRATION_LIMIT: f32 = 60.0;
 
-/// A condition that is present now.
+/// A condition that needs attention now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
     /// What it is about.
     pub kind: AlertKind,
     /// How serious it is.
     pub severity: Severity,
-    /// A few words, the most important first.
+    /// A few words, the most important ones first.
     pub text: Text,
 }
 

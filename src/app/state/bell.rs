@@ -1,7 +1,7 @@
 //! Signals beyond the screen: the terminal's bell and desktop notifications.
 //!
-//! Both are for serious alerts only, both wait to merge several into one, and neither repeats the same alert of a
-//! vehicle.
+//! Both are for serious alerts only. Both wait briefly to merge several alerts into one signal. Neither repeats the
+//! same alert of a vehicle.
 
 use std::time::Duration;
 
@@ -10,11 +10,11 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The least severity for a signal.
+/// The minimum severity for a signal.
 const LEAST: Severity = Severity::Critical;
 /// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
-/// A ring covers further alerts within this time: trouble comes in waves.
+/// A ring also covers further alerts within this time, since faults tend to come together.
 const COVERED: Duration = Duration::from_secs(2);
 /// How long a notification waits for others to merge with.
 const GATHER: Duration = Duration::from_secs(1);
@@ -65,7 +65,7 @@ pub struct Bell {
 }
 
 impl Bell {
-    /// Takes an alert; minor or repeated ones are ignored.
+    /// Queues a signal for an alert; minor or repeated ones are ignored.
     pub fn call(&mut self, now: Duration, call: BellCall) {
         let is_minor = call.severity > LEAST || call.kind == AlertKind::Prearm;
         if is_minor {
@@ -84,7 +84,7 @@ impl Bell {
         self.owed.push(call);
     }
 
-    /// Whether the same was signalled just now; it counts as signalled from now on.
+    /// Whether the same alert was signalled recently; it counts as signalled from now on.
     fn is_old_news(&mut self, now: Duration, call: &BellCall) -> bool {
         self.news
             .retain(|told| now.saturating_sub(told.at) < OLD_NEWS);
@@ -106,7 +106,7 @@ impl Bell {
         false
     }
 
-    /// The due signals; they count as given.
+    /// Returns the due signals and marks them as given.
     pub fn due(&mut self, now: Duration) -> Due {
         let long_ago =
             |at: Option<Duration>, time| at.is_none_or(|at| now.saturating_sub(at) >= time);

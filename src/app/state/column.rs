@@ -100,7 +100,7 @@ impl Column {
         }
     }
 
-    /// The least change of a value that moves its row.
+    /// The minimum change of a value that moves its row.
     pub fn step(self) -> f64 {
         match self {
             Self::Heading | Self::Home | Self::ToGo | Self::RoundTrip => 5.0,
@@ -124,7 +124,7 @@ impl Column {
     }
 }
 
-/// The share of its messages that arrive, in percent.
+/// The share of the vehicle's messages that arrive, in percent.
 fn heard(vehicle: &Vehicle) -> f64 {
     if vehicle.link.lost {
         0.0

@@ -28,7 +28,7 @@ pub struct FlightView {
     pub(in crate::app) first_room: Room,
     /// When it began, on the program's clock.
     pub(in crate::app) began_at: Duration,
-    /// The vehicles that belong to it; empty for all that are heard.
+    /// The vehicles that belong to it; empty for all that are received.
     pub(in crate::app) expected: BTreeSet<VehicleId>,
     /// The vehicles with their latest telemetry.
     pub(in crate::app) vehicles: Vehicles,
@@ -130,7 +130,7 @@ impl FlightView {
         }
     }
 
-    /// Takes over the user's choices from the previous view.
+    /// Takes the user's choices from the previous view.
     pub(in crate::app) fn keep_choices(&mut self, before: Self) {
         self.selection = before.selection;
         self.groups = before.groups;
@@ -191,12 +191,12 @@ impl FlightView {
         }
     }
 
-    /// A vehicle's display name: its class.
+    /// A vehicle's display name, which is its class.
     pub fn name(vehicle: &Vehicle) -> Text {
         Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
     }
 
-    /// Why no vehicle is heard, by the link doctor; a closed link shows its own error.
+    /// Why no vehicle is received, as found by the link doctor; a closed link shows its own error.
     pub fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
         let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
@@ -239,7 +239,7 @@ impl FlightView {
         self.cursor_placed = true;
     }
 
-    /// Takes a snapshot of a vehicle. Until the user moves the cursor, it is on the vehicle with the lowest number.
+    /// Stores a snapshot of a vehicle. Until the user moves the cursor, it is on the vehicle with the lowest number.
     pub fn insert(&mut self, vehicle: Arc<Vehicle>) {
         let id = vehicle.id;
         self.vehicles.insert(id, vehicle);

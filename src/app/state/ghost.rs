@@ -1,4 +1,4 @@
-//! A ghost: another flight of the same mission, shown beside the present one.
+//! A ghost: another flight of the same mission, shown beside the current one.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::comparison::{Anchors, ComparedFlight};
 use crate::moment::Alignment;
 
-/// Another flight, and how its time is aligned with that of the present one.
+/// Another flight, and how its time is aligned with that of the current one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ghost {
     pub other: Arc<ComparedFlight>,
@@ -16,7 +16,7 @@ pub struct Ghost {
 }
 
 impl Ghost {
-    /// A ghost that starts together with the present flight.
+    /// A ghost that starts together with the current flight.
     pub fn new(other: Arc<ComparedFlight>, own: Option<Arc<ComparedFlight>>) -> Self {
         Self {
             other,
@@ -39,7 +39,7 @@ impl Ghost {
         is_in_both
     }
 
-    /// The ghost's time at a time of the present flight; `None` before its start.
+    /// The ghost's time at a time of the current flight; `None` before its start.
     pub fn time(&self, elapsed: Duration) -> Option<Duration> {
         let anchors = self.anchors(self.alignment)?;
         (elapsed + anchors.other).checked_sub(anchors.own)

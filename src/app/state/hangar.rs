@@ -11,7 +11,7 @@ pub struct Instance {
     pub vehicle: VehicleId,
     /// The hangar service that runs it; `None` for this program.
     pub host: Option<String>,
-    /// The stage of its start.
+    /// The stage that its start has reached.
     pub stage: SitlStage,
     /// The parameters received, and their number; 0 while unknown.
     pub parameters: [u16; 2],
@@ -25,7 +25,7 @@ pub struct Instance {
     pub processor_percent: Option<f32>,
     /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// What is missing, or the next step.
+    /// The missing thing, or the next step.
     pub hint: Option<String>,
     /// The last lines that it printed, oldest first.
     pub output: Vec<String>,
@@ -86,7 +86,7 @@ pub struct Hangar {
     pub(in crate::app) fault: Option<Text>,
     /// The output of the process on the screen.
     pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
-    /// Whether all have been ready at once: then the flight begins.
+    /// Whether all have been ready at the same time; then the flight begins.
     pub(in crate::app) begun: bool,
 }
 
@@ -106,7 +106,7 @@ impl Hangar {
         self.fault.as_ref()
     }
 
-    /// Whether all have been ready at once: then the flight begins.
+    /// Whether all have been ready at the same time; then the flight begins.
     pub fn has_begun(&self) -> bool {
         self.begun
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// The initial length of an interval; it doubles when needed.
 const FINEST: Duration = Duration::from_millis(500);
-/// The most intervals. Beyond that, pairs are merged.
+/// The maximum number of intervals. Beyond that, pairs are merged.
 const PARTS: usize = 1024;
 
 /// The greatest height in each interval of a flight, in metres above home; all intervals are equally long.

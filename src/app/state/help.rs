@@ -8,12 +8,12 @@ use crate::language::{Channel, VerbRow, rows};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
-/// The most columns of a usage with an explanation beside it.
+/// The maximum number of columns of a usage with an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
 
-/// The most columns of such an explanation.
+/// The maximum number of columns of such an explanation.
 const SHORT_SUMMARY: usize = 49;
-/// The width of a usage on its own.
+/// The width of a usage that has a line to itself.
 const USAGE_WIDTH: usize = 64;
 /// The width of a note.
 const NOTE_WIDTH: usize = 66;
@@ -63,7 +63,7 @@ impl HelpPage {
         found(&lines, &self.search)
     }
 
-    /// The indices of the titles among them.
+    /// The indices of the titles among those lines.
     pub fn titles(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<usize> {
         let lines = self.lines(keymap, here, locale).into_iter().enumerate();
         let titles = lines.filter(|(_, line)| matches!(line, HelpLine::Title(_)));
@@ -104,7 +104,7 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     found
 }
 
-/// The whole help in a language; the present room comes first, its keys and then the commands.
+/// The whole help in a language; the current room comes first, its keys and then the commands.
 pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
     let nearby = [Place::In(here), Place::Anywhere];
     let elsewhere = Place::all().filter(|place| !nearby.contains(place));
@@ -154,7 +154,7 @@ fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     lines
 }
 
-/// A usage on lines of its own.
+/// A usage on separate lines.
 fn alone(usage: &str) -> Vec<HelpLine> {
     let parts = wrap(usage, USAGE_WIDTH);
     let indents = std::iter::once("").chain(std::iter::repeat("    "));

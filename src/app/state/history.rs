@@ -135,8 +135,8 @@ impl History {
         }
     }
 
-    /// How long it has been armed, or was the last time, to half a second, as far as it was heard; zero if it has not
-    /// been armed since it booted.
+    /// How long the vehicle has been armed, or was the last time, to half a second, as far as it was received. Zero if
+    /// it has not been armed since it booted.
     pub fn armed_for(&self) -> Duration {
         self.armed_for
     }
@@ -154,8 +154,8 @@ impl History {
         (self.is_armed, self.reboots) = (is_armed, vehicle.link.reboots);
     }
 
-    /// The readings of a channel within a span, oldest first, one per sample; `None` where unknown. Fewer than the
-    /// span holds if the vehicle is newer.
+    /// The readings of a channel within a span, oldest first, one per sample; `None` where unknown. There are fewer
+    /// than the span holds if the vehicle is newer.
     pub fn readings(
         &self,
         channel: Channel,
@@ -205,7 +205,7 @@ impl Histories {
         if steps == 0 {
             return false;
         }
-        // Keep to the beat, so that late calls do not accumulate.
+        // Keep to the schedule, so that delays do not accumulate.
         let beat = self.sampled_at.unwrap_or(now) + SAMPLE_EVERY * steps as u32;
         self.sampled_at = Some(if since.is_none() { now } else { beat });
         for (&id, vehicle) in vehicles {

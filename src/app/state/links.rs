@@ -13,9 +13,9 @@ pub struct LinkSummary {
     pub state: Text,
     /// Whether it carries data.
     pub up: bool,
-    /// Why it carries none.
+    /// Why it carries no data.
     pub error: Option<Text>,
-    /// Senders at its other end.
+    /// The number of senders at its other end.
     pub peers: usize,
     /// Bytes per second received.
     pub bytes_in_per_s: f64,
@@ -25,7 +25,7 @@ pub struct LinkSummary {
     pub messages_in_per_s: f64,
     /// Messages per second sent.
     pub messages_out_per_s: f64,
-    /// Frames dropped for their checksum.
+    /// Frames dropped because of a wrong checksum.
     pub bad_crc: u64,
     /// Bytes skipped to find the next frame.
     pub skipped_bytes: u64,

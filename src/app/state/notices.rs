@@ -1,4 +1,4 @@
-//! The notices, newest last; equal ones within a short time are folded into one line.
+//! The notices, newest last; identical ones within a short time are folded into one line.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
@@ -8,15 +8,15 @@ use crate::text::{Text, text};
 use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
-/// How long after its first notice a line accepts equal ones.
+/// How long after its first notice a line accepts identical ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
-/// Lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends at its start.
+/// Lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends when it starts.
 const TEXTS_OF_ONE: usize = 10;
 /// Lines for texts of all vehicles together within [`FOLD_TIME`].
 const TEXTS_OF_ALL: usize = 30;
 
-/// The number of lines searched for an equal one, to bound the cost of a flood.
+/// The number of lines searched for an identical one, to limit the cost of a flood.
 const LINES_SEARCHED: usize = 50;
 
 /// One line: a text, its count, and its vehicles.
@@ -62,8 +62,8 @@ impl NoticeLog {
         self.dropped
     }
 
-    /// Adds a notice. An equal one of a moment ago is counted on its line, unless its vehicle has sent another text
-    /// since: the order of one vehicle's texts is kept. The line keeps its time and place.
+    /// Adds a notice. If an identical one was added recently, the new one is counted on its line, unless its vehicle
+    /// has sent another text since: the order of one vehicle's texts is kept. The line keeps its time and place.
     pub fn push(&mut self, notice: Notice) {
         if let Some(line) = self.open_line(&notice) {
             line.count(&notice);

@@ -28,7 +28,7 @@ pub enum Overlay {
     Help(HelpPage),
     Log {
         log: Log,
-        /// The entry under the cursor; `None` for the newest, also when newer ones come.
+        /// The entry under the cursor; `None` follows the newest.
         cursor: Option<usize>,
     },
 }
@@ -50,13 +50,13 @@ pub struct Palette {
     pub(in crate::app) completions: Vec<Completion>,
     /// The completion that Tab has inserted.
     pub(in crate::app) chosen: Option<usize>,
-    /// The targets of the line so far; empty if it has none.
+    /// The targets of the line so far; empty if the line has none.
     pub(in crate::app) recipients: Text,
     /// The usage of the verb, or the next argument.
     pub(in crate::app) hint: Option<Text>,
-    /// What Enter would do with the line so far; `None` while it is incomplete.
+    /// The effect of Enter on the line so far; `None` while it is incomplete.
     pub(in crate::app) outcome: Option<Text>,
-    /// The fault of a finished word, or of the line when it was given.
+    /// The fault of a finished word, or of the line when Enter was pressed.
     pub(in crate::app) fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
     pub(in crate::app) before_tab: String,
@@ -92,19 +92,19 @@ impl Palette {
         self.hint.as_ref()
     }
 
-    /// What Enter would do with the line so far; `None` while it is incomplete.
+    /// The effect of Enter on the line so far; `None` while it is incomplete.
     pub fn outcome(&self) -> Option<&Text> {
         self.outcome.as_ref()
     }
 
-    /// The fault of a finished word, or of the line when it was given.
+    /// The fault of a finished word, or of the line when Enter was pressed.
     pub fn fault(&self) -> Option<&Diagnostic> {
         self.fault.as_ref()
     }
 }
 
-/// A question that only its answer confirms; any other key cancels it. After a wrong key, further ones are swallowed
-/// until Enter or Esc, because they were not meant for the screen below either.
+/// A question that only the exact answer confirms; any other key cancels it. After a wrong key, further ones are
+/// swallowed until Enter or Esc, because they were not meant for the screen below either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// The action and its targets: `KILL vehicles 1 3 5`.
@@ -178,7 +178,7 @@ impl Confirm {
 #[derive(Debug, Clone)]
 pub enum Consequence {
     Order(Order),
-    /// Have the shell do something.
+    /// Pass an effect to the shell.
     Effect(Effect),
     /// Set parameters one after another.
     Parameters(Vec<ParameterSetting>),
@@ -193,7 +193,7 @@ pub struct ParameterSetting {
     pub value: f32,
     /// The vehicles to set it on, in ascending order.
     pub vehicles: Vec<VehicleId>,
-    /// How often to repeat it without an answer: setting the same value twice does no harm.
+    /// How many times to send it again if there is no answer: setting the same value twice does no harm.
     pub again: u8,
 }
 
@@ -252,7 +252,7 @@ impl Prompt {
 /// The purpose of a prompt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Purpose {
-    /// The addresses of vehicles, with blanks between them.
+    /// The addresses of vehicles, separated by spaces.
     Connect,
     /// The name of a new profile.
     NewProfile,

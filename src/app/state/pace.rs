@@ -11,7 +11,7 @@ pub struct SessionPace {
 }
 
 impl SessionPace {
-    /// A pace with this as its usual speed-up.
+    /// A pace with this speed-up as the usual one.
     pub fn new(usual: f64) -> Self {
         Self { usual, now: usual }
     }
@@ -28,7 +28,7 @@ impl Default for SessionPace {
     }
 }
 
-/// A rate with no needless digits: `4`, `0.5`.
+/// A rate without trailing zeros: `4`, `0.5`.
 pub fn rate(speedup: f64) -> String {
     let is_broken = speedup.fract() != 0.0;
     figure(speedup, usize::from(is_broken))

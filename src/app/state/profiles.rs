@@ -20,7 +20,7 @@ impl<R> State<R> {
         known.chain([Trainee::New, Trainee::Guest]).collect()
     }
 
-    /// Whether this is the present trainee.
+    /// Whether this is the current trainee.
     pub fn is_training(&self, trainee: &Trainee) -> bool {
         let current = self.career.as_ref().map(|career| &career.name);
         match trainee {

@@ -10,7 +10,7 @@ use crate::review::Review;
 use crate::scoring::Report;
 use crate::vehicle::VehicleId;
 
-/// A moment counts as shown for this long, which is two frames.
+/// How long a moment counts as shown: two frames.
 const SAME_MOMENT: Duration = Duration::from_millis(200);
 
 /// A replayed recording and the position in it.
@@ -30,7 +30,7 @@ pub struct ReplayView {
     /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
     pub review: Review,
-    /// Whether it was opened to be reviewed.
+    /// Whether it was opened for its review.
     pub is_review: bool,
 }
 
@@ -103,7 +103,7 @@ impl ReplayView {
         self.moments = Arc::new(all);
     }
 
-    /// The time of the bookmark on the present frame, if it has one.
+    /// The time of the bookmark on the current frame, if it has one.
     pub fn bookmark_here(&self) -> Option<Duration> {
         let at = self.position.at;
         let mut latest = self.moments.iter().rev();
@@ -113,7 +113,7 @@ impl ReplayView {
         here.map(|it| it.at)
     }
 
-    /// The moment at the present position, or the last one before.
+    /// The moment at the current position, or the last one before.
     pub fn current(&self) -> Option<&Moment> {
         let passed = self.moments.partition_point(|it| it.at <= self.position.at);
         self.moments.get(passed.checked_sub(1)?)

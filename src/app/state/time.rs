@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-/// The interval of the marks: within a second, a mission's pace hardly changes.
+/// The time between two marks: within a second, a mission's pace hardly changes.
 const MARK_EVERY: Duration = Duration::from_secs(1);
 
-/// The relation of session time to the program's clock: it may run faster or slower, and unevenly where the vehicles
-/// keep time.
+/// The relation between session time and the program's clock. Session time may run faster or slower, and unevenly where
+/// the vehicles keep the time.
 #[derive(Debug, Clone, Default)]
 pub struct SessionTime {
-    /// Pairs of the program's time and session time, from the last moment at zero on; linear between two.
+    /// Pairs of the program's time and session time, beginning with the last moment at zero; linear between two pairs.
     marks: Vec<(Duration, Duration)>,
     /// The pace after the last mark, relative to the program's clock; zero until the next one.
     pace: f64,
@@ -70,7 +70,7 @@ mod tests {
     fn mission_time_is_known_for_every_time_of_the_program_however_the_pace_changes() {
         let mut time = SessionTime::default();
         assert_eq!(time.at(ms(500)), None);
-        // It waits up to 8 s for its vehicles, then runs at ten times the pace, then stops.
+        // Session time waits up to 8 s for the vehicles, then runs at ten times the pace, then stops.
         for tick in 50..=80 {
             time.note(ms(100 * tick), Duration::ZERO);
         }

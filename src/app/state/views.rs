@@ -43,7 +43,7 @@ impl<R> State<R> {
         })
     }
 
-    /// The recording that is replayed, if one is.
+    /// The recording that is being replayed, if any.
     pub fn replay(&self) -> Option<&ReplayView> {
         self.replay.as_ref()
     }
@@ -102,7 +102,7 @@ impl<R> State<R> {
         &self.keymap
     }
 
-    /// Columns and rows of the terminal.
+    /// The size of the terminal: columns and rows.
     pub fn size(&self) -> (u16, u16) {
         self.size
     }

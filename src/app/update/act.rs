@@ -109,7 +109,7 @@ pub fn quit(state: &mut State) -> Effects {
     guarded(state, text!("ask-quit"), Effect::Quit)
 }
 
-/// Has the shell do something that ends the session; asks first if something would be lost.
+/// Carries out an effect that ends the session; asks first if something would be lost.
 pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
     match loss(state) {
         Some(reason) => ask(state, question, reason, effect),
@@ -138,7 +138,7 @@ pub fn go_home(state: &mut State) {
     state.room = Room::Home;
 }
 
-/// Selects exactly these vehicles, as far as they exist; keeps the selection if none does.
+/// Selects exactly those of these vehicles that exist; keeps the selection if none does.
 pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
@@ -160,7 +160,7 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
     state.session.selection = there.into_iter().collect();
 }
 
-/// What ending the session now would lose; nothing once the mission is over.
+/// What would be lost if the session ended now; `None` once the mission is over.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // A mission that has not begun is only cancelled.

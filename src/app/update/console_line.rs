@@ -31,7 +31,7 @@ pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effe
     obey(state, own).map_err(|text| Diagnostic::new(last_word, text))
 }
 
-/// Carries out a command that leads to no others.
+/// Carries out a command that is not a macro.
 fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     match own {
         ConsoleLine::Report(report) => show(state, &report),

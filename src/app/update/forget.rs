@@ -12,7 +12,7 @@ use crate::vehicle::{Severity, Vehicle, VehicleId};
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
 /// # Errors
-/// One of them is heard, none of them is known, or they are simulated and will be heard again.
+/// One of them is still in contact, none of them is known, or they are simulated and would appear again.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));

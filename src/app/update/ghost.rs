@@ -1,4 +1,4 @@
-//! Another flight of the mission, shown beside the present one.
+//! Another flight of the mission, shown beside the current one.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -13,7 +13,7 @@ use crate::vehicle::Severity;
 /// Carries out a command about the other flight.
 ///
 /// # Errors
-/// Without a mission, where a comparison is not allowed, or without another flight.
+/// There is no mission or no other flight, or a comparison is not allowed here.
 pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     match line {
         GhostLine::Show(source) => {
@@ -39,7 +39,7 @@ pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Why two flights cannot be laid upon each other by something.
+/// Why two flights cannot be aligned by an event.
 fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
     let own = ghost.own.as_ref();
     match own.filter(|_| alignment == Alignment::Bookmark) {
@@ -52,7 +52,8 @@ fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
     }
 }
 
-/// Whether a flight may be shown beside this one: that of another pilot gives the solution away where a flight counts.
+/// Whether a flight may be shown beside this one: another pilot's flight would give the solution away where this
+/// one\ncounts.
 fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
         return Err(text!("ghost-no-mission"));

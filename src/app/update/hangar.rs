@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The most lines of output kept of the process on the screen.
+/// The maximum number of lines of output kept of the process on the screen.
 const LINES_KEPT: usize = 500;
 
 /// Takes the processes' state, and adds notices of important changes.
@@ -64,7 +64,7 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
     known.printed = Some((vehicle, lines));
 }
 
-/// All are ready: a user who waited in the hangar goes to the flight.
+/// Handles that all are ready: a user who waited in the hangar goes to the flight.
 fn begin(state: &mut State, count: usize) {
     let ready = Notice::general(
         state.now,
@@ -110,7 +110,7 @@ fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option
     None
 }
 
-/// Why a process ended, its last words, and what to do.
+/// Why a process ended, its last output, and what to do.
 fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
     let last = instance

@@ -18,7 +18,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// An Enter within this time after an answer belongs to it.
+/// An Enter within this time after an answer belongs to that answer.
 const ANSWER_ENDS_WITHIN: Duration = Duration::from_secs(1);
 
 pub fn press(state: &mut State, key: KeyEvent) -> Effects {
@@ -72,7 +72,7 @@ pub fn resize(state: &mut State, columns: u16, rows: u16) {
     }
 }
 
-/// A key while the terminal is too small: only quitting works, without a question.
+/// Handles a key while the terminal is too small: only quitting works, without a question.
 fn unseen(state: &State, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Anywhere) {
         Some(Action::Quit) => Effects::from(Effect::Quit),
@@ -99,7 +99,7 @@ pub fn paste(state: &mut State, text: &str) {
     let first_line = lines.next().unwrap_or_default();
     let more = lines.count();
     if more > 0 {
-        // Joined or truncated, they would be another command than the copied one.
+        // Joined or truncated, the lines would be a different command from the copied one.
         let text = text!("footer-paste-lines", count = more + 1);
         return state.say(Severity::Warning, text);
     }
@@ -124,7 +124,7 @@ pub fn paste(state: &mut State, text: &str) {
     }
 }
 
-/// The most bytes of a line. It is parsed after every key, and no command comes near this.
+/// The maximum number of bytes of a line. A line is parsed after every key, and no command comes near this length.
 const LONGEST_LINE: usize = 400;
 
 /// Applies a key to a line of text; false if it is not an editing key.
@@ -222,8 +222,8 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         // Whatever a keymap file binds them to, they never confirm and always close the question.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
-        // By its position `н` would be `y`, but it begins the Ukrainian word for no: letters of another layout never
-        // confirm.
+        // By its position `н` would be `y`, but it is the first letter of the Ukrainian word for "no": letters of
+        // another layout never confirm.
         KeyCode::Char('n' | 'т' | 'н') if question.answer == "y" => refuse(state, &question),
         KeyCode::Char(c) if !question.cancelled => {
             question.typed.push(c);

@@ -10,10 +10,10 @@ use crate::notice::Notice;
 use crate::text;
 use crate::vehicle::Severity;
 
-/// A vehicle on the link has been heard by then.
+/// By then, a vehicle on the link should have been heard.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Takes the doctor's findings, and adds notices of those that need action.
+/// Stores the doctor's findings, and adds notices of those that need action.
 pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     if state.session.activity.is_none() {
         return;
@@ -29,7 +29,7 @@ pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     }
 }
 
-/// Takes a count of the messages.
+/// Stores a count of the messages.
 pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
     if state.session.activity.is_none() || state.rooms.messages.paused {
         return;

@@ -36,16 +36,16 @@ impl MacroLine<'_> {
     }
 }
 
-/// Checks the lines of a macro before the first one is given, so that no fault appears after others have been sent.
-/// The effect of earlier lines is not known yet: groups that they define, and the selection, count as every vehicle.
-/// After a line that starts another session nothing is checked.
+/// Checks the lines of a macro before the first one is given, so that no fault appears after others have been sent. The
+/// effect of earlier lines is not known yet, so the groups that they define, and the selection, count as all vehicles.
+/// Nothing is checked after a line that starts another session.
 ///
 /// # Errors
 /// The first fault, placed at `at`, the call of the macro.
 pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnostic> {
     let mut groups = state.session.groups.clone();
     let mut seen = BTreeSet::new();
-    // A stack: the next line is the last element.
+    // A stack, whose last element is the next line.
     let mut left: Vec<MacroLine<'_>> = Vec::new();
     let mut called = Some(name);
     loop {

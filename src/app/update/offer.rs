@@ -11,11 +11,11 @@ use crate::language::{self, Completion};
 use crate::text;
 use crate::text::Text;
 
-/// The most lines offered.
+/// The maximum number of lines offered.
 const SHOWN: usize = 100;
-/// Below this number of letters, only words of the lines are searched, not their meaning.
+/// With fewer letters than this, only the words of the lines are searched, not their meaning.
 const FEW: usize = 3;
-/// The most vehicles offered.
+/// The maximum number of vehicles offered.
 const VEHICLES_SHOWN: usize = 20;
 
 /// How well a line matches the text, best first.
@@ -23,9 +23,9 @@ const VEHICLES_SHOWN: usize = 20;
 enum Nearness {
     /// The line begins with the text.
     Line,
-    /// Every word of the text begins a word of the line.
+    /// Every word of the text is the beginning of a word of the line.
     Words,
-    /// Every word of the text begins a word of the line or of its meaning.
+    /// Every word of the text is the beginning of a word of the line or of its meaning.
     Meaning,
     /// The letters occur in order, scattered.
     Scattered,
@@ -52,8 +52,8 @@ impl Nearness {
 }
 
 /// The lines that match the text, in the line itself or in its meaning, best first. A few letters match nearly
-/// everywhere: they are compared with the beginnings of words only; more letters also with the meaning; scattered
-/// letters count only without a better match.
+/// everywhere, so they are compared only with the beginnings of words. More letters are also compared with the meaning.
+/// Scattered letters count only if there is no better match.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
     all.extend(vehicles(state, written));

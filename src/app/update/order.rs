@@ -96,8 +96,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
     }
 }
 
-/// Whether a line needs no time to pass: it asks for a hint, says how much there is to do, or is the trainee's word before
-/// launch.
+/// Whether a line needs no time to pass: it asks for a hint, rates the workload, or pledges something before launch.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match &statement.meaning {
         Meaning::Act(act) if is_word(act) => state.can_pledge(),

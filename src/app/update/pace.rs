@@ -124,7 +124,7 @@ pub fn news(state: &State, before: Watch) -> Option<Text> {
     before.reason.or_else(|| new_alert(state, &before.alerts))
 }
 
-/// Returns to the usual pace.
+/// Returns to the usual pace, with the reason for the notice.
 pub fn fall_back(state: &State, reason: Text) -> Effects {
     change(PaceChange {
         speedup: state.session.pace.usual,

@@ -17,7 +17,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The most lines that one macro may lead to; one that calls itself would never end.
+/// The maximum number of lines that one macro may run in total; one that calls itself would never end.
 const MACRO_LINES: usize = 100;
 
 /// Opens the command line with a text.
@@ -29,7 +29,7 @@ pub fn open(state: &mut State, line: String) {
     edited(state, palette);
 }
 
-/// A key while the command line is open.
+/// Handles a key while the command line is open.
 pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Effects::none(),
@@ -64,7 +64,7 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         let is_typed = completion.text.eq_ignore_ascii_case(typed);
         (!is_typed, !completion.text.starts_with(typed), !command)
     });
-    // In the middle of a command, other commands are of no interest.
+    // In the middle of a command, other commands are not useful.
     let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();
     if cursor == line.len() && !has_verb {
         let offered = offer::lines(state, &line);
@@ -111,7 +111,7 @@ fn judge(state: &State, palette: &mut Palette) {
     }
 }
 
-/// Whether a fault is in finished words: the one at the cursor may still become valid, and missing ones may follow.
+/// Whether a fault is in finished words: the word at the cursor may still become valid, and missing words may follow.
 fn is_finished(line: &str, fault: &Diagnostic, cursor: usize) -> bool {
     let span = &fault.span;
     let goes_on = line
@@ -125,7 +125,7 @@ fn byte_cursor(input: &Input) -> usize {
     at.map_or(input.value().len(), |(at, _)| at)
 }
 
-/// Inserts the next (or previous) completion; a single one is completed with a blank.
+/// Inserts the next (or previous) completion; a single one is completed with a space.
 fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let count = palette.completions.len();
     if count == 0 {
@@ -175,7 +175,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
     edited(state, palette);
 }
 
-/// Gives a line; a faulty one stays on the command line with its fault.
+/// Runs a line; a faulty one stays on the command line with its fault.
 pub fn give(state: &mut State, line: &str) -> Effects {
     state.hush();
     let palette = Palette {
@@ -214,7 +214,7 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
     }
 }
 
-/// Gives the waiting lines of a macro, up to one that asks a question or has a fault.
+/// Runs the waiting lines of a macro, up to one that asks a question or has a fault.
 pub fn go_on(state: &mut State) -> Effects {
     let mut effects = Effects::none();
     for _ in 0..MACRO_LINES {
@@ -252,19 +252,19 @@ fn carry_out(state: &mut State, line: &str) -> Result<Effects, Diagnostic> {
     }
 }
 
-/// Whether a line so far is for the console itself.
+/// Whether the line typed so far is for the console itself.
 pub fn is_to_console(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| !row.scope.takes_targets())
 }
 
-/// Whether a line so far is for the mission, and no vehicle.
+/// Whether the line typed so far is for the mission, not for a vehicle.
 fn is_to_mission(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as.is_said_to_mission())
 }
 
-/// The targets of a line so far, so that they are never a guess.
+/// The targets of the line typed so far, so that the user need not guess them.
 fn recipients(state: &State, line: &str) -> Text {
     let is_to_none = is_to_console(state, line) || is_to_mission(state, line);
     if is_to_none || state.session.vehicles.is_empty() {

@@ -30,7 +30,7 @@ pub fn open(state: &mut State) {
     state.overlay = Some(Overlay::Profiles { cursor });
 }
 
-/// A key while the list is open.
+/// Handles a key while the list is open.
 pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Effects {
     let trainees = state.trainees();
     let cursor = match state.keymap.action(key, Place::List) {
@@ -78,7 +78,7 @@ pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
     ))))
 }
 
-/// Takes the trainee's career. Another trainee, or one more flight, puts the home screen's cursor on the recommended
+/// Stores the trainee's career. Another trainee, or one more flight, puts the home screen's cursor on the recommended
 /// mission.
 pub fn arrived(state: &mut State, career: Option<Career>) {
     let seen = |career: &Career| (career.name.clone(), career.standing.flights());

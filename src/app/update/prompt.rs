@@ -11,7 +11,7 @@ use crate::app::room::{self, home, parameters, workshop};
 use crate::app::state::{Overlay, Prompt, Purpose};
 use crate::text::Text;
 
-/// A key for a prompt.
+/// Handles a key in a prompt.
 pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     let submitted = match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Effects::none(),
@@ -50,7 +50,7 @@ fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
     keys::edit(&mut prompt.input, key)
 }
 
-/// Takes the line entered.
+/// Carries out the purpose of a prompt with the line entered.
 ///
 /// # Errors
 /// The fault of the line; the prompt stays open and shows it.

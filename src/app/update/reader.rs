@@ -9,7 +9,7 @@ use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{HelpPage, Log, Overlay};
 
-/// A key for the help, which can be searched.
+/// Handles a key in the help, which can be searched.
 pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
     if page.is_searching && write(&mut page, key) {
         state.overlay = Some(Overlay::Help(page));
@@ -58,7 +58,7 @@ fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
     true
 }
 
-/// A key for a log; on the newest entry, the cursor stays on the newest.
+/// Handles a key in a log; a cursor on the newest entry follows newer ones.
 pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) -> Effects {
     let cursor = match state.keymap.action(key, Place::Reader) {
         Some(Action::Escape) if log == Log::Moments && key.code == KeyCode::Enter => {

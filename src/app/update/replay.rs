@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use std::time::Duration;
 
-/// The jump of the keys.
+/// How far a key press jumps.
 const KEY_STEP: Duration = Duration::from_secs(10);
 /// The lowest and the highest rate of a replay.
 const SLOWEST: f64 = 0.1;
@@ -150,10 +150,10 @@ pub fn bookmark(state: &mut State, text: String) -> Result<Effects, Text> {
     Ok(kept)
 }
 
-/// Removes the bookmark on the present frame.
+/// Removes the bookmark on the current frame.
 ///
 /// # Errors
-/// There is none here, or nothing is replayed.
+/// There is no bookmark here, or nothing is being replayed.
 pub fn unbookmark(state: &mut State) -> Result<Effects, Text> {
     let view = state.replay.as_mut().ok_or_else(|| text!("replay-none"))?;
     let here = view.bookmark_here().ok_or_else(|| text!("bookmark-none"))?;

@@ -100,7 +100,7 @@ fn watch(state: &mut State) {
 pub fn signals(state: &mut State) -> Effects {
     let due = state.session.alarms.due(state.now);
     if state.replay.is_some() {
-        // The bell rang when it was live.
+        // The bell rang during the flight itself.
         return Effects::none();
     }
     let alerts = &state.config.alerts;
@@ -187,12 +187,12 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
-        // In a replay, past advice is no advice now.
+        // In a replay, past advice is not advice now.
         if state.replay.is_some() {
             progress.lesson = None;
         }
         lesson::name_key(state, &mut progress);
-        // Its clock runs, so it has begun.
+        // The mission's clock runs, so it has begun.
         if !progress.elapsed.is_zero() {
             state.session.leave_brief();
         }
@@ -214,7 +214,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
     }
 }
 
-/// Records the height of the highest vehicle that is heard.
+/// Records the height of the highest vehicle in contact.
 fn note_height(session: &mut FlightView, elapsed: Duration) {
     let heard = session.vehicles.values().filter(|it| !it.link.lost);
     let heights_m = heard.filter_map(|it| it.altitude_m());

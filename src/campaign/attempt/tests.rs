@@ -76,7 +76,7 @@ fn a_try_counts_as_wanted_on_the_layout_of_its_stake() {
 fn an_exam_that_was_taken_is_never_given_again() {
     let mut trainee = Newcomer::new();
     let first = trainee.terms(Stake::Exam).decide();
-    // Restarted at once, the layout is known: that is practice.
+    // After a restart the layout is known, so the attempt is practice.
     assert_eq!(first.repeated().stake, Stake::Practice);
     let left = CareerFlight {
         mission: trainee.open.id.clone(),

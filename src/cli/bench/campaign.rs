@@ -18,13 +18,13 @@ const FIRST_DAY: i64 = 20_000;
     sortie bench campaign\n  \
     sortie bench campaign --seed 7 --flights 20 --json")]
 pub(in crate::cli) struct CampaignArguments {
-    /// The seed of the first flight; each further flight has the next one.
+    /// Use this seed for the first flight, and the next one for each further flight.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// The most flights to fly.
+    /// Fly at most this many flights.
     #[arg(long, default_value_t = 120)]
     flights: usize,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -38,7 +38,7 @@ const ROUNDS: usize = 7;
 pub(in crate::cli) struct DecodeArguments {
     /// A recording (tlog); without one, a flight of the embedded simulator is recorded first.
     file: Option<PathBuf>,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -23,10 +23,10 @@ const NAMED: usize = 6;
     sortie bench fidelity --against recordings --json\n\n\
     A recording is NAME.tlog, what a vehicle said, and NAME.tx.tlog, what a ground station sent to it.")]
 pub(in crate::cli) struct FidelityArguments {
-    /// A folder of recordings [default: tests/data/fidelity, in a checkout of the sources].
+    /// Compare with the recordings in this folder [default: tests/data/fidelity, in a checkout of the sources].
     #[arg(long, value_name = "FOLDER")]
     against: Option<PathBuf>,
-    /// One JSON document instead of the tables.
+    /// Print one JSON document instead of the tables.
     #[arg(long)]
     json: bool,
 }

@@ -34,16 +34,16 @@ const ONE_IN: u32 = 10;
     sortie bench frame\n  \
     sortie bench frame --width 200 --height 50 --json")]
 pub(in crate::cli) struct FrameArguments {
-    /// Columns of the screen.
+    /// Draw a screen with this many columns.
     #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u16).range(80..=1000))]
     width: u16,
-    /// Rows of the screen.
+    /// Draw a screen with this many rows.
     #[arg(long, default_value_t = 40, value_parser = clap::value_parser!(u16).range(24..=1000))]
     height: u16,
     /// Draw the map instead of the flight screen.
     #[arg(long)]
     map: bool,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -33,13 +33,13 @@ const ANSWER: &[u8] = b"\x1b[0n";
     sortie bench latency\n  \
     sortie bench latency --keys 200 --frame-rate 1")]
 pub(in crate::cli) struct LatencyArguments {
-    /// How many keys are pressed.
+    /// Press this many keys.
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(10..=2000))]
     keys: u32,
-    /// Frames per second of the console.
+    /// Let the console draw this many frames per second.
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u8).range(1..=60))]
     frame_rate: u8,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

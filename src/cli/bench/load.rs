@@ -24,13 +24,13 @@ const SIZE: Size = Size::new(120, 40);
 #[command(after_help = "Examples:\n  \
     sortie bench load --vehicles 32 --seconds 20")]
 pub(in crate::cli) struct LoadArguments {
-    /// How many vehicles fly.
+    /// Fly this many vehicles.
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u8).range(1..=250))]
     vehicles: u8,
-    /// How long to measure, after 25 s in which they take off.
+    /// Measure for this many seconds, after 25 s in which the vehicles take off.
     #[arg(long, default_value_t = 20)]
     seconds: u64,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -20,15 +20,15 @@ use crate::store;
     sortie bench missions\n  \
     sortie bench missions 06 08 --vehicles 16 --json")]
 pub(in crate::cli) struct MissionsArguments {
-    /// Missions by name or number; without any, all that are shipped.
+    /// Missions by name or number; by default all shipped ones.
     missions: Vec<String>,
-    /// Flies each mission with this many vehicles as well, if it is made for fewer.
+    /// Also fly each mission with this many vehicles, if it is made for fewer.
     #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=100))]
     vehicles: u8,
-    /// Seed of the missions' worlds.
+    /// Use this seed for the missions' worlds.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -42,13 +42,13 @@ const STREAM_EVERY_US: f32 = 100_000.0;
     sortie bench replay\n  \
     sortie bench replay --vehicles 32 --minutes 60 --json")]
 pub(in crate::cli) struct BenchReplayArguments {
-    /// How many vehicles fly.
+    /// Record this many flying vehicles.
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u8).range(1..=250))]
     vehicles: u8,
-    /// How long the recording is, in minutes.
+    /// Record this many minutes.
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=600))]
     minutes: u32,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

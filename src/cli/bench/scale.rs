@@ -50,31 +50,32 @@ const MOST_ARDUPILOT: u16 = 1024;
     sortie bench scale --counts 32 --beyond --repeat 1"
 )]
 pub(in crate::cli) struct ScaleArguments {
-    /// How many vehicles fly: one measurement for each number. 0 measures the cost without vehicles.
+    /// Fly this many vehicles, with one measurement for each number; 0 measures the cost without vehicles.
     #[arg(long, value_delimiter = ',', default_value = "0,1,2,4,8,16,32",
         value_parser = clap::value_parser!(u16).range(0..=16384))]
     counts: Vec<u16>,
-    /// How long to measure, in seconds.
+    /// Measure for this many seconds.
     #[arg(long, default_value_t = 20.0, value_parser = parse_seconds)]
     seconds: f64,
-    /// How often each number is measured, from the start of the vehicles on; the median counts.
+    /// Measure each number this many times, each time with newly started vehicles, and take the median.
     #[arg(long, default_value = "3")]
     repeat: NonZeroU16,
-    /// The least time between two kinds of commands, in seconds; each kind is also waited for.
+    /// Wait at least this many seconds between two kinds of commands, and in any case until the first has taken
+    /// effect.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
-    /// The simulator; embedded unless a program is named.
+    /// Use this simulator; by default the embedded one, unless a program is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
     programs: ProgramOptions,
-    /// Afterwards, doubles the number until real time is no longer held, and names the overloaded part.
+    /// Then double the number until the simulation falls behind real time, and name the overloaded part.
     #[arg(long)]
     beyond: bool,
-    /// Also draws the figures into this SVG file.
+    /// Also draw the figures into this SVG file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// One JSON document instead of the tables and the chart.
+    /// Print one JSON document instead of the tables and the chart.
     #[arg(long)]
     json: bool,
 }

@@ -28,17 +28,17 @@ const STEPS_PER_COUNT: u64 = 100;
     sortie bench sim\n  \
     sortie bench sim --vehicles 500,5000 --seconds 10 --json")]
 pub(in crate::cli) struct BenchSimArguments {
-    /// How many vehicles fly: one measurement for each number.
+    /// Fly this many vehicles, with one measurement for each number.
     #[arg(long, value_delimiter = ',', default_value = "1,10,100,1000,2000",
         value_parser = clap::value_parser!(u16).range(1..=5000))]
     vehicles: Vec<u16>,
-    /// Simulated seconds to measure, after 30 s in which the vehicles take off.
+    /// Measure for this many simulated seconds, after 30 s in which the vehicles take off.
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=600))]
     seconds: u64,
-    /// How many threads step the vehicles.
+    /// Step the vehicles in this many threads.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=64))]
     threads: u8,
-    /// One JSON document instead of the table.
+    /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }

@@ -27,45 +27,45 @@ use crate::store;
     sortie hangar command --frame hexa.json --param RTL_ALT=3000\n  \
     sortie hangar command --kind rover --connect-out 127.0.0.1:5760")]
 pub(super) struct CommandArguments {
-    /// The kind of vehicle.
+    /// Start this kind of vehicle.
     #[arg(long, value_enum, default_value = "copter")]
     kind: KindWord,
-    /// SITL's name of a model: quad (a plus frame), x, hexa; by default the one that suits the kind and the frame.
+    /// Use this SITL model: quad (a plus frame), x, hexa, ..; by default the one that suits the kind and the frame.
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// The airframe of a multirotor: a frame file of SITL, in JSON.
+    /// Use this airframe for a multirotor: a frame file of SITL, in JSON.
     #[arg(long, value_name = "FILE")]
     frame: Option<PathBuf>,
-    /// Home of the first vehicle: latitude, longitude, height above sea level in metres, heading in degrees.
+    /// Place the first vehicle here: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
         default_value = "-35.363262,149.165237,584,0",
         allow_hyphen_values = true
     )]
     home: StartPlace,
-    /// The system id of the first vehicle; further vehicles have the next ones.
+    /// Give the first vehicle this system id, and further vehicles the next ones.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     system: u8,
-    /// Simulated seconds per second.
+    /// Run this many times as fast as real time.
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// The number of vehicles.
+    /// Start this many vehicles.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     vehicles: u8,
-    /// The formation of the vehicles: the first one is at home, and all have its heading.
+    /// Place the vehicles in this formation; the first one is at home, and all have its heading.
     #[arg(long, value_enum, default_value = "row")]
     formation: ShapeWord,
-    /// Metres between neighbours of the formation.
+    /// Leave this many metres between neighbours in the formation.
     #[arg(long, value_name = "METRES", default_value_t = 5.0, value_parser = parse_spacing)]
     spacing: f64,
-    /// A parameter; give the option once for each. The vehicle silently ignores unknown names: 4.7 has
-    /// `SIM_GPS1_NUMSATS` for `SIM_GPS_NUMSATS` of 4.6.
+    /// Set a parameter; repeat the option for each one. The vehicle silently ignores unknown names: version 4.7 has
+    /// `SIM_GPS1_NUMSATS` instead of `SIM_GPS_NUMSATS` in 4.6.
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
     set: Vec<(String, f64)>,
-    /// A file of parameters, one `NAME VALUE` per line.
+    /// Set the parameters in this file, one `NAME VALUE` per line.
     #[arg(long, value_name = "FILE")]
     params: Option<PathBuf>,
-    /// SITL's number of the first instance: it listens on port 5760 + 10 * N.
+    /// Give the first vehicle this SITL instance number I: it listens on port 5760 + 10 * I.
     #[arg(
         long,
         value_name = "I",
@@ -73,10 +73,10 @@ pub(super) struct CommandArguments {
         conflicts_with = "connect_out"
     )]
     listen_instance: u16,
-    /// Connect to a ground station that listens at this address, instead of listening.
+    /// Connect to a ground station that listens on this address, instead of listening.
     #[arg(long, value_name = "HOST:PORT", value_parser = parse_address)]
     connect_out: Option<SocketAddr>,
-    /// One JSON document instead of a script.
+    /// Print one JSON document instead of a script.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -18,10 +18,10 @@ use crate::sitl::SitlKind;
     sortie hangar identify\n  \
     sortie hangar identify ~/ardupilot/build/sitl/bin/arducopter")]
 pub(super) struct IdentifyArguments {
-    /// Programs to ask; by default those that a hangar would start.
+    /// The programs to identify; by default those that a hangar would start.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// One JSON document instead of lines.
+    /// Print one JSON document instead of lines.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -33,29 +33,29 @@ const IDENTIFIED: Duration = Duration::from_secs(3);
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Service")]
 pub(super) struct ServeArguments {
-    /// The address to listen on; with port 0 the system chooses a port, which is printed.
+    /// Listen on this address; with port 0, the system chooses a port, which is printed.
     #[arg(long, value_name = "HOST:PORT", default_value_t = format!("127.0.0.1:{PORT}"), value_parser = parse_listen)]
     listen: String,
-    /// The most instances at the same time.
+    /// Run at most this many instances at the same time.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=254))]
     instances: Option<u16>,
-    /// Address space of one instance, in mebibytes.
+    /// Limit the address space of each instance to this many mebibytes.
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(64..=65_536))]
     memory: Option<u64>,
-    /// Restart policy for instances that end by themselves.
+    /// Choose when to restart instances that end on their own.
     #[arg(long, value_name = "WHEN")]
     restart: Option<RestartWhen>,
-    /// The folder for the instances' files.
+    /// Keep the instances' files in this folder.
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// The file with the token; created if it does not exist.
+    /// Read the token from this file, which is created if it does not exist.
     #[arg(long, value_name = "FILE")]
     token_file: Option<PathBuf>,
-    /// Require the token on loopback, too, from programs of the same user.
+    /// Require the token also on loopback, from programs of the same user.
     #[arg(long)]
     require_token: bool,
-    /// Offer each vehicle's MAVLink also on a TCP port on loopback, for other ground stations. Every user of this
-    /// machine can then fly it.
+    /// Also offer each vehicle's MAVLink on a loopback TCP port, for other ground stations. Every user of this machine
+    /// can then fly the vehicle.
     #[arg(long)]
     expose: bool,
     #[command(flatten)]
@@ -65,7 +65,7 @@ pub(super) struct ServeArguments {
 /// When an instance that has ended by itself is started again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum RestartWhen {
-    /// The instance stays down until it is started again by hand.
+    /// The instance stays down until you start it again.
     Never,
     /// At once, then after growing delays, until it has failed five times in a row.
     Always,

@@ -15,10 +15,10 @@ const TOKEN_FILE: &str = "hangar-token";
 /// Options of commands that start SITL in hangars on other machines.
 #[derive(Debug, Clone, Default, Args)]
 pub(in crate::cli) struct ServiceOptions {
-    /// Start the vehicles in this `sortie hangar`; repeat the option to spread them over several machines.
+    /// Start the vehicles in this hangar; repeat the option to spread them over several machines.
     #[arg(long = "hangar", value_name = "http://HOST:PORT")]
     hangars: Vec<HangarAddress>,
-    /// The file with the token of the hangars; by default the one of the configuration, or the one that
+    /// Read the token of the hangars from this file; by default the one in the configuration, or the one that
     /// `sortie hangar` creates on this machine.
     #[arg(long, value_name = "FILE")]
     hangar_token: Option<PathBuf>,

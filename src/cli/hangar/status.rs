@@ -19,7 +19,7 @@ use crate::hangar::{HangarToken, Instance};
     sortie hangar status\n  \
     sortie hangar status --hangar http://127.0.0.1:5700 --json")]
 pub(super) struct StatusArguments {
-    /// One JSON document instead of lines.
+    /// Print one JSON document instead of lines.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -20,10 +20,10 @@ pub(super) struct JoinArguments {
     /// The number in the list, or a file; by default the newest record.
     #[arg(default_value = "1")]
     record: String,
-    /// The vehicle of the log, if the log does not name it.
+    /// Use this vehicle if the log does not name one.
     #[arg(long, value_name = "ID")]
     vehicle: Option<u16>,
-    /// One JSON document instead of a table.
+    /// Print one JSON document instead of a table.
     #[arg(long)]
     json: bool,
 }

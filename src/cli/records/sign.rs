@@ -17,10 +17,10 @@ use crate::text::Text;
 /// Options of `sortie records key`.
 #[derive(Debug, Args)]
 pub(super) struct KeyArguments {
-    /// The folder for the two files; by default minisign's (`~/.minisign`).
+    /// Write the two files to this folder; by default minisign's (`~/.minisign`).
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Do not protect the key with a password: anyone who reads the file can sign with it.
+    /// Leave the key without a password: anyone who can read the file can sign with it.
     #[arg(long)]
     no_password: bool,
 }
@@ -31,7 +31,7 @@ pub(super) struct SignArguments {
     /// The number in the list, or a file; by default the newest record.
     #[arg(default_value = "1")]
     record: String,
-    /// The secret key; by default minisign's (`~/.minisign/minisign.key`).
+    /// Sign with this secret key; by default minisign's (`~/.minisign/minisign.key`).
     #[arg(long, value_name = "FILE")]
     key: Option<PathBuf>,
 }

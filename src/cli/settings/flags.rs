@@ -16,7 +16,7 @@ pub(in crate::cli) struct Common {
     /// Use this profile: its career, designs and language.
     #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
     profile: Option<String>,
-    /// Language: en, uk.
+    /// Use this language: en, uk.
     #[arg(
         long,
         global = true,
@@ -24,17 +24,17 @@ pub(in crate::cli) struct Common {
         help_heading = "Settings"
     )]
     lang: Option<String>,
-    /// The theme: dark, light, high-contrast, monochrome, or one of your own.
+    /// Use this theme: dark, light, high-contrast, monochrome, or one of your own.
     #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
     theme: Option<String>,
-    /// The most frames per second.
+    /// Draw at most this many frames per second.
     #[arg(long, global = true, value_name = "N", help_heading = "Settings")]
     fps: Option<String>,
-    /// The symbols for curves and maps: braille, block, ascii.
+    /// Draw curves and maps with these symbols: braille, block, ascii.
     #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
     symbols: Option<String>,
-    /// Use the mouse: the wheel moves the cursor; a click selects a row, presses a key of the last line, or points at
-    /// a place on the map.
+    /// Use the mouse: the wheel moves the cursor; a click selects a row, presses a key on the last line, or picks a
+    /// place on the map.
     #[arg(
         long,
         global = true,
@@ -55,7 +55,7 @@ pub(in crate::cli) struct Common {
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
-    /// The level of the log: error, warn, info, debug or trace, also for single parts: `warn,sortie::link=debug`.
+    /// Set the log level: error, warn, info, debug or trace, also for single parts: `warn,sortie::link=debug`.
     #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
     log_level: Option<String>,
 }

@@ -92,7 +92,7 @@ fn patience_grows_with_the_way() {
     assert!(near < Duration::from_secs(30));
 }
 
-/// Verb, texts, vehicle, command, `MAV_RESULT`, and the expected explanation.
+/// A row: verb, texts, vehicle, command, `MAV_RESULT`, and the expected explanation.
 type Refusal<'a> = (
     &'static str,
     &'a [Text],

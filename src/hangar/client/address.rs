@@ -13,10 +13,10 @@ pub struct HangarAddress {
     pub port: u16,
 }
 
-/// Why a text is no address of a hangar.
+/// Why a text is not an address of a hangar.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HangarAddressError {
-    /// It asks for encryption.
+    /// It requires encryption.
     #[error(
         "a hangar does not speak HTTPS: use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` and http://127.0.0.1:{PORT}"
     )]
@@ -60,7 +60,7 @@ impl FromStr for HangarAddress {
 }
 
 impl HangarAddress {
-    /// `HOST:PORT`, as the header `Host` has it.
+    /// `HOST:PORT`, as in the header `Host`.
     pub fn authority(&self) -> String {
         let Self { host, port } = self;
         if host.contains(':') {

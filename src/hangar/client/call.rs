@@ -1,4 +1,4 @@
-//! One request over a connection of its own.
+//! One request over its own connection.
 
 use std::io;
 use std::time::Duration;
@@ -14,13 +14,13 @@ use tokio::time::timeout;
 use super::{ANSWER, ClientError, RemoteHangar};
 use crate::hangar::service::ServiceProblem;
 
-/// The most bytes of an answer: a few hundred instances with their last output.
+/// The maximum size of an answer in bytes: a few hundred instances with their last output.
 const ANSWER_MAX: usize = 8 * 1024 * 1024;
-/// Characters shown of an answer that is not a hangar's.
+/// The number of characters shown of an answer that does not come from a hangar.
 const SHOWN: usize = 60;
 
 impl RemoteHangar {
-    /// Sends a request and reads the whole answer of a successful one.
+    /// Sends a request, and reads the whole answer if it is successful.
     pub(super) async fn exchange(
         &self,
         method: Method,
@@ -62,7 +62,7 @@ impl RemoteHangar {
             .map_err(|error| self.unreachable(io::Error::other(error)))
     }
 
-    /// Sends a request; the answer is a hangar's, and successful.
+    /// Sends a request; the returned answer comes from a hangar and is successful.
     pub(super) async fn send(
         &self,
         request: Request<Full<Bytes>>,
@@ -71,13 +71,13 @@ impl RemoteHangar {
         let stream = TcpStream::connect(place)
             .await
             .map_err(|error| self.unreachable(error))?;
-        // Commands are small and must not wait for one another; without this option they are only slower.
+        // Commands are small and must not wait for one another; without this option, they are only slower.
         let _ = stream.set_nodelay(true);
         let foreign = |error: hyper::Error| self.broken(&error);
         let (mut sender, connection) = http1::handshake(TokioIo::new(stream))
             .await
             .map_err(foreign)?;
-        // Ends with the answer, or with the upgraded connection.
+        // The task ends with the answer, or with the upgraded connection.
         tokio::spawn(connection.with_upgrades());
         let response = sender.send_request(request).await.map_err(foreign)?;
         let status = response.status();

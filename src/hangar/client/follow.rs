@@ -17,9 +17,9 @@ use super::{ANSWER, ClientError, RemoteHangar};
 use crate::hangar::service::InstanceSnapshot;
 use crate::hangar::{Instance, InstanceId, Instances};
 
-/// A hangar silent for this long is considered dead: it sends something at least every 10 s.
+/// A hangar that is silent for this long is considered dead, since it sends something at least every 10 s.
 const SILENCE: Duration = Duration::from_secs(25);
-/// The most bytes of one event.
+/// The maximum size of one event, in bytes.
 const EVENT_MAX: usize = 8 * 1024 * 1024;
 
 /// The known state of a hangar.
@@ -129,7 +129,7 @@ fn take_in(view: &watch::Sender<HangarView>, name: &str, data: &str) -> Result<(
             let Gone { id } = serde_json::from_str(data).map_err(wrong)?;
             view.send_modify(|view| drop(Arc::make_mut(&mut view.instances).remove(&id)));
         }
-        // From a newer hangar.
+        // An event of a newer hangar.
         _ => {}
     }
     Ok(())
@@ -144,7 +144,7 @@ struct Events {
 }
 
 impl Events {
-    /// Takes bytes; returns the names and the data of complete events.
+    /// Adds bytes; returns the names and the data of complete events.
     fn push(&mut self, bytes: &[u8]) -> Vec<(String, String)> {
         let mut found = Vec::new();
         self.bytes.extend_from_slice(bytes);
@@ -160,7 +160,7 @@ impl Events {
         found
     }
 
-    /// Bytes of the incomplete event.
+    /// The size of the incomplete event, in bytes.
     fn len(&self) -> usize {
         self.bytes.len() + self.data.len()
     }

@@ -60,7 +60,7 @@ pub(super) async fn run(
                     return;
                 }
             }
-            // Bytes without a receiver are dropped, and the end of their sender is noticed.
+            // Without a receiver, bytes are dropped; this also shows when the sender ends.
             tokio::select! {
                 () = backoff.pause() => {}
                 () = swallow(&mut pipe) => return,

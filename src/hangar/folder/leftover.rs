@@ -17,9 +17,9 @@ use crate::hangar::process::{self, ProcessIdentity};
 
 /// How long a process may take to end after a signal, and to disappear after being killed.
 const GRACE: Duration = Duration::from_secs(2);
-/// How often to check whether a process is gone: it is no child of this one, so there is no signal.
+/// How often to check whether a process is gone: it is not a child of this process, so there is no signal.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// The largest file that is read.
+/// The maximum size of a file that is read, in bytes.
 const LARGEST_FILE: u64 = 64 * 1024;
 
 /// A hangar's record of an instance's process.
@@ -41,7 +41,7 @@ impl Record {
         })
     }
 
-    /// Whether the recorded process runs, and not another one with its number.
+    /// Whether the recorded process runs, as opposed to another one with its number.
     fn is_running(&self) -> bool {
         let pid = self.process.pid;
         process::is_running(&self.process)
@@ -49,7 +49,7 @@ impl Record {
             && process::executable(pid).as_ref() == Some(&self.executable)
     }
 
-    /// Processes that it started and left behind: those of its session that are still in its folder.
+    /// Processes that it started and left behind: those in its session whose working folder is still its folder.
     fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
         let folder = folder.canonicalize().ok();
         let is_here = move |pid: u32| {
@@ -72,7 +72,7 @@ impl Record {
             && pid > 1
             && self.is_running()
         {
-            // With its whole group, if it leads one. An error means that it is gone.
+            // The signal goes to its whole group, if it leads one. An error means that it is gone.
             let pid = Pid::from_raw(pid);
             if killpg(pid, signal).is_err() {
                 let _ = kill(pid, signal);
@@ -80,10 +80,10 @@ impl Record {
         }
     }
 
-    /// Waits until it is gone, up to the time limit.
+    /// Waits until it is gone, up to the time limit; returns whether it is.
     async fn is_gone(&self) -> bool {
         let begun = Instant::now();
-        // A process that is ending has no file any more, but is not gone yet.
+        // A process that is ending no longer has a file, but is not gone yet.
         while process::is_running(&self.process) {
             if begun.elapsed() >= GRACE {
                 return false;

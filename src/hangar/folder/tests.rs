@@ -21,7 +21,7 @@ impl Sleeper {
             .stdin(Stdio::null())
             .stdout(Stdio::null());
         let child = shell.spawn().expect("it starts");
-        // Until it becomes a shell it is a copy of this program.
+        // Until it becomes a shell, it is a copy of this program.
         while process::executable(child.id()) == process::executable(std::process::id()) {
             std::thread::yield_now();
         }
@@ -203,7 +203,7 @@ fn only_the_last_five_runs_are_kept() {
     expected.push(mine.clone());
     expected.sort();
     assert_eq!(names(&root), expected);
-    // All of them live, so none is removed.
+    // All owners live, so no run is removed.
     let more: Vec<OpenedFolder> = (0..7).map(|_| open(&root)).collect();
     assert_eq!(names(&root).len(), 13);
     assert!(names(&root).contains(&mine));
@@ -267,8 +267,8 @@ async fn what_a_leftover_has_started_is_found_when_the_leftover_itself_is_gone()
     let folder = run.vehicle(1).expect("made");
     let mut order = launcher::shell("sleep 1000 & echo child $!; read line < never");
     order.folder.clone_from(&folder);
-    // A process of the session that has left the folder does not count as the instance's. It prints its number once it
-    // has.
+    // A process of the session that has left the folder does not count as one of the instance. It prints its number
+    // once it has left.
     order.arguments[1].insert_str(
         0,
         "(cd / && exec sh -c 'echo other $$; exec sleep 1000') & ",

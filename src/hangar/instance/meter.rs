@@ -4,14 +4,14 @@ use std::time::Duration;
 
 use crate::hangar::process::{self, ProcessUsage};
 
-/// The interval of readings.
+/// The time between readings.
 const EVERY: Duration = Duration::from_secs(1);
 
 /// Measures a process about once a second.
 pub(super) struct InstanceMeter {
     pid: u32,
     last: Option<(Duration, ProcessUsage)>,
-    /// Cores in use between the last two readings.
+    /// The number of cores in use between the last two readings.
     cores: f64,
 }
 
@@ -24,7 +24,7 @@ impl InstanceMeter {
         }
     }
 
-    /// Reads it if due; returns whether it did.
+    /// Reads the process if due; returns whether it did.
     pub fn read(&mut self, now: Duration) -> bool {
         if self.last.is_some_and(|(at, _)| now < at + EVERY) {
             return false;
@@ -46,13 +46,13 @@ impl InstanceMeter {
         self.last.map_or(0, |(_, usage)| usage.memory_bytes)
     }
 
-    /// Processor time since it was started.
+    /// The processor time since the process was started, in milliseconds.
     pub fn cpu_ms(&self) -> u64 {
         self.last
             .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
     }
 
-    /// The use as text, to tell a waiting process from a spinning one.
+    /// The use as text, to distinguish a waiting process from a busy one.
     pub fn told(&self) -> String {
         format!(", using {:.0} % of a core", 100.0 * self.cores)
     }

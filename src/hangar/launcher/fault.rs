@@ -11,13 +11,13 @@ use super::stub::StubStep;
 /// Why a process could not be started.
 #[derive(Debug, thiserror::Error)]
 pub(in crate::hangar) enum LaunchError {
-    /// The path leads nowhere.
+    /// The path does not exist.
     #[error("no program {0}: name the one to start, or build it")]
     NoProgram(PathBuf),
-    /// The path leads to a folder.
+    /// The path is a folder.
     #[error("{0} is a folder: name the program in it")]
     Folder(PathBuf),
-    /// The file is no program, or one for another architecture.
+    /// The file is not a program, or one for another architecture.
     #[error(
         "{0} is not a program that this machine can run: it may be built for another one, or damaged"
     )]
@@ -82,7 +82,7 @@ impl LaunchError {
         }
     }
 
-    /// From the child's report: the failed step, and the system's error number.
+    /// The error from the child's report, which has the failed step and the system's error number.
     pub(super) fn of_report(report: &str, order: &LaunchOrder, memory_mib: u64) -> Self {
         let (step, errno) = report.trim_end().split_once(' ').unwrap_or_default();
         let errno = errno.parse().unwrap_or_default();

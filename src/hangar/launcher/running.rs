@@ -23,7 +23,7 @@ pub(in crate::hangar) struct RunningProcess {
 
 impl Drop for RunningProcess {
     fn drop(&mut self) {
-        // The number belongs to it only until its exit status is fetched.
+        // The process id belongs to it only until its exit status is fetched.
         if self.child.id().is_some() {
             self.signal(Signal::SIGKILL);
         }
@@ -45,7 +45,7 @@ impl RunningProcess {
         self.pid.as_raw() as u32
     }
 
-    /// Its output pipes; only once.
+    /// Takes its output pipes; possible only once.
     pub fn take_output(&mut self) -> (Option<ChildStdout>, Option<ChildStderr>) {
         (self.child.stdout.take(), self.child.stderr.take())
     }
@@ -100,7 +100,7 @@ impl RunningProcess {
         if self.changes.is_none() {
             self.changes = signal(SignalKind::child()).ok();
         }
-        // Subscribed before the check, so that no end is missed.
+        // The subscription comes before the check, so that no end is missed.
         let Some(changes) = &mut self.changes else {
             return;
         };

@@ -28,7 +28,7 @@ pub(super) enum StubStep {
 }
 
 impl StubStep {
-    /// The step's purpose, for people.
+    /// The step's purpose, for messages.
     pub fn attempt(self) -> &'static str {
         match self {
             Self::Understand => "understand its order",
@@ -46,7 +46,7 @@ pub fn launch_stub(words: &[OsString]) -> ExitCode {
 }
 
 pub(super) fn run(words: &[OsString]) -> u8 {
-    // A copy that closes on exec.
+    // A copy of the socket that closes on exec.
     let report = std::io::stdin().as_fd().try_clone_to_owned();
     let (step, errno) = become_program(words);
     let written = report.and_then(|report| {
@@ -82,17 +82,17 @@ fn become_program(words: &[OsString]) -> (StubStep, Errno) {
     if let Err(fault) = prepared {
         return fault;
     }
-    // A terminal's Ctrl-C is for the owner. Without a session of its own the start still works.
+    // A terminal's Ctrl-C is for the owner. The start still works if it cannot have its own session.
     let _ = setsid();
     let run = File::open("/dev/null")
         .map_err(|error| Errno::from_raw(error.raw_os_error().unwrap_or_default()))
         .and_then(dup2_stdin)
-        // Not through the standard library, which has a shell run a file that is no program.
+        // Not through the standard library, which would run a file that is not a program with a shell.
         .and_then(|()| execv(path, words));
     (StubStep::Become, run.err().unwrap_or(Errno::UnknownErrno))
 }
 
-/// Has the kernel kill this process when the thread that created it ends.
+/// Tells the kernel to kill this process when the thread that created it ends.
 fn end_with(owner: u64) -> nix::Result<()> {
     #[cfg(target_os = "linux")]
     nix::sys::prctl::set_pdeathsig(nix::sys::signal::Signal::SIGKILL)?;

@@ -10,7 +10,7 @@ use super::*;
 
 const STUB: &str = "hangar::launcher::tests::this_program_becomes_another_when_it_is_told_to";
 
-/// Not a real test: the tests below start this program again with it, as a hangar starts `sortie`.
+/// Not a real test: the tests below use it to start this program again, as a hangar starts `sortie`.
 #[test]
 fn this_program_becomes_another_when_it_is_told_to() {
     let mut words = std::env::args_os().skip_while(|word| word != "--");
@@ -39,7 +39,7 @@ pub(in crate::hangar) fn shell(script: &str) -> LaunchOrder {
     order("/bin/sh", &["-c", script])
 }
 
-/// Returns the launcher as well: its processes end with it.
+/// Also returns the launcher, because its processes end with it.
 pub(in crate::hangar) async fn start(order: LaunchOrder) -> (Launcher, RunningProcess) {
     let launcher = launcher(HangarLimits::default());
     let running = launcher.launch(order).await.expect("it starts");
@@ -212,7 +212,7 @@ async fn one_that_ends_when_told_has_time_to_do_so() {
     let (_launcher, mut running) = start(shell(script)).await;
     hear(&mut running, "ready").await;
     assert_eq!(running.end().await.expect("it ends").code(), Some(7));
-    // A second time it is known already.
+    // The second time, the status is already known.
     assert_eq!(running.end().await.expect("it has ended").code(), Some(7));
 }
 
@@ -252,7 +252,7 @@ async fn one_that_nobody_holds_any_more_is_killed() {
     gone(&pid).await;
 }
 
-/// Waits until a killed process is gone, which its new parent decides.
+/// Waits until a killed process is gone, which depends on its new parent.
 async fn gone(pid: &str) {
     while is_alive(pid) {
         tokio::task::yield_now().await;
@@ -283,7 +283,7 @@ async fn nothing_of_the_hangar_is_open_in_the_program() {
         let lines = text.lines().skip_while(|line| *line != "0");
         lines.map(str::to_owned).collect()
     };
-    // The descriptors of this program, and the one that `ls` opens.
+    // The inherited descriptors, and the one that `ls` opens.
     let usual = Command::new("/bin/ls").arg("/proc/self/fd").output();
     let usual = String::from_utf8(usual.await.expect("it runs").stdout).expect("numbers");
     let (_launcher, mut running) = start(order("/bin/ls", &["/proc/self/fd"])).await;
@@ -307,7 +307,7 @@ async fn a_launch_that_nobody_waits_for_leaves_nothing_behind() {
     order.folder = folder.path().to_owned();
     let asked = launcher.launch(order);
     assert!(tokio::time::timeout(Duration::ZERO, asked).await.is_err());
-    // The thread works in order: when the next one runs, the first has been started or skipped, and killed.
+    // The thread works in order, so when the next one runs, the first one has been skipped, or started and killed.
     let mut next = launcher.launch(shell("true")).await.expect("it starts");
     next.wait().await.expect("it ends");
 }

@@ -2,18 +2,18 @@
 
 use crate::notice::sanitised;
 
-/// The most characters kept of a line.
+/// The maximum number of characters kept from a line.
 const LINE_LEN: usize = 400;
-/// The most bytes read of a line: a character has up to four.
+/// The maximum number of bytes read from a line, since a character has up to four.
 const LINE_BYTES: usize = 4 * LINE_LEN;
 /// The mark at the end of a cut line.
 const MORE: char = '…';
 
-/// Holds the unfinished line.
+/// Splits bytes into lines, and holds the unfinished line.
 #[derive(Debug, Default)]
 pub(super) struct Cutter {
     begun: Vec<u8>,
-    /// Whether the line was longer than what is held.
+    /// Whether the line was longer than the part that is held.
     is_cut: bool,
 }
 
@@ -43,7 +43,7 @@ impl Cutter {
     }
 
     fn take(&mut self) -> String {
-        // Programs for other systems end lines with two characters.
+        // Programs for other systems end lines with a carriage return and a line feed.
         let bytes = self.begun.strip_suffix(b"\r").unwrap_or(&self.begun);
         let text = sanitised(&String::from_utf8_lossy(bytes));
         let mut line: String = text.chars().take(LINE_LEN).collect();

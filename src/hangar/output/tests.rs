@@ -61,7 +61,7 @@ async fn only_the_last_lines_stay_in_memory() {
             .all(|line| line.text == format!("line {}", line.number))
     );
     assert_eq!(lines.last().map(|line| line.number), Some(1000));
-    // The same when they come at once.
+    // The same when all lines arrive at once.
     let many: Vec<String> = (1..=1000).map(|number| format!("more {number}")).collect();
     output.add(many);
     let lines = output.since(0);

@@ -15,9 +15,9 @@ use crate::hangar::{Capacity, HangarRefusal, Instance, InstanceId, Launch, Outpu
 
 /// An instance ends after this long without an attached program: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
-/// How long a closing console waits for the hangars.
+/// How long a console waits for the hangars when it closes.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
-/// The most vehicles ended at once: fewer than a hangar's connections.
+/// The maximum number of vehicles ended at once: fewer than a hangar accepts connections.
 const AT_ONCE: usize = 32;
 const SYSTEM_MAX: u8 = 254;
 
@@ -36,7 +36,7 @@ struct FarFleet {
 
 struct Ours {
     shown: Instance,
-    /// The run of the service that has launched it.
+    /// The run of the service that launched it.
     remote: RemoteHangar,
     life: String,
     /// Whether the service has listed it: before that, a missing one may still appear.
@@ -73,7 +73,7 @@ impl Far {
         self.services.iter().map(name).collect()
     }
 
-    /// Launches all, or none.
+    /// Launches all vehicles, or none.
     pub async fn launch(
         &self,
         mut launches: Vec<Launch>,
@@ -85,7 +85,7 @@ impl Far {
             here.filter(move |(_, (_, at))| **at == hangar)
                 .map(|(place, (launch, _))| (place, launch))
         };
-        // Each hangar's requests go one after another, all hangars in parallel.
+        // The requests to one hangar are sent one after another; different hangars get theirs in parallel.
         let asked = (0..self.services.len()).map(async |hangar| {
             let mut begun = Vec::new();
             for (place, launch) in at(hangar) {
@@ -111,12 +111,12 @@ impl Far {
         let Some(refusal) = refused else {
             return Ok(launched);
         };
-        // One that cannot be stopped now ends by itself: no program is attached.
+        // A vehicle that cannot be stopped now ends on its own, because no program is attached.
         join_all(launched.iter().map(|vehicle| self.stop(vehicle.place))).await;
         Err(refusal)
     }
 
-    /// A hangar for each vehicle, and the present run of each hangar. One that does not answer has no room.
+    /// A hangar for each vehicle, and the current run of each hangar. A hangar that does not answer counts as full.
     async fn plan(&self, count: usize) -> Result<(Vec<usize>, Vec<String>), HangarRefusal> {
         let asked = self.services.iter().map(RemoteHangar::status);
         let (mut rooms, mut lives, mut silent) = (Vec::new(), Vec::new(), None);
@@ -143,7 +143,7 @@ impl Far {
         Err(silent.unwrap_or(HangarRefusal::Full(running)))
     }
 
-    /// Gives system ids to launches without one, and the settings that all need.
+    /// Sets system ids for launches without one, and the settings that all launches need.
     fn number(&self, launches: &mut [Launch]) {
         let ours = self.fleet.ours();
         let there = ours.values().filter(|one| !one.is_gone);
@@ -154,7 +154,7 @@ impl Far {
                 launch.system = (1..=SYSTEM_MAX).find(|system| !taken.contains(system));
                 taken.extend(launch.system);
             }
-            // Other consoles may use the service too.
+            // Other consoles may also use the service.
             launch.id = None;
             launch.idle_s.get_or_insert(IDLE_S);
         }
@@ -221,7 +221,7 @@ impl Far {
 }
 
 impl Drop for Far {
-    /// Asks the services to end what was launched, within [`STOP_WITHIN`]; the rest ends by itself.
+    /// Asks the services to end the launched vehicles, within [`STOP_WITHIN`]; the rest ends on its own.
     fn drop(&mut self) {
         self.cancel.cancel();
         let ours = std::mem::take(&mut *self.fleet.ours());

@@ -2,8 +2,8 @@
 
 use crate::hangar::Capacity;
 
-/// A hangar for each of `count` vehicles: always the one with the largest free share, of equals the first. `None` if
-/// the room is not enough.
+/// A hangar for each of `count` vehicles: always the one with the largest free share, or the first of several with the
+/// same share. `None` if there is not enough room.
 pub(super) fn spread(rooms: &[Capacity], count: usize) -> Option<Vec<usize>> {
     let mut rooms = rooms.to_vec();
     let mut chosen = Vec::with_capacity(count);

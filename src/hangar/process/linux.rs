@@ -1,4 +1,4 @@
-//! `/proc`, as its manual page (`proc(5)`) describes it.
+//! Queries of `/proc`, as described in its manual page (`proc(5)`).
 
 use std::fs;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
@@ -10,7 +10,7 @@ use nix::unistd::Pid;
 
 use super::{Connection, ProcessIdentity, ProcessSocket, ProcessUsage, plain};
 
-/// What the system appends to the path of a file that was replaced while running.
+/// The text that the system appends to the path of a file that was replaced while running.
 const DELETED: &str = " (deleted)";
 /// Fields of `/proc/PID/stat`, counted from the state, which follows the name.
 const STATE: usize = 0;
@@ -35,7 +35,7 @@ pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     })
 }
 
-/// The effective one, which decides who may signal it.
+/// The effective user id, which decides who may signal the process.
 pub(super) fn user(pid: u32) -> Option<u32> {
     let status = read(pid, "status")?;
     let line = status.lines().find_map(|line| line.strip_prefix("Uid:"))?;
@@ -77,7 +77,7 @@ pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
 fn resident(pid: u32) -> Option<u64> {
     let status = read(pid, "status")?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
-    // A process that has ended has no memory.
+    // A process that has ended has no memory line.
     let Some(line) = line else { return Some(0) };
     let kibibytes: u64 = line.split_whitespace().next()?.parse().ok()?;
     Some(kibibytes * 1024)
@@ -100,14 +100,14 @@ pub(super) fn socket_of(line: &str, connection: Connection) -> Option<ProcessSoc
     let is_it = address(LOCAL) == Some(plain(connection.peer))
         && address(REMOTE) == Some(plain(connection.local));
     let inode = fields.get(INODE)?.parse().ok()?;
-    // A closed socket belongs to no process, and is listed as root's.
+    // A closed socket does not belong to a process, and is listed as owned by root.
     (is_it && inode != 0).then_some(ProcessSocket {
         user: fields.get(USER)?.parse().ok()?,
         inode,
     })
 }
 
-/// An address as in `0100007F:1F90`: words of 32 bits as they lie in memory, and the port.
+/// An address as in `0100007F:1F90`: words of 32 bits in memory order, and the port.
 pub(super) fn address(text: &str) -> Option<SocketAddr> {
     let (ip, port) = text.split_once(':')?;
     let port = u16::from_str_radix(port, 16).ok()?;
@@ -135,7 +135,7 @@ fn read(pid: u32, name: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The fields of `/proc/PID/stat` after the name, which may contain blanks and parentheses.
+/// The fields of `/proc/PID/stat` after the name, which may contain spaces and parentheses.
 struct Stat(String);
 
 impl Stat {

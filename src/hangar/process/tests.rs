@@ -48,7 +48,7 @@ fn a_process_is_known_while_it_runs() {
     assert_eq!(user(pid), Some(own_user()));
     assert!(executable(pid).is_some_and(|path| path.is_absolute()));
     sleeper.0.kill().expect("ours");
-    // It has ended when it can be waited for, and must not count as running before that.
+    // The process has ended before it is waited for, and must not count as running in between.
     while is_running(&it) {
         std::thread::yield_now();
     }
@@ -113,7 +113,7 @@ async fn a_connection_belongs_to_the_process_that_holds_it() {
 async fn a_connection_of_a_script_s_program_belongs_to_the_script() {
     let (_client, accepted) = connection("127.0.0.1:0", "127.0.0.1").await;
     let connection = Connection::of(&accepted).expect("connected");
-    // The script plays the leader of this program's session.
+    // The script stands for the leader of this program's session.
     let leader = nix::unistd::getsid(None).expect("it has one").as_raw() as u32;
     let me = std::process::id();
     assert!(leader == me || session(leader).contains(&me));

@@ -20,9 +20,9 @@ use crate::sitl::SitlKind;
 
 /// How long to wait for a program; an idle machine needs a tenth of a second.
 pub const PATIENCE: Duration = Duration::from_secs(10);
-/// The most bytes read from serial 0; SITL sends about a hundred before its name is complete.
+/// The maximum number of bytes read from serial 0; SITL sends about a hundred before its name is complete.
 const GREETING_LEN: usize = 4096;
-/// The most output read; SITL prints about a kilobyte until then.
+/// The maximum number of bytes of output read; SITL prints about a kilobyte until then.
 const OUTPUT_MAX: usize = 1024 * 1024;
 const TAIL_LEN: usize = 400;
 
@@ -34,14 +34,14 @@ pub struct ProgramIdentity {
     pub version: String,
     /// The commit that it was built from, shortened.
     pub hash: String,
-    /// The sockets that others could reach although it was told to open none, as far as the host tells.
+    /// The sockets that others could reach although it was told to open none, if the host lists them.
     pub sockets: Vec<ListeningSocket>,
 }
 
 /// Why a program could not be identified.
 #[derive(Debug, thiserror::Error)]
 pub enum Unknown {
-    /// The file is no program.
+    /// The file is not a program.
     #[error("{}: {reason}", file.display())]
     NoProgram { file: PathBuf, reason: String },
     /// The host has no scratch folder or port for it.
@@ -56,14 +56,14 @@ pub enum Unknown {
         status: ExitStatus,
         output: String,
     },
-    /// It prints without end.
+    /// It never stops printing.
     #[error("{} is not a SITL program: it prints without end{}", file.display(), said(.output))]
     Flood { file: PathBuf, output: String },
     /// It sent no valid announcement.
     #[error("{} has not said what it is within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
-        /// The time it had.
+        /// How long it had.
         patience: Duration,
         output: String,
     },
@@ -122,7 +122,7 @@ pub(super) async fn identify_by(
     identity
 }
 
-/// A hangar's order without files: the program only has to announce itself.
+/// A hangar's order without files: the program only needs to announce itself.
 fn order(program: &Path, folder: &Path, port: u16) -> LaunchOrder {
     let door = format!("tcpclient:127.0.0.1:{port}");
     let words = ["--model", "quad", "--speedup", "1", "--slave", "0"];
@@ -142,7 +142,7 @@ fn order(program: &Path, folder: &Path, port: u16) -> LaunchOrder {
     }
 }
 
-/// The result of what was received.
+/// The result that follows from the received bytes.
 fn judge(
     program: &Path,
     patience: Duration,
@@ -206,7 +206,7 @@ impl IdentityTrial {
         let (mut words, mut out, mut err) = ([0; 512], [0; 4096], [0; 4096]);
         loop {
             let read = tokio::select! {
-                // Its output is handled before its end.
+                // The output is handled before the end of the process.
                 biased;
                 count = read(&mut self.output, &mut out) => Some(&out[..count]),
                 count = read(&mut self.errors, &mut err) => Some(&err[..count]),
@@ -243,7 +243,7 @@ impl IdentityTrial {
 
     fn tail(&self) -> String {
         let text = String::from_utf8_lossy(&self.tail);
-        // The text goes to a terminal.
+        // The text is shown on a terminal.
         let clean = |c: char| if c == '\n' || !c.is_control() { c } else { ' ' };
         text.chars().map(clean).collect()
     }
@@ -256,7 +256,7 @@ impl IdentityTrial {
     }
 }
 
-/// Reads from a pipe; a closed one stays pending for ever.
+/// Reads from a pipe; a closed one stays pending forever.
 async fn read(pipe: &mut Option<impl AsyncRead + Unpin>, bytes: &mut [u8]) -> usize {
     if let Some(open) = pipe {
         match open.read(bytes).await {
@@ -267,7 +267,7 @@ async fn read(pipe: &mut Option<impl AsyncRead + Unpin>, bytes: &mut [u8]) -> us
     std::future::pending().await
 }
 
-/// `Init ArduCopter V4.6.0-dev (fbb78585)`.
+/// The announcement, such as `Init ArduCopter V4.6.0-dev (fbb78585)`.
 #[derive(Debug, PartialEq, Eq)]
 struct Greeting {
     vehicle: String,

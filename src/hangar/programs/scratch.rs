@@ -5,10 +5,10 @@ use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Path, PathBuf};
 use std::{env, io, process};
 
-/// The number of names to try.
+/// The maximum number of names to try.
 const TRIES: u32 = 1000;
 
-/// A folder for this process alone, below the system's temporary folder; dropping it removes it.
+/// A folder for this process alone, below the system's temporary folder; dropping this removes it.
 pub(super) struct ScratchFolder(PathBuf);
 
 impl ScratchFolder {
@@ -36,7 +36,7 @@ impl ScratchFolder {
 
 impl Drop for ScratchFolder {
     fn drop(&mut self) {
-        // What cannot be removed stays with other temporary files.
+        // Files that cannot be removed stay with other temporary files.
         let _ = fs::remove_dir_all(&self.0);
     }
 }

@@ -97,19 +97,19 @@ fn one_that_is_nowhere_tells_where_it_was_looked_for() {
     assert!(text.contains("/home/ardupilot/build/sitl/bin"), "{text}");
 }
 
-/// With this test program in place of `sortie`.
+/// Identifies a program with this test program in place of `sortie`.
 async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity, Unknown> {
     identify_by(&launcher(HangarLimits::default()), program, patience).await
 }
 
-/// Why a script is no SITL.
+/// Why a script is not a SITL.
 async fn refused(home: &Home, script: &str, patience: Duration) -> String {
     let file = home.file("program", script, 0o755);
     let unknown = identify(&file, patience).await.expect_err(script);
     unknown.to_string()
 }
 
-/// Long enough for a loaded machine: what is tried ends by itself.
+/// A time limit long enough for a loaded machine, since the programs end on their own.
 const LONG: Duration = Duration::from_secs(120);
 
 #[tokio::test]
@@ -153,7 +153,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
         children.display()
     );
     let patience = Duration::from_millis(300);
-    // A loaded machine may need several attempts until the script gets that far.
+    // A loaded machine may need several attempts before the script gets that far.
     let child: i32 = loop {
         let text = refused(&home, &script, patience).await;
         assert!(
@@ -164,7 +164,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
             break text.trim().parse().expect("a process id");
         }
     };
-    // Its new parent fetches the status at some point.
+    // Its new parent will fetch the status at some point.
     let state = |pid| fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
     while !state(child).is_empty() && !state(child).contains(") Z ") {
         tokio::task::yield_now().await;
@@ -174,7 +174,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
 #[tokio::test]
 async fn one_that_greets_like_sitl_is_known() {
     let home = Home::new();
-    // A stand-in: bash can open a TCP connection.
+    // A stand-in for SITL: bash can open a TCP connection.
     let script = "#!/bin/bash\nfor word; do case $word in tcpclient:*) address=${word#tcpclient:};; esac; done\n\
                   exec 3<>/dev/tcp/${address/://}\n\
                   printf '\\n\\nInit Ardu' >&3; printf 'Rover V4.7.0 (0123abcd)\\n' >&3; sleep 600\n";

@@ -61,7 +61,7 @@ async fn one_who_does_not_read_loses_whole_pieces_and_keeps_nobody_waiting() {
         }
         passed += piece;
     }
-    // The piece at the end of the full pipe follows when there is room again: nothing is cut.
+    // The piece at the end of the full pipe follows when there is room again, so that nothing is cut.
     let mut heard = vec![0; 2 * PIPE_LEN];
     let mut len = console.read(&mut heard).await.expect("it is full");
     assert_eq!(len, PIPE_LEN);
@@ -77,7 +77,7 @@ async fn an_instance_that_does_not_read_keeps_nobody_waiting_and_gets_whole_piec
     const PIECE: [u8; 1000] = [7; 1000];
     let (mut relay, mut instance) = relay().await;
     let mut console = relay.attach().expect("nobody is attached");
-    // More than a socket's buffers hold.
+    // This is more than a socket's buffers hold.
     for _ in 0..20_000 {
         console.write_all(&PIECE).await.expect("it is read");
         assert_eq!(relay.pass().await, Passed::Attached);

@@ -13,7 +13,7 @@ use super::{ServiceState, Status};
     (status = 200, description = "How the service is doing", body = Status),
 ))]
 pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Status> {
-    // For a moment after the start they are still being ended.
+    // For a moment after the start, the leftovers are still being ended.
     let leftovers = state.hangar.leftovers().now_or_never().unwrap_or_default();
     Json(Status {
         version: env!("SORTIE_VERSION").to_owned(),

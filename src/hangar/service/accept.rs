@@ -22,9 +22,9 @@ use super::guard::ConnectionEnds;
 use super::patient::Patient;
 use super::{ServiceProblem, ServiceState, expose, router};
 
-/// The most bytes of a request's head, and of a connection's buffer.
+/// The maximum size of a request's head, and of a connection's buffer, in bytes.
 const HEAD_MAX: usize = 16 * 1024;
-/// How long a rejected client may take to ask and to read the answer.
+/// How long a rejected client may take to send its request and to read the answer.
 const STOP_WITHIN: Duration = Duration::from_secs(1);
 /// How long to wait when the system accepts no more connections.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -37,7 +37,7 @@ pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> Jo
     }
     let router = router(state);
     let room = Arc::new(Semaphore::new(state.setup.bounds.connections));
-    // Rejected connections need a slot, too, until they have received the 503.
+    // Rejected connections also need a slot until they have received the 503.
     let rejected = Arc::new(Semaphore::new(state.setup.bounds.connections));
     loop {
         tokio::select! {
@@ -69,8 +69,8 @@ fn ends_of(stream: &TcpStream, peer: SocketAddr) -> Option<ConnectionEnds> {
     Some(ConnectionEnds::new(peer, local))
 }
 
-/// Whether a connection may enter, if there is room. On this host, half of the room is reserved for the user's own
-/// programs.
+/// Whether a connection may enter, if there is room. Half of the room is reserved for the user's own
+/// programs on this host.
 fn may_enter(room: &Semaphore, ends: Option<&ConnectionEnds>, state: &ServiceState) -> bool {
     let is_half_full = room.available_permits() < state.setup.bounds.connections / 2;
     let is_own = || ends.is_some_and(|ends| ends.is_own(state.setup.owner));
@@ -79,7 +79,7 @@ fn may_enter(room: &Semaphore, ends: Option<&ConnectionEnds>, state: &ServiceSta
 
 /// Answers the requests of one connection. After an upgrade to a tunnel it no longer counts.
 async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &ServiceState) {
-    // Answers are small and must not wait for one another; without this option they are only slower.
+    // Answers are small and must not wait for one another; without this option, they are only slower.
     let _ = stream.set_nodelay(true);
     let bounds = state.setup.bounds;
     let service = router.layer(Extension(Arc::new(ends)));

@@ -12,7 +12,7 @@ use crate::hangar::InstanceId;
 /// The JSON of a request's body.
 ///
 /// # Errors
-/// It is not JSON, too long, too slow, or not valid.
+/// The body is not JSON, or it is too long, too slow or not valid.
 pub(super) async fn json<T: DeserializeOwned>(
     request: Request,
     bounds: ServiceBounds,
@@ -69,7 +69,7 @@ async fn read(request: Request, bounds: ServiceBounds) -> Result<Vec<u8>, Servic
     }
 }
 
-/// An instance's number, as it stands in a path.
+/// An instance's number in a path.
 pub(super) struct PathNumber(pub InstanceId);
 
 impl<S: Send + Sync> FromRequestParts<S> for PathNumber {
@@ -86,7 +86,7 @@ impl<S: Send + Sync> FromRequestParts<S> for PathNumber {
     }
 }
 
-/// The parameters of a query; others are refused.
+/// The parameters of a query; unknown ones are refused.
 pub(super) struct Query<T>(pub T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {

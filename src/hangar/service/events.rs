@@ -26,7 +26,7 @@ pub struct InstanceSnapshot {
     pub vehicles: Vec<Instance>,
 }
 
-/// What has happened to an instance.
+/// A change of an instance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InstanceChange {
     /// It is new, or has changed.
@@ -34,7 +34,7 @@ pub enum InstanceChange {
     Gone(InstanceId),
 }
 
-/// The changes between two looks at the instances; the gone ones come first, since their numbers may be reused.
+/// The changes between two states of the instances; removed ones come first, since their numbers may be reused.
 pub fn changes(before: &Instances, after: &Instances) -> Vec<InstanceChange> {
     let gone = before.keys().filter(|id| !after.contains_key(id));
     let new = after

@@ -1,8 +1,8 @@
 //! Access control.
 //!
-//! On loopback, other users of the host can connect, and so can web pages in a user's browser. So a connection is
-//! accepted with the token, or if the program at its other end belongs to the same user; and a request from a foreign
-//! web page is refused, since it comes from the user's own browser.
+//! On loopback, other users of the host can connect, and so can web pages in a user's browser. A connection is
+//! therefore accepted only with the token, or if the program at its other end belongs to the same user. A request from
+//! a foreign web page is refused even then, since it comes from the user's own browser.
 
 use std::net::{IpAddr, SocketAddr};
 use std::sync::{Arc, OnceLock};
@@ -65,7 +65,7 @@ impl ServiceState {
         // An absolute address in the request line takes precedence over the header (RFC 9112, 3.2.2).
         let whole = request.uri().authority().map(Authority::as_str);
         let host = whole.or_else(|| text(headers, &header::HOST));
-        // On other interfaces the token is required, which a foreign page does not know.
+        // On other interfaces the token is required, which a foreign page does not have.
         if self.on_loopback && !host.is_some_and(is_this_host) {
             let host = host.unwrap_or("nothing");
             let error = format!("this host is asked for as `{host}`, which is not its name");
@@ -126,8 +126,8 @@ fn is_this_host(host: &str) -> bool {
     by_address || name.eq_ignore_ascii_case("localhost")
 }
 
-/// Whether a browser marks a request as sent by a foreign page. The service has no pages, so every page is foreign;
-/// typing an address is not a page.
+/// Whether a browser marks a request as sent by a foreign page. The service has no pages, so every page is foreign; a
+/// request for a typed address does not come from a page.
 fn is_foreign_page(headers: &HeaderMap, host: Option<&str>) -> bool {
     let ours = format!("http://{}", host.unwrap_or_default());
     let origin = text(headers, &header::ORIGIN);

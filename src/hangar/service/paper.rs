@@ -1,4 +1,4 @@
-//! The plain requests of the paper that this program builds on: start, stop and readiness by a vehicle's number, all
+//! The simple requests of the paper that this program builds on: start, stop and readiness by a vehicle's number, all
 //! with GET, answered with a line of text or, if the client accepts it, with JSON.
 
 use std::fmt::Write as _;

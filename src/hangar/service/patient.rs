@@ -106,7 +106,7 @@ mod tests {
     async fn one_who_takes_nothing_is_given_up_on() {
         let (_there, here) = pair().await;
         let mut here = Patient::new(here, Duration::from_millis(50));
-        // More than all buffers between the two hold.
+        // This is more than all buffers between the two hold.
         let error = async {
             loop {
                 if let Err(error) = here.write_all(&vec![0; 65_536]).await {

@@ -1,4 +1,4 @@
-//! A vehicle's bytes over the service's own connection: one port, one token, no access for others.
+//! A vehicle's bytes over the service's own connection: one port, one token, and no access for others.
 
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ pub(super) async fn open(
     let upgrade = hyper::upgrade::on(&mut request);
     let cancel = state.cancel.clone();
     tokio::spawn(async move {
-        // A client that leaves before that has released the vehicle.
+        // A client that leaves before that releases the vehicle.
         if let Ok(upgraded) = upgrade.await {
             carry(pipe, TokioIo::new(upgraded), &cancel).await;
         }

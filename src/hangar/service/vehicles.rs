@@ -32,7 +32,7 @@ pub(super) struct ReadyWait {
     timeout_s: Option<u32>,
 }
 
-/// Which lines of output are asked for.
+/// Which lines of output are requested.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
@@ -224,7 +224,7 @@ impl ServiceState {
         Ok(begun.await.map_err(|_| HangarRefusal::Closing)??)
     }
 
-    /// A place among the waiting connections.
+    /// Reserves a place among the waiting connections.
     pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, ServiceProblem> {
         Arc::clone(&self.waiting).try_acquire_owned().map_err(|_| {
             let error = format!(

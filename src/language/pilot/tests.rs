@@ -111,7 +111,7 @@ fn a_wait_that_never_comes_true_times_out_and_the_script_goes_on() {
         lines(&step(&mut pilot, 5.0, &idle, &ledger)),
         ["line 1 timed out: wait all armed timeout 5s", "all rtl"]
     );
-    // The rtl is not in the ledger yet when its own step ends; they are on the ground at the next.
+    // The rtl is not in the ledger yet at the end of its own step; at the next step, the vehicles are on the ground.
     assert_eq!(lines(&step(&mut pilot, 5.1, &idle, &ledger)), ["finished"]);
 }
 

@@ -26,7 +26,7 @@ const FPS: Kind = Kind::Whole(
     Setting::FPS_MOST as f64,
 );
 
-/// A verb that only shows a report; without a screen, as text.
+/// A verb that only shows a report, as text if there is no screen.
 const fn shows(
     name: &'static str,
     aliases: &'static [&'static str],

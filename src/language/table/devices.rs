@@ -1,4 +1,4 @@
-//! Verbs about outputs, messages, parameters and bare MAVLink.
+//! Verbs about outputs, messages, parameters and raw MAVLink.
 
 use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::{

@@ -1,4 +1,4 @@
-//! Verbs that a mission understands: payloads, reports, and the trainee's prediction and goal.
+//! Verbs for a mission: payloads, reports, and the trainee's prediction and goal.
 
 use std::time::Duration;
 

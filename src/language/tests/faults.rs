@@ -156,7 +156,7 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
     ]);
 }
 
-/// The line, the word marked ("" is the end of the line), a part of the message and of the help.
+/// The line, the marked word ("" is the end of the line), a part of the message, and a part of the help.
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 fn check(cases: &[Case]) {

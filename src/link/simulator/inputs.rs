@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::record::{InputLog, InputsHead};
 use crate::sim::World;
 
-/// The most bytes that wait for the recorder; then recording stops.
+/// The maximum number of bytes that wait for the recorder; if there are more, recording stops.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
 
 /// The waiting lines. All clones share them.
@@ -71,7 +71,7 @@ impl WorldRecord {
         Self { log, sink }
     }
 
-    /// Must be called after each step.
+    /// Records the inputs of a step; must be called after each one.
     pub(super) fn follow(&mut self, world: &mut World) {
         self.log.follow(world);
     }

@@ -63,7 +63,7 @@ fn reboot(system: u8) -> Outgoing {
     .into()
 }
 
-/// `REQUEST_DATA_STREAM` for everything at 50 Hz: deprecated, and still what ground stations send.
+/// `REQUEST_DATA_STREAM` for everything at 50 Hz: deprecated, but still used by ground stations.
 fn all_streams(system: u8) -> Outgoing {
     Outgoing::Raw {
         id: 66,

@@ -12,19 +12,19 @@ use tokio::net::{TcpListener, TcpStream, UdpSocket};
 use crate::sim::{PortId, Serial, World};
 use crate::wire::frame_len;
 
-/// The most clients per TCP port; others are refused.
+/// The maximum number of clients per TCP port; others are refused.
 const CLIENT_CAP: usize = 16;
-/// The most clients accepted per round, so that connecting cannot stop the simulation.
+/// The maximum number of clients accepted per round, so that connecting cannot stop the simulation.
 const ACCEPTS_PER_ROUND: usize = 64;
 const READ_LEN: usize = 4096;
-/// The most reads of a stream per round, so that sending cannot stop the simulation; far above the fastest serial
-/// port.
+/// The maximum number of reads of a stream per round, so that sending cannot stop the simulation; far above the fastest
+/// serial port.
 const READS_PER_ROUND: usize = 4;
-/// The same for datagrams, which are shorter.
+/// The same limit for datagrams, which are shorter.
 const DATAGRAMS_PER_ROUND: usize = 16;
-/// A larger buffer is freed once it is empty.
+/// The capacity above which a buffer is freed once it is empty.
 const OUTPUT_KEPT: usize = 4096;
-/// The bytes that surely fit into one UDP packet on Ethernet.
+/// The number of bytes that are sure to fit into one UDP packet on Ethernet.
 const DATAGRAM_LEN: usize = 1400;
 
 /// All transports of a world.
@@ -58,7 +58,7 @@ impl Transports {
         }
     }
 
-    /// Sends the world's output, as far as there is room.
+    /// Sends as much of the world's output as there is room for.
     pub(super) fn write(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.write(world));
         self.servers.write(world);
@@ -129,8 +129,8 @@ impl<S: ClientStream> StreamClient<S> {
         true
     }
 
-    /// Returns whether the connection is open: the vehicle closes it with a reboot. A client that has gone is noticed
-    /// when it is read.
+    /// Returns whether the connection is open: the vehicle closes it with a reboot. A client that has gone is detected
+    /// on reading.
     fn write(&mut self, world: &mut World) -> bool {
         self.flush();
         if self.output.is_empty() {
@@ -218,13 +218,13 @@ impl Servers {
                 return;
             };
             self.await_client(place);
-            // A failure to accept passes, or occurs again in the next round.
+            // A failure to accept is temporary, or occurs again in the next round.
             let (Ok(stream), Some(listener)) = (accepted, self.listeners.get_mut(place)) else {
                 return;
             };
             if listener.clients < CLIENT_CAP {
                 listener.clients += 1;
-                // Without it answers are late, not lost.
+                // Without this option, answers are late, but not lost.
                 let _ = stream.set_nodelay(true);
                 let port = world.connect_to(listener.vehicle, listener.serial);
                 self.clients.push((place, StreamClient::new(stream, port)));
@@ -269,7 +269,7 @@ impl UdpTransport {
         }
     }
 
-    /// Every vehicle receives everything, as by radio; each obeys messages addressed to it.
+    /// Every vehicle receives everything, as by radio, and obeys only the messages addressed to it.
     fn read(&mut self, world: &mut World, input: &mut [u8]) {
         for _ in 0..DATAGRAMS_PER_ROUND {
             match self.socket.try_recv(input) {
@@ -279,7 +279,7 @@ impl UdpTransport {
                     }
                 }
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
-                // No program listens there yet.
+                // No program is listening there yet.
                 Err(_) => {}
             }
         }

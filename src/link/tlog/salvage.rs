@@ -37,7 +37,7 @@ pub struct TlogSalvage<R> {
 }
 
 impl<R: Read> TlogSalvage<R> {
-    /// Reads from the start of a recording; needs no buffered reader.
+    /// Reads from the start of a recording; the reader need not be buffered.
     pub fn new(input: R) -> Self {
         Self {
             input,
@@ -98,8 +98,8 @@ impl<R: Read> TlogSalvage<R> {
         Some(TlogRecord { unix_us, bytes })
     }
 
-    /// Whether the next record is at the expected position. A frame may be damaged if the next record follows it: that
-    /// is the decoder's business.
+    /// Whether the next record is at the expected position. A frame may be damaged if the next record follows it; the
+    /// decoder handles that.
     fn is_record(&self) -> bool {
         let Some((unix_us, frame)) = head(self.rest()) else {
             return false;
@@ -169,7 +169,7 @@ impl<R: Read> Iterator for TlogSalvage<R> {
     }
 }
 
-/// The time and the frame of a whole record, as its header says.
+/// The time and the frame of a whole record, according to its header.
 fn head(bytes: &[u8]) -> Option<(u64, &[u8])> {
     let (stamp, frame) = bytes.split_first_chunk::<STAMP_LEN>()?;
     let frame = frame.get(..frame_len(*frame.first_chunk()?)?)?;

@@ -1,11 +1,11 @@
-//! Whether the budget pays for the fleet.
+//! Whether the budget is enough for the fleet.
 
 use super::Examined;
 use crate::mission::fit::Fit;
 use crate::mission::needs;
 use crate::workshop::{self, Design, Part, PartSlot};
 
-/// Reports a budget below the cheapest fleet that carries what the file lists. Lent vehicles may be dearer.
+/// Reports a budget below the cheapest fleet that carries what the file lists. Lent vehicles may cost more.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let fleet = examined.section("fleet");
@@ -30,7 +30,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The least that a vehicle with a part in each slot costs, in credits, whether or not the parts fit together.
+/// The minimum price of a vehicle with a part in each slot, in credits, whether or not the parts fit together.
 fn cheapest_vehicle() -> u32 {
     let with_frame = |frame: &'static Part| {
         let others = PartSlot::ALL

@@ -3,7 +3,7 @@
 use super::Examined;
 use crate::mission::event::{Action, Event, Trigger};
 
-/// Reports events that wait for one another in a circle, so that none can be the first.
+/// Reports events that wait for one another in a circle, so that none can occur.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let events = &examined.mission.events;
     let tables = examined.tables("events");
@@ -11,7 +11,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         let Some(circle) = circle(events, first) else {
             continue;
         };
-        // Reported once, for the first event of the circle in the file.
+        // A circle is reported once, for its first event in the file.
         if circle.iter().any(|&index| index < first) || is_begun(events, &circle) {
             continue;
         }
@@ -29,7 +29,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The chain of events that one waits for; it contains the event itself if that waits for itself in the end.
+/// The chain of events that one waits for; it contains the event itself if that event waits for itself indirectly.
 fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
     let mut chain = vec![first];
     loop {

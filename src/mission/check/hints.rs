@@ -1,9 +1,9 @@
-//! Whether hints leave work for the trainee.
+//! Whether hints give away too much.
 
 use super::Examined;
 use crate::language::{parse_ranges, verbs};
 
-/// Hints of the first level that contain a whole command.
+/// Reports hints of the first level that contain a whole command.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let written = examined.tables("hints").iter();
@@ -18,7 +18,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The first text between backquotes that begins with a verb, with or without targets.
+/// The first text in backquotes that begins with a verb, with or without targets.
 fn command_line(text: &str) -> Option<String> {
     let quoted = text.split('`').skip(1).step_by(2);
     let is_target =
@@ -30,7 +30,7 @@ fn command_line(text: &str) -> Option<String> {
     let is_line = |part: &&str| {
         let mut words = part.split_whitespace().skip_while(|word| is_target(word));
         let verb = words.next();
-        // A single word, such as a mode, is a name; a command has more.
+        // A single word, such as a mode, is a name; a command has several words.
         verb.is_some_and(is_verb) && part.split_whitespace().count() > 1
     };
     quoted.into_iter().find(is_line).map(str::to_owned)

@@ -1,4 +1,4 @@
-//! References to other missions, which a single file cannot prove.
+//! References to other missions, which cannot be checked with one file alone.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -9,14 +9,14 @@ use crate::diagnostic::Diagnostic;
 use crate::mission::format::WrittenValue;
 use crate::mission::{Mission, Unlock};
 
-/// A mission that a file names, and where.
+/// A mission that a file names, with the position of the name.
 struct NamedMission<'m> {
     id: &'m str,
     written: Range<usize>,
 }
 
 impl Mission {
-    /// The id in a mission's source, also if the file has faults; `None` if it is no mission.
+    /// The id in a mission's source, also if the file has faults; `None` if it is not a mission.
     pub fn id_of(source: &str) -> Option<String> {
         let (root, _) = DeTable::parse_recoverable(source);
         let root = root.get_ref();
@@ -24,8 +24,8 @@ impl Mission {
         root.get("id")?.get_ref().as_str().map(str::to_owned)
     }
 
-    /// References to missions that are not among the known ones, by their ids: the mission it is a drill of, those it
-    /// needs, and those it unlocks.
+    /// References to missions that are not among the known ones, by their ids: the mission that this one is a drill of,
+    /// those that it requires, and those that it unlocks.
     pub fn unknown_missions(&self, known: &BTreeSet<String>) -> Vec<Diagnostic> {
         let named = self.named_missions().into_iter();
         let unknown = named.filter(|named| !known.contains(named.id));

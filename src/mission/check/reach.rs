@@ -41,7 +41,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// Reports what takes longer than the time allowed, even on the shortest path and without delay.
+/// Reports objectives that take longer than the time allowed, even on the shortest path and without delay.
 fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let limit = examined.mission.time_limit;
     let limit_s = limit.as_secs();
@@ -63,7 +63,7 @@ fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// The least time that an objective takes, and what takes it.
+/// The minimum time that an objective takes, and the activity that takes it.
 struct LeastTime {
     time: Duration,
     place: Range<usize>,
@@ -99,7 +99,7 @@ impl LeastTime {
     }
 }
 
-/// The shortest way from a pad through all gates.
+/// The length of the shortest path from a pad through all gates.
 fn along_m(mission: &Mission, route: &GateRoute) -> Option<f64> {
     let gates = route.gates().iter();
     let points: Vec<Point> = gates

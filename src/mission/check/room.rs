@@ -1,4 +1,4 @@
-//! Whether everything lies where it can be flown to: within the fence, below the ceiling, outside forbidden zones.
+//! Whether vehicles can fly to every place: within the fence, below the ceiling, outside forbidden zones.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 
-/// Points on the edge of a fence are within it.
+/// The tolerance by which points on the edge of a fence count as inside.
 const EDGE_M: f64 = 0.01;
 /// The number of points at which the edge of a round zone is tested.
 const POINTS_OF_A_CIRCLE: u32 = 16;
@@ -24,7 +24,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// Pads must lie within the fence and apart from one another.
+/// Reports pads outside the fence or too close together.
 fn pads(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let written = examined
@@ -83,7 +83,7 @@ fn heights(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// Gates must lie where vehicles may fly.
+/// Reports gates where vehicles may not fly.
 fn gates(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let ceiling_m = examined.ceiling_m();
     let route = objective.demands.route;
@@ -119,7 +119,7 @@ fn is_beyond(fence: &Zone, at: Point) -> bool {
     fence.shape.distance_m(at) > EDGE_M
 }
 
-/// The corners of a shape, or points of its edge.
+/// The corners of a shape, or points on its edge.
 fn corners(shape: &Shape) -> Vec<Point> {
     match shape {
         Shape::Polygon(corners) => corners.clone(),

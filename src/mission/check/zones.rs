@@ -36,7 +36,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// Reports a polygon whose sides cross: its inside is not what was intended.
+/// Reports a polygon whose sides cross: the zone then covers an area that was not intended.
 fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     let Shape::Polygon(corners) = &zone.shape else {
         return;

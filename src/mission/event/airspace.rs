@@ -57,7 +57,7 @@ impl Airspace {
         breaches
     }
 
-    /// How close two vehicles came to each other since the last step, as if both had flown straight.
+    /// The minimum distance between two vehicles since the last step, as if both had flown straight.
     fn closest_m(&self, [a, b]: [VehicleId; 2], now_at: [Place; 2]) -> f64 {
         let between =
             |a: Place, b: Place| -> Place { std::array::from_fn(|axis| b[axis] - a[axis]) };

@@ -11,7 +11,7 @@ use crate::text::Text;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Alerts {
     facts: Vec<AlertFact>,
-    /// The unanswered ones: their index among the facts, and the condition that answers them.
+    /// The unanswered alerts: the index among the facts, and the condition that answers the alert.
     open: Vec<(usize, Expression)>,
 }
 
@@ -20,7 +20,7 @@ pub(crate) struct Alerts {
 pub struct OpenAlert {
     pub text: Text,
     pub level: AlertLevel,
-    /// How long an answer still earns full points; zero when it is late.
+    /// How long an answer still earns full points; zero once it is late.
     pub remaining: Duration,
 }
 
@@ -38,7 +38,7 @@ impl Alerts {
         self.open.iter().map(|(_, ok)| ok)
     }
 
-    /// Closes those whose condition holds; returns their indices among the facts.
+    /// Closes the alerts whose condition holds; returns their indices among the facts.
     pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<usize> {
         let mut answered = Vec::new();
         let mut holds = holds.iter();
@@ -54,18 +54,18 @@ impl Alerts {
         answered
     }
 
-    /// All of them, oldest first.
+    /// All alerts, oldest first.
     pub fn facts(&self) -> &[AlertFact] {
         &self.facts
     }
 
-    /// Levels of the unanswered ones.
+    /// The levels of the unanswered alerts.
     pub fn levels(&self) -> BTreeSet<AlertLevel> {
         let open = self.open.iter();
         open.map(|(index, _)| self.facts[*index].level).collect()
     }
 
-    /// The unanswered ones, the most urgent first.
+    /// The unanswered alerts, the most urgent first.
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
         let of = |(index, _): &(usize, Expression)| {
             let fact = &self.facts[*index];

@@ -1,8 +1,8 @@
 //! Demands of threats on the vehicles' simulators and links.
 //!
-//! Wind and faults are `SIM_*` parameters by the names of `ArduCopter` 4.6, which the embedded simulator has as well;
-//! the code that carries a demand out translates it for other versions. A parameter that no threat sets any more
-//! returns to its usual value.
+//! Wind and faults are `SIM_*` parameters with the names of `ArduCopter` 4.6, which the embedded simulator has as well.
+//! The code that carries a demand out translates it for other versions. A parameter returns to its usual value once no
+//! threat sets it.
 
 use std::collections::BTreeMap;
 
@@ -69,7 +69,7 @@ const WIND_STEP_DEG: f64 = 2.0;
 pub(crate) struct Wishes(BTreeMap<&'static str, f64>);
 
 impl Wishes {
-    /// Sets the weather, as far as simulators model it.
+    /// Sets the weather, to the extent that simulators model it.
     pub fn weather(&mut self, weather: &Weather) {
         let rounded = |value: f64, step: f64| (value / step).round() * step;
         let all = [
@@ -86,13 +86,13 @@ impl Wishes {
         self.0.insert(GPS_DISABLED, 1.0);
     }
 
-    /// Takes away some of the satellites, more the nearer the vehicle is to a jammed zone (0 to 1).
+    /// Removes some of the satellites: more of them, the nearer the vehicle is to a jammed zone (0 to 1).
     pub fn lose_satellites(&mut self, nearness: f64) {
         let left = USUAL_SATELLITES - (USUAL_SATELLITES - FEWEST_SATELLITES) * nearness;
         self.0.insert(SATELLITES, left.round());
     }
 
-    /// Shifts the position of satellite navigation by so many metres east and north.
+    /// Shifts the position of satellite navigation by this many metres east and north.
     pub fn mislead(&mut self, [east_m, north_m]: [f64; 2], origin: LatLon) {
         let east = east_m / (METRES_PER_DEGREE * maths::cos(origin.lat_deg.to_radians()));
         self.0.insert(GLITCH_NORTH, north_m / METRES_PER_DEGREE);
@@ -133,7 +133,7 @@ pub(crate) struct Demands {
 }
 
 impl Demands {
-    /// Sets what a vehicle should be like now; each difference becomes a demand.
+    /// Sets the values that a vehicle should have now; each difference becomes a demand.
     pub fn wish(&mut self, vehicle: VehicleId, wishes: Wishes) {
         let old = self.wished.remove(&vehicle).unwrap_or_default().0;
         let usual = |name: &str| USUAL.iter().find(|(usual, _)| *usual == name);
@@ -154,7 +154,7 @@ impl Demands {
         self.wished.insert(vehicle, wishes);
     }
 
-    /// The state that a vehicle's radio should have now.
+    /// Sets the state that a vehicle's radio should have now.
     pub fn radio(&mut self, vehicle: VehicleId, fault: RadioFault) {
         let known = self.radio.get(&vehicle).copied().unwrap_or_default();
         if known.differs(fault) {
@@ -164,7 +164,7 @@ impl Demands {
         }
     }
 
-    /// What has been demanded since the last call.
+    /// The demands since the last call.
     pub fn take(&mut self) -> Vec<Demand> {
         std::mem::take(&mut self.new)
     }

@@ -73,7 +73,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// The threats of a flight; the seed decides what the mission leaves to chance.
+    /// The threats of a flight; the seed decides everything random.
     pub fn new(mission: &Mission, seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
@@ -198,7 +198,7 @@ impl Engine {
                 });
             }
             Action::Weather(change) => {
-                // A newer change of the same element continues from where the older one is.
+                // A newer change of the same element continues from the value that the older one has reached.
                 let same = |drift: &Drift| drift.element() == change.element;
                 let replaced = self
                     .drifts
@@ -219,7 +219,7 @@ impl Engine {
         }
     }
 
-    /// What conditions can see now.
+    /// The state that conditions can see now.
     pub fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             sight: *sight,
@@ -244,7 +244,7 @@ impl Engine {
         self.injected.push(standard);
     }
 
-    /// What a vehicle's sensor reads under its faults, instead of the true value.
+    /// The reading of a vehicle's sensor under its faults, instead of the true value.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
         self.breakdowns.shown(vehicle, sensor, shown, now)
     }

@@ -1,7 +1,7 @@
 //! Conditions in mission files: a small language without side effects.
 //!
-//! An [`Expression`] is read and checked once, with the names that the mission has; after that, evaluating it cannot
-//! fail; dividing by zero gives infinity.
+//! An [`Expression`] is read and checked once, with the names that the mission defines. After that, evaluating it
+//! cannot fail; dividing by zero gives infinity.
 //!
 //! ```text
 //! t > 60 and inside('lane') > 0 and not vehicle(2).airborne
@@ -91,7 +91,7 @@ impl Expression {
     /// Reads a condition.
     ///
     /// # Errors
-    /// The first fault, with its place in the text.
+    /// The first fault, with its position in the text.
     pub(in crate::mission) fn parse(
         source: &str,
         names: &ExpressionNames<'_>,
@@ -155,5 +155,5 @@ impl Operator {
     }
 }
 
-/// The interval at which conditions are evaluated.
+/// The time between evaluations of conditions.
 pub(super) const EVERY: Duration = Duration::from_millis(500);

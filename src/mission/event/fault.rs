@@ -28,11 +28,11 @@ pub(crate) enum FaultKind {
     Battery,
     /// Satellite navigation stops; the number does not matter.
     Gps,
-    /// Satellite navigation is off by so many metres to the north.
+    /// Satellite navigation is off by this many metres to the north.
     GpsGlitch,
-    /// The compass is off by so many milligauss.
+    /// The compass is off by this many milligauss.
     Compass,
-    /// The barometer drifts by so many metres a second.
+    /// The barometer drifts by this many metres per second.
     Barometer,
     /// Hazard sensors keep the reading that they had when it began.
     SensorStuck,
@@ -117,7 +117,7 @@ impl Breakdowns {
             .filter(move |broken| broken.vehicle == vehicle)
     }
 
-    /// What a vehicle's sensor reads under its faults, instead of the true value.
+    /// The reading of a vehicle's sensor under its faults, instead of the true value.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
         let broken = self.of(vehicle);
         broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
@@ -145,7 +145,7 @@ impl Victim {
 }
 
 impl Broken {
-    /// What a hazard sensor reads under this fault, instead of the true value.
+    /// The reading of a hazard sensor under this fault, instead of the true value.
     pub fn shown(&self, sensor: usize, shown: f64, now: Duration) -> f64 {
         match self.kind {
             FaultKind::SensorStuck => self.held.get(sensor).copied().unwrap_or(shown),

@@ -1,4 +1,4 @@
-//! Movers: people, aircraft, and drones of others.
+//! Movers: people, aircraft, and other operators' drones.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 
-/// A person, an aircraft or a drone that an event brings.
+/// A person, an aircraft or a drone that an event adds.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spawn {
     /// Its id in conditions.
@@ -21,7 +21,7 @@ pub(crate) struct Spawn {
     pub height_m: f64,
     /// The distance that vehicles must keep from it.
     pub keep_out_m: f64,
-    /// The most by which the seed shifts the whole path, on each axis.
+    /// The maximum by which the seed shifts the whole path, on each axis.
     pub jitter_m: f64,
 }
 
@@ -82,7 +82,8 @@ impl Mover {
         false
     }
 
-    /// Its distance from a place, in metres: horizontal for a person, in three dimensions for an aircraft or an intruder.
+    /// Its distance from a place, in metres: horizontal for a person, in three dimensions for an aircraft or
+    /// an\nintruder.
     pub fn distance_m(&self, [east_m, north_m, up_m]: [f64; 3]) -> f64 {
         let flat = distance_m(self.at, [east_m, north_m]);
         match self.kind {

@@ -30,7 +30,7 @@ pub(crate) struct Sight<'a> {
     pub marks: &'a [Mark],
     /// Mission time of the last command.
     pub last_command: Option<Duration>,
-    /// How many commands were refused.
+    /// The number of refused commands.
     pub refused: u32,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Scope<'a> {
     /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub wind_m_s: f64,
-    /// The random stream and step for conditions with chance: each look draws anew.
+    /// The random stream and step for conditions with chance: each evaluation draws a new number.
     pub chance: (u64, u64),
 }
 
@@ -74,7 +74,7 @@ impl<'a> Scope<'a> {
         self.sight.standings.get(objective)
     }
 
-    /// How many of a hazard's objects are among the contacts.
+    /// The number of a hazard's objects among the contacts.
     pub fn found(&self, hazard: usize) -> f64 {
         let objects = self
             .sight
@@ -85,26 +85,26 @@ impl<'a> Scope<'a> {
         objects.collect::<BTreeSet<_>>().len() as f64
     }
 
-    /// The least height of the vehicles in the air, in metres; infinite without any.
+    /// The minimum height of the vehicles in the air, in metres; infinite if there are none.
     pub fn lowest_height_m(&self) -> f64 {
         let heights = self.flying().map(|craft| craft.height_m);
         heights.fold(f64::INFINITY, f64::min)
     }
 
-    /// The least battery of the vehicles in the air, in percent; 100 without any.
+    /// The minimum battery of the vehicles in the air, in percent; 100 if there are none.
     pub fn lowest_battery_percent(&self) -> f64 {
         let charges = self.flying().filter_map(|craft| craft.battery_percent);
         charges.fold(100.0, f64::min)
     }
 
-    /// The fastest of the vehicles in the air that carry a sensor.
+    /// The highest speed of the vehicles in the air that carry a sensor.
     pub fn speed_m_s(&self, sensor: &str) -> f64 {
         let carries = |craft: &&Craft| craft.carries(sensor);
         let speeds = self.flying().filter(carries).map(|craft| craft.speed_m_s);
         speeds.fold(0.0, f64::max)
     }
 
-    /// The least distance between two vehicles in the air; infinite without two.
+    /// The minimum distance between two vehicles in the air; infinite with fewer than two.
     pub fn separation_m(&self) -> f64 {
         let flying: Vec<_> = self.flying().filter_map(Craft::place_m).collect();
         let pairs = flying.iter().enumerate().flat_map(|(index, a)| {
@@ -114,7 +114,7 @@ impl<'a> Scope<'a> {
         pairs.fold(f64::INFINITY, f64::min)
     }
 
-    /// How many vehicles in the air are above a zone.
+    /// The number of vehicles in the air above a zone.
     pub fn inside(&self, zone: usize) -> usize {
         let Some(zone) = self.zones.get(zone) else {
             return 0;
@@ -128,7 +128,7 @@ impl<'a> Scope<'a> {
         self.active.get(zone) == Some(&true)
     }
 
-    /// How long ago the last command was given.
+    /// The time since the last command.
     pub fn since_command(&self) -> Duration {
         self.sight
             .now

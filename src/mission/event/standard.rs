@@ -13,9 +13,9 @@ use crate::text::Text;
 
 /// The duration of a temporary inject.
 const WHILE: Duration = Duration::from_secs(20);
-/// The distance from the place of work at which an aircraft appears and disappears.
+/// The distance from the working area at which an aircraft appears and disappears.
 const APPROACH_M: f64 = 600.0;
-/// The same for people.
+/// The same distance for people.
 const WALK_M: f64 = 40.0;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,7 +35,7 @@ pub(crate) enum Standard {
     BatteryCell,
     /// A person walks through the working area.
     Person,
-    /// An aircraft flies over it.
+    /// An aircraft flies over the working area.
     Aircraft,
 }
 
@@ -86,7 +86,7 @@ impl Standard {
 
     pub(super) fn actions(self, mission: &Mission) -> Vec<Action> {
         let deed = self.deed(mission);
-        // Faults on board show in the telemetry.
+        // The telemetry shows faults on board, so they need no notice.
         if matches!(deed, Action::Fault(_)) {
             return vec![deed];
         }

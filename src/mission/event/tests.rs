@@ -23,7 +23,7 @@ fn said(report: &Report, text: &str) -> Vec<f64> {
     said.map(|event| event.at_s).collect()
 }
 
-/// The values demanded of a parameter, in order.
+/// The values demanded for a parameter, in order.
 fn demanded(pilot: &mut Pilot, parameter: &str) -> Vec<f64> {
     let demands = pilot.flight.take_demands().into_iter();
     let values = demands.filter_map(|demand| match demand.want {
@@ -44,7 +44,7 @@ fn the_seed_decides_when_an_event_happens_and_whether() {
         assert!(said.len() <= 1);
         times.extend(said);
     }
-    // 30 of 60 with a standard deviation of 3.9.
+    // The mean is 30 of 60, with a standard deviation of 3.9.
     assert!((14..=46).contains(&times.len()), "{}", times.len());
     assert!(
         times.iter().all(|at| (15.0..=25.1).contains(at)),
@@ -364,7 +364,7 @@ fn faults_of_events_are_told_where_they_are() {
     }
 }
 
-/// The states demanded of the first vehicle's link, in order.
+/// The states demanded for the first vehicle's link, in order.
 fn links(pilot: &mut Pilot) -> Vec<RadioFault> {
     let demands = pilot.flight.take_demands().into_iter();
     let links = demands.filter_map(|demand| match demand.want {

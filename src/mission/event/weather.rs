@@ -73,7 +73,7 @@ pub(crate) struct Change {
 }
 
 impl Change {
-    /// The wind speed after the change, in m/s; `None` where it changes something else.
+    /// The wind speed after the change, in m/s; `None` if it changes something else.
     pub fn wind_m_s(&self, before_m_s: f64) -> Option<f64> {
         let to_m_s = match self.to {
             Target::Value(value) => value,
@@ -87,7 +87,7 @@ impl Change {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
     Value(f64),
-    /// An increase on the present value.
+    /// An increase on the current value.
     More(f64),
 }
 
@@ -103,7 +103,7 @@ pub(super) struct Drift {
 }
 
 impl Drift {
-    /// A change that begins now. It replaces the one under way: it starts from the present value, and reverts to the
+    /// A change that begins now. It replaces the one under way: it starts from the current value, and reverts to the
     /// value that the other would have ended with.
     pub fn new(change: Change, weather: &Weather, now: Duration, replaced: Option<&Self>) -> Self {
         let from = change.element.get(weather);
@@ -119,7 +119,7 @@ impl Drift {
         }
     }
 
-    /// The value that remains when it is over.
+    /// The value after the change is over.
     fn in_the_end(&self) -> f64 {
         if self.change.lasts.is_some() {
             self.back_to

@@ -59,7 +59,7 @@ const ACTIONS: &[KindOf<Action>] = &[
         read: event,
     },
 ];
-/// The most points of one path.
+/// The maximum number of points of one path.
 const MOST_POINTS: usize = 100;
 
 const LEVELS: [(&str, AlertLevel); 3] = [

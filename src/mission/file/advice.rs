@@ -9,18 +9,18 @@ use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
 pub(super) struct MissionAdvice {
     /// Hints that are shown automatically.
     pub hints: Vec<Hint>,
-    /// Hints that must be asked for.
+    /// Hints that must be requested.
     pub clues: Vec<Clue>,
 }
 
-/// One piece of advice.
+/// One piece of advice of either kind.
 pub(super) enum OneAdvice {
     Shown(Hint),
     Asked(Clue),
 }
 
 impl MissionAdvice {
-    /// Sorts the advice by how it is given.
+    /// Separates automatic advice from advice on request.
     pub fn of(all: Vec<OneAdvice>) -> Self {
         let mut advice = Self::default();
         for one in all {
@@ -82,7 +82,7 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         .faults
         .translated(english?, ukrainian, "text_uk");
     let Some(level) = level else {
-        // Shown automatically, so it needs a phase.
+        // Automatic advice needs a phase.
         let Some(phase) = phase else {
             let fault = "a hint needs a `phase` to be shown in, or a `level`";
             table.fault_of("text", fault);

@@ -10,7 +10,7 @@ use crate::mission::skill::Skill;
 use crate::scoring::Medal;
 use crate::workshop;
 
-/// The most missions of one list, and the most unlocks.
+/// The maximum number of missions of one list, and the maximum number of unlocks.
 const MOST_NAMES: usize = 50;
 /// The highest reward in credits.
 const MOST_CREDITS: u32 = 100_000;
@@ -145,7 +145,7 @@ fn is_part(id: &str) -> bool {
     (1..=40).contains(&id.len()) && id.chars().all(plain)
 }
 
-/// Reads a mission's id. Whether the mission exists is checked with its folder.
+/// Reads a mission's id. Whether the mission exists can only be checked with all missions of its folder.
 fn mission(table: &mut FileTable<'_>, id: &str, written: &Spanned<String>) {
     if !is_mission_id(id) {
         let fault = "a mission's id is 1 to 40 small letters, digits and `-`";

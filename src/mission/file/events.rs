@@ -13,7 +13,7 @@ use crate::mission::format::{
 };
 use crate::text::Text;
 
-/// The most actions of one event.
+/// The maximum number of actions of one event.
 const MOST_ACTIONS: usize = 50;
 
 /// The trigger keys present in the file.

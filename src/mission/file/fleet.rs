@@ -1,4 +1,4 @@
-//! `[fleet]`: what flies, from where, and what each vehicle carries.
+//! `[fleet]`: the vehicles, their pads, and their equipment.
 
 use std::collections::BTreeMap;
 
@@ -11,11 +11,11 @@ use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::{Outlay, Point};
 
-/// The most vehicles; more than a console can fly.
+/// The maximum number of vehicles, more than a console can fly.
 const MOST_VEHICLES: u32 = 250;
-/// The most pieces of one load, or seconds of spray, on one vehicle.
+/// The maximum number of pieces of one load, or seconds of spray, on one vehicle.
 const MOST_LOAD: u32 = 1000;
-/// The highest budget; more than any fleet costs.
+/// The highest budget, more than any fleet costs.
 const MOST_CREDITS: u32 = 1_000_000;
 
 /// The vehicles and their pads.
@@ -149,7 +149,7 @@ fn loads(table: &mut FileTable<'_>) -> Option<BTreeMap<Load, u32>> {
 }
 
 impl Carried {
-    /// A fit with more sensors, and with these loads in place of others of their kind.
+    /// A fit with these sensors added, and with these loads replacing others of the same kind.
     fn added_to(&self, mut fit: Fit) -> Fit {
         self.sensors.iter().for_each(|sensor| fit.add(sensor));
         fit.loads.extend(&self.loads);

@@ -8,7 +8,7 @@ use crate::text::Text;
 
 /// The only version of the format.
 const SCHEMA: u32 = 1;
-/// The most tags, and the most authors, that a mission may have.
+/// The maximum number of tags, and the maximum number of authors, that a mission may have.
 const MOST_NAMES: usize = 20;
 
 /// The keys before the first section.

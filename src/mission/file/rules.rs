@@ -19,7 +19,7 @@ pub(super) struct RuleSet {
 }
 
 impl RuleSet {
-    /// The rules of a file without the section.
+    /// The rules if the file does not have the section.
     pub fn usual() -> Self {
         Self {
             max_height_m: USUAL_MAX_HEIGHT_M,

@@ -22,7 +22,7 @@ struct Par {
     energy_wh: f64,
 }
 
-/// The section; gates may name the objectives.
+/// Reads the section; gates may name the objectives.
 pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
     let weights = table.may(
         "weights",
@@ -112,7 +112,7 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
     Some(gate)
 }
 
-/// What each component measures, for authors of missions.
+/// The meaning of a component, for authors of missions.
 fn about(component: Component) -> &'static str {
     match component {
         Component::Objective => {

@@ -3,9 +3,9 @@
 use crate::mission::format::{FileTable, KindOf, POINT_RANGE, flag, list, number, point};
 use crate::mission::zone::{Shadow, Shape, Zone, ZoneKind};
 
-/// The ceiling of zones that set none.
+/// The ceiling of zones that do not set one.
 const HIGHEST_M: f64 = 10_000.0;
-/// The most corners of one polygon.
+/// The maximum number of corners of one polygon.
 const MOST_CORNERS: usize = 1000;
 
 pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
@@ -37,7 +37,7 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
     })
 }
 
-/// Whether zones of a kind lie where the file says with every seed: objectives and hazards depend on their position.
+/// Whether the seed never moves zones of a kind, because objectives and hazards depend on their position.
 fn is_fixed(kind: ZoneKind) -> bool {
     matches!(kind, ZoneKind::Task | ZoneKind::Geofence { .. })
 }

@@ -127,7 +127,7 @@ fn each_drone_has_the_radio_that_was_built_in() {
     let mesh = set(parsed(source), relay());
     assert_eq!((mesh.model.id, mesh.relays), ("r_mesh24", true));
     assert!((mesh.gain_dbi - mesh.model.radio.air_dbi - 6.0).abs() < 1e-9);
-    // The Wi-Fi of that mission relays, on built drones as well.
+    // The Wi-Fi radio of that mission relays, also on built drones.
     let wifi = carrying(&starter(), &["r_wifi24"]);
     assert!(set(mission(None), wifi.clone()).relays);
     assert!(!set(parsed(source), wifi).relays);

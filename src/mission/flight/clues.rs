@@ -19,17 +19,17 @@ pub(super) struct CluesGiven {
     given: Vec<GivenClue>,
 }
 
-/// A clue that was asked for.
+/// A clue that was requested.
 #[derive(Debug, Clone, Copy)]
 struct GivenClue {
     at: Duration,
     /// Its index among the mission's clues.
     index: usize,
-    /// The hint or step that was on show then.
+    /// The hint or lesson step shown at that time.
     beside: Running,
 }
 
-/// The automatic advice on show: the phase of the flight, and the index of the lesson's step.
+/// The automatic advice that is shown: the phase of the flight, and the index of the lesson's step.
 type Running = (Phase, Option<usize>);
 
 impl Default for CluesGiven {
@@ -50,8 +50,8 @@ impl CluesGiven {
         self.attempt
     }
 
-    /// Their cost so far. On the first attempt only the hint with the whole command costs points; in lessons on the
-    /// console none does.
+    /// The cost of the hints so far. On the first attempt, only the hint with the whole command costs points; in
+    /// lessons about the console, none does.
     pub fn used(&self, mission: &Mission) -> HintsUsed {
         let mut used = HintsUsed {
             free_level: match (self.attempt, mission.tier) {

@@ -16,7 +16,7 @@ use crate::vehicle::VehicleId;
 pub struct Pledge {
     /// The score that the trainee expects.
     pub prediction: Option<u16>,
-    /// What the trainee wants to reach.
+    /// The goal that the trainee wants to reach.
     pub goal: Option<Goal>,
 }
 
@@ -59,14 +59,14 @@ impl Flight {
         }
         let reports_before = self.search.marks().len();
         let each = vehicles.iter().enumerate().map(|(at, &vehicle)| {
-            // The first one has done it for all.
+            // The first vehicle has already done it for all.
             if at > 0 && deed.is_of_all() {
                 return Ok(None);
             }
             self.act_with(vehicle, deed)
         });
         let mut outcomes: Vec<Done> = each.collect();
-        // The reports of all are counted once.
+        // The reports of all vehicles are counted once.
         let count = self.search.marks().len().saturating_sub(reports_before);
         let mut done = outcomes.iter_mut().filter(|outcome| outcome.is_ok());
         if let Some(first) = done.next().filter(|_| count > 0) {
@@ -80,16 +80,17 @@ impl Flight {
         self.pledge
     }
 
-    /// The same while it can be changed: until a vehicle flies.
+    /// The prediction and the goal while they can still be changed, which is until a vehicle flies.
     pub fn open_pledge(&self) -> Option<Pledge> {
         self.before_launch().is_ok().then_some(self.pledge)
     }
 
-    /// Takes over the prediction and goal of an attempt in which nothing flew. The record shows them as given anew.
+    /// Copies the prediction and the goal of an attempt in which nothing flew. The record contains them as if given
+    /// again.
     pub fn renew(&mut self, pledge: Pledge) {
         let prediction = pledge.prediction.map(|points| Deed::Predict { points });
         for deed in prediction.into_iter().chain(pledge.goal.map(Deed::Goal)) {
-            // This attempt's ledger has no command for it, and one vehicle is enough.
+            // This attempt's ledger has no command for them, and one vehicle is enough.
             self.act(EntryId(0), &deed, &[1]);
         }
     }
@@ -170,8 +171,8 @@ impl Flight {
         })
     }
 
-    /// Refuses a report of a kind that no objective asks for: it would be ignored silently. Where none asks for
-    /// reports, any kind will do.
+    /// Refuses a report of a kind that no objective requires, since it would be ignored silently. If no objective
+    /// requires reports, any kind is accepted.
     fn check_kind(&self, kind: Option<FindKind>) -> Result<(), Text> {
         let objectives = self.mission.objectives.iter();
         let sought = objectives.filter_map(|objective| objective.kind.sought());

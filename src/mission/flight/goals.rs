@@ -11,7 +11,7 @@ use crate::vehicle::Severity;
 #[derive(Debug, Default)]
 pub(super) struct Goals {
     trackers: Vec<Box<dyn Tracker>>,
-    /// Which goals were met at the last report.
+    /// Which objectives were met at the last report.
     met: Vec<bool>,
 }
 

@@ -1,4 +1,4 @@
-//! The journal of a flight: notices for people, events for the report, and broken rules.
+//! The journal of a flight: notices for the trainee, events for the report, and broken rules.
 
 use std::time::Duration;
 
@@ -27,7 +27,7 @@ pub(super) struct JournalEntry {
     pub kind: EventKind,
     pub severity: Severity,
     pub vehicle: Option<VehicleId>,
-    /// The alert that it raises, where it is one of those of vehicles.
+    /// The vehicle alert that it raises, if any.
     pub alert: Option<AlertKind>,
     pub about: Option<JournalSubject>,
     pub text: Text,
@@ -49,7 +49,7 @@ struct JournalEvent {
 }
 
 impl JournalEntry {
-    /// An entry about no vehicle.
+    /// An entry that is not about a vehicle.
     pub fn new(kind: EventKind, severity: Severity, text: Text) -> Self {
         Self {
             kind,
@@ -73,7 +73,7 @@ impl FlightJournal {
         self.now
     }
 
-    /// Adds a notice about a vehicle that is not for the report.
+    /// Adds a notice about a vehicle; the notice is not part of the report.
     pub fn tell(&mut self, vehicle: VehicleId, severity: Severity, text: Text) {
         self.notices.push(Notice {
             at: self.now,
@@ -104,7 +104,7 @@ impl FlightJournal {
         });
     }
 
-    /// Records a broken rule; the notice comes once, however long that lasts.
+    /// Records a broken rule; the notice appears once, however long that lasts.
     pub fn break_rule(&mut self, kind: SafetyKind, id: VehicleId, text: &Text) {
         if self.safety.note(kind, id, self.now, text) {
             let is_loss = kind.is_loss();

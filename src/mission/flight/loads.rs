@@ -1,4 +1,4 @@
-//! Payloads: balls, kits and nodes counted in pieces, the sprayer in seconds; and their effects.
+//! Payloads: balls, kits and nodes, counted in pieces; spray, counted in seconds; and their effects.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -16,18 +16,18 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The greatest height of a drop: from higher up, a piece lands anywhere.
+/// The maximum height of a drop: from higher up, a piece may land anywhere.
 const DROP_UP_TO_M: f64 = 40.0;
-/// The greatest height for spraying: higher up, the wind carries the spray away.
+/// The maximum height for spraying: higher up, the wind carries the spray away.
 const SPRAY_UP_TO_M: f64 = 20.0;
-/// A vehicle this close to a pad stands on it.
+/// A vehicle this close to a pad counts as on it.
 const ON_PAD_M: f64 = 3.0;
-/// A vehicle disarmed on a pad for this long has its loads again.
+/// A vehicle disarmed on a pad for this long gets its loads again.
 const TURN_AROUND: Duration = Duration::from_secs(20);
-/// The greatest speed at which a sample can be taken.
+/// The maximum speed at which a sample can be taken.
 const SAMPLE_UP_TO_M_S: f64 = 1.0;
 
-/// What one vehicle has on board.
+/// The loads of one vehicle.
 #[derive(Debug, Clone)]
 struct CraftLoads {
     full: BTreeMap<Load, u32>,
@@ -65,7 +65,7 @@ impl CraftLoads {
         with_some.or_else(|| pieces.next()).copied()
     }
 
-    /// A tick on a pad; true when that refills its loads.
+    /// Advances the service on a pad by a tick; true when that refills its loads.
     fn serve(&mut self, craft: &Craft) -> bool {
         let on_pad = craft.pad_distance_m.is_some_and(|far| far <= ON_PAD_M);
         let stands = on_pad && !craft.armed && !craft.airborne && !craft.lost;
@@ -81,7 +81,7 @@ impl CraftLoads {
         done
     }
 
-    /// A tick of the sprayer; true when that uses up a second of its load.
+    /// Advances the sprayer by a tick; true when that uses up a second of its load.
     fn spray(&mut self) -> bool {
         let Some(open) = self.spraying.as_mut() else {
             return false;
@@ -102,7 +102,7 @@ pub(super) struct Loads {
     releases: Vec<Release>,
 }
 
-/// What releases depend on and change.
+/// The parts of a flight that releases depend on and change.
 pub(super) struct LoadsScene<'a> {
     pub crafts: &'a [Craft],
     pub world: &'a mut World,
@@ -160,7 +160,7 @@ impl Loads {
         Ok(Some(text!("load-spray-left", left = left)))
     }
 
-    /// A tick of the sprayers and of the service on the pads.
+    /// Advances the sprayers and the service on the pads by a tick.
     pub fn step(&mut self, scene: &mut LoadsScene<'_>) {
         for (index, craft) in scene.crafts.iter().enumerate() {
             if !craft.airborne || craft.lost {
@@ -232,7 +232,7 @@ impl Loads {
 }
 
 impl LoadsScene<'_> {
-    /// Reports the readings of a vehicle's sensors where it hovers.
+    /// Reports the readings of a vehicle's sensors at the place where it hovers.
     pub fn take_sample(&mut self, vehicle: VehicleId) -> Done {
         let able = self.able(vehicle, f64::INFINITY)?;
         let craft = &self.crafts[able.seat];

@@ -20,7 +20,7 @@ pub(super) struct OrderCount {
 impl OrderCount {
     /// Counts the new entries of the ledger.
     pub fn step(&mut self, vehicles: &Vehicles, ledger: &Ledger, journal: &mut FlightJournal) {
-        // The ledger changes rarely, and has thousands of rows late in a swarm's mission.
+        // The ledger changes rarely, and has thousands of rows late in a mission with a swarm.
         if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
             return;
         }

@@ -14,21 +14,21 @@ impl Flight {
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 
-    /// Notes the number of simulator steps so far. If the simulator has a clock of its own, the record tells which of
-    /// its steps the mission saw at which of its own.
+    /// Notes the number of simulator steps so far. If the simulator has its own clock, the record contains which of
+    /// the simulator's steps the mission saw at which of the mission's steps.
     pub fn note_simulated(&mut self, steps: u64) {
         if let Some(recorder) = &mut self.recorder {
             recorder.note_simulated(steps);
         }
     }
 
-    /// The whole lines recorded since the last call.
+    /// The complete lines recorded since the last call.
     pub fn take_record(&mut self) -> String {
         let recorder = self.recorder.as_mut();
         recorder.map_or_else(String::new, |recorder| recorder.take())
     }
 
-    /// Stops recording, for want of a place to write to.
+    /// Stops recording because the record cannot be written.
     pub fn stop_record(&mut self) {
         self.recorder = None;
     }

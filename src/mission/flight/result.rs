@@ -1,4 +1,4 @@
-//! From a flight to its facts and its report.
+//! The facts and the report of a flight.
 
 use super::{Flight, ObjectiveStanding};
 use crate::ledger::{Ledger, LedgerEntry};

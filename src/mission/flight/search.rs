@@ -31,7 +31,7 @@ impl Search {
         }
     }
 
-    /// Lets all detectors look.
+    /// Advances all detectors by a step.
     pub fn step(&mut self, crafts: &[Craft], world: &World, journal: &mut FlightJournal) {
         let mut seen = Vec::new();
         for craft in crafts {

@@ -1,4 +1,4 @@
-//! How the vehicles are used, and how the operator leads them.
+//! The use of the vehicles, and the operator's handling of them.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use crate::scoring::{SwarmFigures, SwarmTimes, VehicleUse, WorkloadCourse, Workl
 use crate::vehicle::VehicleId;
 use crate::verb::Movement;
 
-/// The account of how the vehicles are used and led.
+/// The account of the vehicles' use and of the operator's commands.
 #[derive(Debug, Default)]
 pub(super) struct SwarmAccount {
     /// Each vehicle's use of time, in the order of the vehicles.
@@ -56,7 +56,7 @@ impl SwarmAccount {
         }
     }
 
-    /// The trainee has said how much there is to do, from 1 to 5.
+    /// Records the trainee's answer on the workload, from 1 to 5.
     pub fn answer(&mut self, now: Duration, level: u8) {
         self.course.answer(now, level);
     }
@@ -66,7 +66,7 @@ impl SwarmAccount {
         self.course.answered_question()
     }
 
-    /// How much there was to do over the flight.
+    /// The workload over the flight.
     pub fn workload(&self) -> WorkloadReport {
         let commands = self.times.commands.iter().map(|command| command.0);
         self.course.report(&commands.collect::<Vec<_>>())
@@ -78,7 +78,7 @@ impl SwarmAccount {
         self.times.figures(flown, now)
     }
 
-    /// The use of each of `wanted` vehicles; one that was never heard has none.
+    /// The use of each of `wanted` vehicles; for one that was never heard, no use at all.
     pub fn uses(&self, wanted: usize) -> Vec<VehicleUse> {
         let heard = self.usage.iter().map(VehicleUsage::totals);
         let used: Vec<VehicleId> = heard.clone().map(|totals| totals.vehicle).collect();

@@ -102,7 +102,7 @@ impl Threats {
         self.failed
     }
 
-    /// What has to be done to simulators and links since this was asked last.
+    /// The changes to make to simulators and links since the last call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.engine.take_demands()
     }

@@ -9,7 +9,7 @@ use crate::vehicle::VehicleId;
 
 /// The distance between the points of a track.
 const TRACK_STEP_M: f64 = 5.0;
-/// The most points of a track.
+/// The maximum number of points of a track.
 const TRACK_POINTS: usize = 2000;
 
 /// The tracks of one flight.

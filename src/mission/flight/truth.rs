@@ -12,7 +12,7 @@ use crate::scoring::{
 };
 use crate::text::rounded;
 
-/// A report of something that the mission does not ask for counts as right within this distance of it.
+/// A report of an object that the mission does not require counts as correct within this distance of the object.
 const UNASKED_WITHIN_M: f64 = 15.0;
 impl Flight {
     /// The truth as it is now.
@@ -88,7 +88,7 @@ impl Flight {
         flown.map(report).collect()
     }
 
-    /// The kind of report that the objectives ask for of a hazard; the least strict one counts.
+    /// The kind of report that the objectives require for a hazard; the least strict one counts.
     fn sought(&self, hazard: usize) -> Option<Sought> {
         let sought = self
             .mission
@@ -121,7 +121,7 @@ impl Flight {
     }
 }
 
-/// Whether a report means this object: as near as required, and of its kind if it names one.
+/// Whether a report is about this object: near enough, and of its kind if the report gives one.
 fn is_meant(mark: &Mark, class: ObjectClass, at: Point, sought: Option<Sought>) -> bool {
     let within_m = sought.map_or(UNASKED_WITHIN_M, |sought| sought.within_m);
     let same = class

@@ -70,7 +70,7 @@ impl Flight {
         }
     }
 
-    /// What sensors have found so far, for the waits of scripts.
+    /// The sensors' findings so far, for the waits of scripts.
     pub fn findings(&self) -> Findings {
         let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
         Findings {
@@ -79,7 +79,7 @@ impl Flight {
         }
     }
 
-    /// The score so far; `None` on the ground, where points for unbroken rules would only confuse.
+    /// The score so far; `None` on the ground, where points for unbroken rules would be confusing.
     fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
         let begun = self.ended.is_some() || self.crafts.iter().any(|craft| craft.flown);
         begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
@@ -128,7 +128,7 @@ impl Flight {
         self.ended.is_none().then(|| self.filled(&found.text))
     }
 
-    /// Whether a vehicle has flown and none is in the air any more.
+    /// Whether a vehicle has flown and none is still in the air.
     fn is_down_again(&self) -> bool {
         let is_down = |craft: &Craft| craft.lost || craft.is_down();
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
@@ -153,7 +153,7 @@ impl Flight {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
-        // Landed with open reports, the trainee can only wait until they are final.
+        // Landed with open reports, the trainee must wait until they are final.
         let waits = !self.search.marks().is_empty() && self.is_down_again();
         if !open || waits {
             Phase::Done
@@ -166,7 +166,7 @@ impl Flight {
         }
     }
 
-    /// A hint with the name of the first cell not yet sampled; once all are, the word for home.
+    /// A hint with the name of the first cell not yet sampled; once all are sampled, with the word for home.
     pub(super) fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();

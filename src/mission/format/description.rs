@@ -1,4 +1,4 @@
-//! The content of a mission file's table, as its reader asks for it.
+//! The content of a mission file's table, as its reader requests it.
 
 use super::draft::Draft;
 use super::table::{AskedKey, FileTable, Reader};
@@ -7,9 +7,9 @@ use super::table::{AskedKey, FileTable, Reader};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::mission) struct FileTableDescription {
     pub keys: Vec<FileKey>,
-    /// The kinds of table, if it has kinds.
+    /// The kinds of the table, if any.
     pub kinds: Vec<KindDescription>,
-    /// Whether the key `kind` tells them apart; otherwise each kind has a key of its own name.
+    /// Whether the key `kind` distinguishes them; otherwise each kind has a key named after it.
     pub by_kind_key: bool,
 }
 
@@ -59,11 +59,11 @@ pub(in crate::mission) enum Presence {
 /// The form of a key's value.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::mission) enum FileShape {
-    /// Least and greatest value, and unit.
+    /// Minimum, maximum and unit.
     Number(f64, f64, &'static str),
     Whole(u32, u32, &'static str),
     Flag,
-    /// Text: its form, and its greatest length in bytes.
+    /// Text: its form, and its maximum length in bytes.
     Text(&'static str, Option<usize>),
     /// A fixed count of numbers, each in a range, with their form.
     Numbers {
@@ -74,17 +74,17 @@ pub(in crate::mission) enum FileShape {
         form: &'static str,
     },
     Words(Vec<&'static str>),
-    /// One of a set of names, with what they name.
+    /// One of a set of names, with the kind of thing that they name.
     Named(&'static str, Vec<&'static str>),
     NumberOrWord(&'static str),
-    /// A list: the form of its items, and the least and greatest count.
+    /// A list: the form of its items, and the minimum and maximum count.
     List(Box<FileShape>, usize, usize),
-    /// Values by names of the author's choice, with what the names mean.
+    /// Values by names that the author chooses, with the meaning of the names.
     Map(&'static str, Box<FileShape>),
     Table(FileTableDescription),
 }
 
-/// The description of the table that a reader reads.
+/// The description of a reader's table.
 pub(in crate::mission) fn describe<T>(reader: Reader<T>) -> FileTableDescription {
     FileTable::describe(reader, &mut Draft::default())
 }

@@ -1,4 +1,4 @@
-//! A mission file while it is read: what earlier sections have established, references to it, and the faults so far.
+//! A mission file while it is being read: the results of earlier sections, references to them, and the faults so far.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -14,7 +14,7 @@ use crate::mission::sensor::Sensor;
 use crate::mission::survey::SurveyPlan;
 use crate::mission::zone::{Zone, ZoneKind};
 
-/// What earlier sections have established, for those that refer to it.
+/// The results of earlier sections, for the sections that refer to them.
 #[derive(Debug, Default)]
 pub(in crate::mission) struct Draft {
     pub faults: FileFaults,
@@ -29,9 +29,9 @@ pub(in crate::mission) struct Draft {
     pub tier: u8,
     /// The names of places that earlier objectives will define.
     pub drawn: Vec<String>,
-    /// The ids of each section so far, in file order, also those of tables with faults.
+    /// The ids of each section so far, in file order, including those of tables with faults.
     ids: BTreeMap<&'static str, Vec<String>>,
-    /// All names in the file that can be referred to, also those of tables with faults.
+    /// All names in the file that can be referred to, including those of tables with faults.
     pub declared: Declared,
 }
 
@@ -49,7 +49,7 @@ pub(in crate::mission) struct Declared {
     /// Of zones, places, hazards, objectives and sensors.
     all: Vec<String>,
     pub events: Vec<String>,
-    /// Of the movers that events bring.
+    /// Of the movers that events add.
     pub movers: Vec<String>,
 }
 
@@ -99,7 +99,7 @@ impl Draft {
         self.refer("hazard", name, &known)
     }
 
-    /// The survey of an objective that stands earlier in the file.
+    /// The survey of an objective earlier in the file.
     pub fn survey(&mut self, name: &Spanned<String>) -> Option<SurveyPlan> {
         let known = self.surveys.iter().map(|survey| survey.id.clone());
         let index = self.refer(
@@ -124,7 +124,7 @@ impl Draft {
         Some(points[index])
     }
 
-    /// The same with its name, and with the position of the reference.
+    /// A place of the file, or a pad, with its name and the position of the reference.
     pub fn named_place(&mut self, name: &Spanned<String>) -> Option<NamedPlace> {
         Some(NamedPlace {
             at: self.place(name)?,
@@ -155,7 +155,7 @@ impl Draft {
 }
 
 impl Declared {
-    /// The names in a file, as far as they can be read.
+    /// The names in a file that can be read.
     pub fn of(root: &DeTable<'_>) -> Self {
         let value = |key: &str| root.get(key).map(Spanned::get_ref);
         let sections = ["zones", "places", "hazards", "objectives"];

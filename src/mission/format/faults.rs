@@ -17,7 +17,7 @@ const LONGEST_TEXT: usize = 8000;
 #[derive(Debug, Default)]
 pub(in crate::mission) struct FileFaults {
     found: Vec<Diagnostic>,
-    /// Texts without a translation, which are no faults.
+    /// Texts without a translation, which are not faults.
     untranslated: Vec<Diagnostic>,
     /// Whether the file has any translation.
     translated: bool,
@@ -69,7 +69,7 @@ impl FileFaults {
         self.push(fault.with_nearest(name, known.iter().copied()));
     }
 
-    /// Reads a plain value; a fault in it is added and gives `None`.
+    /// Reads a plain value; a fault in it is added, and gives `None`.
     pub fn read<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
         let place = value.span();
         match T::deserialize(ValueDeserializer::from(value)) {
@@ -82,7 +82,7 @@ impl FileFaults {
         }
     }
 
-    /// A text with its translation, if there is one, which has the key `key`.
+    /// A text with the translation under the key `key`, if any.
     pub fn translated(
         &mut self,
         english: Spanned<String>,

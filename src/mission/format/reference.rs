@@ -6,7 +6,7 @@ use super::POINT_RANGE;
 use super::description::{FileKey, FileShape, FileTableDescription, Presence};
 use super::value::spaced;
 
-/// The most names that are listed in a row; longer lists have a table of their own in the guide.
+/// The maximum number of names that are listed in a row; longer lists have their own table in the guide.
 const FEW: usize = 4;
 
 /// The reference of a file: its head, then each section with its keys, then their kinds.

@@ -1,7 +1,7 @@
 //! The JSON schema (draft 2020-12) of mission files, for editors, from their description.
 //!
-//! Where a rule is beyond a schema (names that refer to something, sums, one value above another), only the reader
-//! checks it.
+//! Rules that a schema cannot express (names that refer to something, sums, one value above another) are checked by the
+//! reader only.
 
 use serde_json::{Map, Value, json};
 

@@ -48,7 +48,7 @@ impl FileTable<'_> {
         self.draft().fitted_sensor(&id)
     }
 
-    /// Sensors that the fleet carries, by the key `sensors`, each with its place in the file.
+    /// Sensors that the fleet carries, by the key `sensors`, each with its position in the file.
     pub fn need_sensors(&mut self, about: &'static str) -> Option<Vec<Spanned<&'static Sensor>>> {
         let ids = self.need("sensors", value::list(value::sensor_id(), 1, 100), about)?;
         let fitted = ids.iter().filter_map(|id| {
@@ -64,7 +64,7 @@ impl FileTable<'_> {
         self.draft().hazard(&id)
     }
 
-    /// The target, and the measure at which points begin, which must be the worse one.
+    /// The target, and the measure at which points begin, which must be worse than the target.
     pub fn need_target(
         &mut self,
         range: [f64; 2],

@@ -11,7 +11,7 @@ use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text::Text;
 
-/// Reads one table, or describes it: it requests all of its keys before it fails for a missing one.
+/// Reads one table, or describes it. It must request all of its keys before it fails because of a missing one.
 pub(in crate::mission) type Reader<T> = fn(&mut FileTable<'_>) -> Option<T>;
 
 /// A kind of table, listed in its section.
@@ -53,7 +53,7 @@ pub(super) struct AskedKey {
 enum TableContent<'a> {
     /// The keys not read yet.
     Written(DeTable<'a>),
-    /// The rest is ignored: it cannot be understood.
+    /// The rest is ignored, because it cannot be understood.
     Abandoned,
     Described(FileTableDescription),
 }
@@ -99,11 +99,11 @@ impl FileTable<'_> {
         value
     }
 
-    /// Without values, only the requests remain.
+    /// Runs the reader without values, so that only its requests remain.
     pub fn describe<T>(reader: Reader<T>, draft: &mut Draft) -> FileTableDescription {
         let content = TableContent::Described(FileTableDescription::default());
         let mut table = FileTable::new(content, 0..0, draft);
-        // Nothing is written, so nothing comes of it but what it asked for.
+        // The table is empty, so the reader returns no value, and only its requests matter.
         drop(reader(&mut table));
         match table.content {
             TableContent::Described(description) => description,
@@ -127,7 +127,7 @@ impl FileTable<'_> {
         }
     }
 
-    /// What earlier sections have established.
+    /// The results of earlier sections.
     pub fn draft(&mut self) -> &mut Draft {
         self.draft
     }
@@ -137,7 +137,7 @@ impl FileTable<'_> {
         self.id.clone()
     }
 
-    /// A required key; `None` where it is missing or invalid, which is a fault.
+    /// A required key; `None` if it is missing or invalid, which is a fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -151,7 +151,7 @@ impl FileTable<'_> {
         self.ask(name, &value, Presence::Needed, about)
     }
 
-    /// An optional key; `None` where it is missing, or invalid, which is a fault.
+    /// An optional key; `None` if it is missing, or if it is invalid, which is a fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -233,7 +233,7 @@ impl FileTable<'_> {
         self.translated(name, english)
     }
 
-    /// The same for an optional text.
+    /// An optional text, with its translation.
     pub fn may_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
         let english = self.may(name, value::text(""), about);
         self.translated(name, english)
@@ -284,7 +284,7 @@ impl FileTable<'_> {
         (found?.read)(self)
     }
 
-    /// Describes the kinds, when describing.
+    /// Adds the kinds to the description, if the table is being described.
     fn describe_kinds<T>(&mut self, kinds: &'static [KindOf<T>], by_kind_key: bool) -> bool {
         let TableContent::Described(description) = &mut self.content else {
             return false;
@@ -314,12 +314,12 @@ impl FileTable<'_> {
         self.asked.iter().any(|asked| asked.is_wrong)
     }
 
-    /// Adds a fault of the whole table.
+    /// Adds a fault for the whole table.
     pub fn fault(&mut self, message: impl Into<Text>) {
         self.draft.faults.add(self.place.clone(), message);
     }
 
-    /// Adds a fault of a requested key, at its value if it has one.
+    /// Adds a fault for a requested key, at its value if it has one.
     pub fn fault_of(&mut self, name: &str, message: impl Into<Text>) {
         let place = self.place_of(name);
         self.draft.faults.add(place, message);
@@ -333,12 +333,12 @@ impl FileTable<'_> {
         place.unwrap_or_else(|| self.place.clone())
     }
 
-    /// Reports no more faults of the rest: it cannot be understood.
+    /// Suppresses further faults, because the rest cannot be understood.
     fn abandon(&mut self) {
         self.content = TableContent::Abandoned;
     }
 
-    /// Adds the faults of missing and of unknown keys. A missing key that was misspelt is a single fault.
+    /// Adds faults for missing and unknown keys. A misspelt key counts as a single fault.
     fn finish(self) {
         let TableContent::Written(left) = &self.content else {
             return;
@@ -355,7 +355,7 @@ impl FileTable<'_> {
             misspelt.extend(nearest(name, known.iter().copied()).map(str::to_owned));
             let fault = Diagnostic::new(key.span(), message);
             self.draft.faults.push(match name.len() {
-                // One-letter names are all equally close.
+                // One-letter names are all equally similar.
                 1 => fault,
                 _ => fault.with_nearest(name, known.iter().copied()),
             });

@@ -26,7 +26,7 @@ pub(in crate::mission) trait FileValue {
     /// Its form in the description.
     fn shape(&self) -> FileShape;
 
-    /// Reads a value of the key `name`; `None` where it is invalid, which is a fault.
+    /// Reads a value of the key `name`; `None` if it is invalid, which is a fault.
     fn read(
         &self,
         name: &str,

@@ -63,12 +63,12 @@ impl WrittenValue {
         self.get(key).map_or(&[], Self::items)
     }
 
-    /// The position of a key's value; that of the whole table if the key is missing.
+    /// The position of a key's value; the position of the whole table if the key is missing.
     pub fn span_of(&self, key: &str) -> Range<usize> {
         self.get(key).unwrap_or(self).span.clone()
     }
 
-    /// The position of an item of a key's array; that of the key's value if it is no array.
+    /// The position of an item of a key's array; the position of the key's value if it is not an array.
     pub fn span_of_item(&self, key: &str, index: usize) -> Range<usize> {
         let item = self.items_of(key).get(index);
         item.map_or_else(|| self.span_of(key), |item| item.span.clone())

@@ -1,6 +1,6 @@
 //! The spread of clouds in the air, by its stability class.
 
-/// Wind below this counts as calm: the formulas for wind divide by its speed.
+/// Wind below this counts as calm, because the formulas for wind divide by its speed.
 pub(super) const CALM_BELOW_M_S: f64 = 0.5;
 
 /// Pasquill's stability class of the air, very unstable to stable.

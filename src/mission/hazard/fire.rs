@@ -24,7 +24,7 @@ use fuel::Fuel;
 pub(crate) use grid::FireGrid;
 use grid::{CellState, FireCell, STEP_S};
 
-/// The most cells; more would slow a step down.
+/// The maximum number of cells; more would slow a step down.
 const MOST_CELLS: f64 = 10_000.0;
 /// Cells along each side of a block that detectors see as one fire.
 const BLOCK: usize = 3;
@@ -191,7 +191,7 @@ fn ground(
 }
 
 impl FireGrid {
-    /// Covers areas with other fuels; later ones lie on top.
+    /// Covers areas with other fuels; later areas replace earlier ones.
     fn cover(&mut self, patches: &[FuelPatch]) {
         for patch in patches {
             let [west, south, east, north] = patch.area;
@@ -317,7 +317,7 @@ impl Fire {
         &self.untouched.grid
     }
 
-    /// Whether nothing burns, and nothing will.
+    /// Whether nothing burns and no ignition is to come.
     pub fn is_out(&self) -> bool {
         let more_to_come = self
             .ignitions

@@ -1,6 +1,6 @@
 //! `flood`: water that rises around houses with people on their roofs.
 //!
-//! The water's height is `level + rise t`. A person without a life vest is carried off when it reaches the roof.
+//! The water's height is `level + rise t`. A person without a life vest is carried off when the water reaches the roof.
 
 use std::time::Duration;
 

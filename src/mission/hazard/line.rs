@@ -16,7 +16,7 @@ use crate::mission::weather::Weather;
 
 const MOST_PYLONS: usize = 100;
 const MOST_DEFECTS: u32 = 200;
-/// The spacing of the points that distances to the wire are measured to.
+/// The spacing of the points on the wire to which distances are measured.
 const STEP_M: f64 = 1.0;
 
 #[derive(Debug)]
@@ -87,7 +87,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }
     let (defects, gap_m) = (defects?, gap_m?);
     let wire = Wire::new(pylons, height_m, sag_m);
-    // Half of the length stays free, or random placement finds no room.
+    // Half of the length must stay free; otherwise random placement finds no room.
     if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
         table.fault_of("min_gap", "the line is too short for so many with this gap");
     }

@@ -8,7 +8,7 @@ use crate::mission::format::{FileTable, KindOf, number, table as table_of, whole
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
-/// The most objects; more would slow a step down.
+/// The maximum number of objects; more would slow a step down.
 const MOST_OBJECTS: f64 = 2000.0;
 
 #[derive(Debug)]

@@ -1,4 +1,4 @@
-//! People who need help: where they are, until when they can be helped, and the effect of kits.
+//! People who need help: their positions, the time limits for help, and the effect of kits.
 
 use std::time::Duration;
 
@@ -15,13 +15,13 @@ const KIT_WITHIN_M: f64 = 8.0;
 /// The greatest distance of a node from its place.
 const NODE_WITHIN_M: f64 = 6.0;
 
-/// The objects of a hazard with people: the people, the animals among them, and places for nodes.
+/// The objects of a hazard with people: the people, the animals among them, and the places for nodes.
 #[derive(Debug, Default)]
 pub(super) struct People {
     /// The people first, in the order of the fates; then the other objects.
     pub objects: Vec<Object>,
     fates: Vec<Fate>,
-    /// The places for nodes, and whether a node stands there.
+    /// The places for nodes, and whether each has a node.
     nodes: Vec<(Point, bool)>,
     /// The zone where they are known to be, if any.
     pub zone: Option<Shape>,
@@ -31,7 +31,7 @@ pub(super) struct People {
 /// The outcome for one person.
 #[derive(Debug, Clone, Copy)]
 struct Fate {
-    /// The time until which help is of use; `None` without a limit.
+    /// The time until which help is useful; `None` without a limit.
     until: Option<Duration>,
     helped: bool,
 }
@@ -42,7 +42,7 @@ pub(crate) struct Care {
     pub people: usize,
     /// People whom a kit reached in time.
     pub helped: usize,
-    /// People for whom it is too late.
+    /// People for whom help is too late.
     pub lost: usize,
     pub nodes: usize,
     pub nodes_placed: usize,

@@ -11,7 +11,7 @@ use crate::mission::zone::Shape;
 /// Positions tried for one object before the best one is taken.
 const TRIES: usize = 400;
 
-/// `count` points in a shape, at least a gap from one another and from the `taken` ones. Where there is no room, the
+/// `count` points in a shape, at least a gap from one another and from those in `taken`. If there is no room, the
 /// candidate with the largest gap is used.
 pub(super) fn spread(
     shape: &Shape,
@@ -39,7 +39,7 @@ pub(super) fn spread(
     taken.split_off(before)
 }
 
-/// A random point of a shape; its centre where the shape has almost no area.
+/// A random point of a shape; its centre if the shape has almost no area.
 fn within(shape: &Shape, random: &mut ChaCha8Rng) -> Point {
     let (low, high) = shape.bounds();
     for _ in 0..TRIES {

@@ -1,5 +1,5 @@
-//! A Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973) that follows the wind, meanders about
-//! its direction, and has gusts; in calm air a cloud around its source.
+//! A Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973). It follows the wind, meanders about
+//! its direction, and has gusts. In calm air, it is a cloud around its source.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -16,9 +16,9 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
 
-/// The time constant with which the air over the whole site follows the weather, in seconds.
+/// The time constant of the air over the whole site when the weather changes, in seconds.
 const FOLLOWS_IN_S: f64 = 20.0;
-/// The correlation time of the axis's meandering, in seconds.
+/// The correlation time of the meandering of the axis, in seconds.
 const MEANDER_TAU_S: f64 = 120.0;
 /// The correlation time of concentration gusts, in seconds.
 const GUST_TAU_S: f64 = 3.0;
@@ -28,7 +28,7 @@ const GUSTS_KEPT: usize = 3000;
 const NEAREST_M: f64 = 1.0;
 
 /// How the debrief shades a plume: the side of the squares, their number to each side of the source, the powers of ten
-/// covered, and the least strength.
+/// covered, and the minimum strength.
 const SHADE_SIDE_M: f64 = 12.0;
 const SHADES_OUT: i32 = 25;
 const DECADES: f64 = 3.0;
@@ -188,8 +188,8 @@ impl PlumeField {
         };
     }
 
-    /// The concentration at a point as a multiple of its mean: the wind carries each gust there unchanged. Lognormal,
-    /// with a mean of 1.
+    /// The concentration at a point as a multiple of its mean: the wind carries each gust to the point unchanged.
+    /// Lognormal, with a mean of 1.
     fn gust_at(&self, at: Point) -> f64 {
         if self.intermittency <= 0.0 {
             return 1.0;
@@ -211,8 +211,8 @@ fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
 }
 
 impl Plume {
-    /// The mean concentration; between calm air and the lowest wind for which the plume formula is valid, a mixture of
-    /// both.
+    /// The mean concentration; between calm air and the lowest wind for which the plume formula is valid, it is a
+    /// mixture of both.
     pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);
         let mut concentration = 0.0;

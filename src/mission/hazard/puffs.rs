@@ -1,4 +1,4 @@
-//! A leak that emits puffs: each drifts with the current wind and grows on its way, so that the cloud bends where the
+//! A leak that emits puffs. Each puff drifts with the current wind and grows on its way, so the cloud bends where the
 //! wind has turned.
 
 use std::collections::VecDeque;
@@ -16,11 +16,11 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
 
-/// The most puffs: five minutes of them, one every two seconds.
+/// The maximum number of puffs: one every two seconds for five minutes.
 const MOST_PUFFS: usize = 150;
 /// The spread of a new puff.
 const FIRST_SPREAD_M: f64 = 0.5;
-/// A puff is ignored beyond this many spreads from its centre.
+/// A puff is ignored at more than this many spreads from its centre.
 const FELT_SPREADS: f64 = 5.0;
 
 #[derive(Debug)]
@@ -29,7 +29,7 @@ struct PuffsHazard {
     every_s: f64,
 }
 
-/// One puff of it.
+/// One puff of a leak.
 #[derive(Debug, Clone, Copy)]
 struct Puff {
     at: Point,
@@ -116,7 +116,7 @@ impl Field for PuffsField {
 }
 
 impl Puff {
-    /// Moves a puff. In wind it grows with the distance travelled, as a plume does; in calm air with time.
+    /// Moves a puff. In wind it grows with the distance travelled, as a plume does; in calm air, it grows with time.
     fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, source: &Plume) {
         let speed_m_s = maths::hypot(drift_m_s[0], drift_m_s[1]);
         self.at[0] += drift_m_s[0] * dt_s;
@@ -191,7 +191,7 @@ mod tests {
     fn all_that_came_out_is_in_the_air() {
         let mut field = puffs();
         run(&mut field, 40, &wind(3.0, 270.0));
-        // The last puff is still only half a metre wide: it is left out of the grid and of the sum.
+        // The last puff is still only half a metre wide: it is left out of both the grid and the sum.
         field.puffs.pop_back();
         let mut mass_g = 0.0;
         for east in -40..180 {

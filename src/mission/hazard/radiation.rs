@@ -15,9 +15,9 @@ use crate::mission::weather::Weather;
 
 /// The natural background, in uSv/h.
 const BACKGROUND_USV_H: f64 = 0.1;
-/// The least distance between a detector and a source.
+/// The minimum distance between a detector and a source.
 const NEAREST_M: f64 = 0.5;
-/// The most sources or walls; more would slow a step down.
+/// The maximum number of sources or walls; more would slow a step down.
 const MOST_PARTS: usize = 50;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +29,7 @@ enum Isotope {
 impl Isotope {
     const WORDS: [(&str, Self); 2] = [("Cs-137", Self::Caesium137), ("Co-60", Self::Cobalt60)];
 
-    /// The dose rate at 1 m in uSv/h per `GBq`, and the share absorbed by a metre of air.
+    /// The dose rate at 1 m in uSv/h per `GBq`, and the attenuation per metre of air.
     fn constants(self) -> (f64, f64) {
         match self {
             Self::Caesium137 => (92.7, 0.0093),

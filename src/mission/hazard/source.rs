@@ -49,12 +49,12 @@ pub(super) struct LeakPlan {
     jitter: Jitter,
 }
 
-/// By how much the seed varies a source.
+/// The amount by which the seed varies a source.
 #[derive(Debug, Clone, Copy, Default)]
 struct Jitter {
-    /// The most on each axis, in metres.
+    /// The maximum on each axis, in metres.
     position_m: f64,
-    /// The most as a share of the rate, either way.
+    /// The maximum as a share of the rate, either way.
     rate: f64,
 }
 
@@ -95,7 +95,7 @@ impl LeakPlan {
         })
     }
 
-    /// Vapour that the seed does not vary.
+    /// A source of vapour that the seed does not vary.
     #[cfg(test)]
     pub fn steady(source: Plume) -> Self {
         Self {

@@ -70,7 +70,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }))
 }
 
-/// Weibull's distribution with shape 2: few are lost early.
+/// Weibull's distribution with shape 2: few people are lost early.
 fn lasting_s(scale_s: f64, random: &mut ChaCha8Rng) -> f64 {
     let share: f64 = random.sample(OpenClosed01);
     scale_s * (-maths::ln(share)).sqrt()

@@ -1,4 +1,4 @@
-//! A quantity with random fluctuation about zero: a first-order Gauss-Markov process.
+//! A quantity that fluctuates randomly about zero: a first-order Gauss-Markov process.
 
 use crate::geo::maths;
 use rand_chacha::ChaCha8Rng;
@@ -22,7 +22,7 @@ impl Wander {
         }
     }
 
-    /// Advances time; exact for any step.
+    /// Advances time; the result is exact for any step.
     pub fn step(&mut self, dt_s: f64, random: &mut ChaCha8Rng) {
         let kept = maths::exp(-dt_s / self.tau_s);
         let push: f64 = StandardNormal.sample(random);

@@ -93,7 +93,7 @@ fn some_mines_are_never_seen_by_one_kind_of_sensor() {
 
 #[test]
 fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
-    // 44 degrees along the course at 80 m see 64.6 m: all 20 m of the pass, ten looks of 2 s at 1 m/s.
+    // A view of 44 degrees along the course from 80 m covers 64.6 m: all 20 m of the pass, ten looks of 2 s at 1 m/s.
     let object = Object::new(ObjectClass::Person, [0.0; 2]);
     let view = View {
         object: &object,
@@ -171,7 +171,7 @@ fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
     assert_eq!(second, fly(&[2]));
 }
 
-/// How often a look of 5 s from a height shows that a contact is not a person.
+/// The share of looks of 5 s from a height that show that a contact is not a person.
 fn told_apart(height_m: f64) -> f64 {
     let world = world(Vec::new(), Light::Night);
     let contact = Contact {

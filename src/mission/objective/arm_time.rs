@@ -29,7 +29,7 @@ struct Arming {
 }
 
 impl Arming {
-    /// Seconds from ready to armed; so far, while it is not armed.
+    /// Seconds from ready to armed; until now, if it is not armed.
     fn taken_s(&self, now: Duration) -> f64 {
         let until = self.armed.unwrap_or(now);
         self.ready
@@ -97,7 +97,7 @@ impl Tracker for ArmTracker {
         let longest_s = taken.max_by(f64::total_cmp).unwrap_or(0.0);
         let begun = !self.vehicles.is_empty();
         let armed = begun && self.vehicles.iter().all(|arming| arming.armed.is_some());
-        // Twice the time earns nothing, so that a late start is not rewarded.
+        // Twice the time earns no points, so that a late start is not rewarded.
         let share = |arming: &Arming| {
             let late = arming.taken_s(scene.now) / self.within_s;
             let share = (2.0 - late).clamp(0.0, 1.0);

@@ -1,8 +1,8 @@
 //! `coverage`: pass over a zone with suitable sensors, low and slow enough for them to work.
 //!
 //! Cells count as swept once the strip of a working sensor has passed over their centre. The result also gives the
-//! coverage of search theory, `C = W L / A` (strip width times path length over area), and what a random search of
-//! that coverage would find, `1 - e^-C` (Koopman 1980): the difference is the gain from flying lines.
+//! coverage of search theory, `C = W L / A` (strip width times path length over area), and the share that a random
+//! search of that coverage would find, `1 - e^-C` (Koopman 1980): the difference is the gain from flying lines.
 
 use toml::Spanned;
 

@@ -1,4 +1,4 @@
-//! `deliver`: bring kits to people while these are of use, or nodes to their places.
+//! `deliver`: bring kits to people in time, or nodes to their places.
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
@@ -86,7 +86,7 @@ impl Deliver {
             What::Node => (care.nodes_placed, 0),
         };
         let met = done >= self.target.met_at;
-        // No person is left who can still be helped.
+        // Nobody is left who can still be helped.
         let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
         ObjectiveStanding {
             fraction: self.target.credit(done),

@@ -9,7 +9,7 @@ use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
 
-/// The demands of one objective. Fields are named after the keys of the file, so that a fault can be placed there.
+/// The demands of one objective. Fields are named after the keys of the file, so that a fault can be reported there.
 #[derive(Debug, Default)]
 pub(crate) struct Demands<'o> {
     /// Equipment that some vehicle must carry.
@@ -68,7 +68,7 @@ impl DemandedTime {
 }
 
 impl Equipment {
-    /// Whether some vehicle of a fleet carries it.
+    /// Whether any vehicle of a fleet carries it.
     pub fn is_carried(self, fleet: &[Fit]) -> bool {
         let has_sensor = |wanted: fn(&Sensor) -> bool| {
             let mut sensors = fleet.iter().flat_map(|fit| &fit.sensors);

@@ -1,12 +1,12 @@
 //! `detect`: report objects at their positions, without false alarms.
 //!
-//! A report within the radius of an object of its kind that no other report has found is a hit; every other report is
-//! a false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a
-//! missed mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that
-//! reporting everything earns nothing. Where a close look would have shown the error, a mission makes wrong reports
-//! dearer: each costs `false_cost` finds.
+//! A report within the radius of an object of its kind that no other report has found is a hit; every other report is a
+//! false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
+//! mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that reporting
+//! everything earns nothing. A mission may raise the cost of wrong reports if a close look would have shown the error:
+//! each then costs `false_cost` finds.
 //!
-//! Which reports are right is revealed only after the flight; otherwise reporting would be a way to find out.
+//! Which reports are correct is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -25,7 +25,7 @@ use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
-/// Reports that count, for each object.
+/// The number of reports that count, for each object.
 const BUDGET: f64 = 3.0;
 
 #[derive(Debug, Clone)]
@@ -38,7 +38,7 @@ struct Detect {
     target: ObjectiveTarget,
 }
 
-/// The time after the last report at which reports are final, with all vehicles on the ground.
+/// How long after the last report the reports become final, if all vehicles are on the ground.
 const FINAL_AFTER: Duration = Duration::from_secs(20);
 
 /// The tally of the reports.
@@ -46,7 +46,7 @@ const FINAL_AFTER: Duration = Duration::from_secs(20);
 pub(crate) struct DetectTally {
     pub there: usize,
     pub found: usize,
-    /// Reports with no object of the kind there.
+    /// Reports of a place without an object of that kind.
     pub false_alarms: usize,
     /// Reports of objects reported before.
     pub repeated: usize,
@@ -241,7 +241,7 @@ impl Detect {
 }
 
 impl DetectTally {
-    /// The share of reports that are right, and the share of objects reported.
+    /// The share of reports that are correct, and the share of objects reported.
     fn precision_and_recall(self) -> [f64; 2] {
         let share = |of: usize| match of {
             0 => 0.0,

@@ -31,7 +31,7 @@ struct FormationTracker {
     radius_m: f64,
     keep: Keep,
     passed: usize,
-    /// Time between the first gate and the last, and the part of it in formation.
+    /// The time from the first gate to the last, and the part of it in formation.
     under_way_s: f64,
     kept_s: f64,
 }

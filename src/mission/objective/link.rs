@@ -19,7 +19,7 @@ struct LinkObjective {
     margin_db: f64,
     /// Vehicles above this height do not count.
     max_height_m: Option<f64>,
-    /// The vehicle seconds required in the zone.
+    /// The total time that vehicles must spend in the zone.
     needed: Duration,
     /// The share of that time with a good link.
     target: ObjectiveTarget,
@@ -79,7 +79,7 @@ impl ObjectiveKind for LinkObjective {
 #[derive(Debug)]
 struct LinkTracker {
     link: LinkObjective,
-    /// The time of all vehicles in the zone together, and the part of it with a good link.
+    /// The total time of all vehicles in the zone, and the part of it with a good link.
     inside: Duration,
     heard: Duration,
 }

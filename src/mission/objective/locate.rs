@@ -135,7 +135,7 @@ impl LocateTracker {
         }
     }
 
-    /// Wrong reports beyond one per object, which count as guesses.
+    /// The number of wrong reports beyond one per object, which count as guesses.
     fn guesses(&self, found: &LocateReports) -> usize {
         found.wrong.saturating_sub(self.wanted.len())
     }

@@ -14,7 +14,7 @@ use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
-/// The true mean of a cell is taken over this many points squared.
+/// The true mean of a cell is taken over this many points along each side.
 const POINTS_PER_SIDE: u32 = 5;
 /// The error at which the quality is zero.
 const WORTHLESS: f64 = 0.5;
@@ -111,7 +111,7 @@ impl MapTracker {
 }
 
 impl MapTracker {
-    /// Advice on the causes of the error: missing cells, readings at another height or in a corner of a cell, and a
+    /// Advice on the causes of the error: missing cells, readings at a wrong height or in a corner of a cell, and a
     /// sensor's lag.
     fn quality_advice(&self, survey: Option<&Survey>) -> Text {
         let blank = survey.and_then(|survey| {

@@ -1,8 +1,8 @@
-//! `perimeter`: know which ground burns or has burnt, at given times.
+//! `perimeter`: map the ground that burns or has burnt, at given times.
 //!
-//! What a thermal camera sees is mapped automatically: ground in view as it is now, all else as last seen. At each of
-//! the times the map is compared with the truth: the area that both call burnt, divided by the area that either does
-//! (intersection over union).
+//! The view of a thermal camera is mapped automatically: ground in view as it is now, all other ground as last seen. At
+//! each of the given times, the map is compared with the truth: the area burnt in both, divided by the area burnt in
+//! either (intersection over union).
 
 use std::time::Duration;
 
@@ -190,7 +190,7 @@ impl Tracker for PerimeterTracker {
         let mean = sum / self.fits.len().max(1) as f64;
         let settled = self.fits.len() == all;
         let credit = |fit: &f64| target.credit(*fit);
-        // An empty sum is negative zero, which would print as `-0`.
+        // An empty sum is negative zero, which would be printed as `-0`.
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
         let times: Vec<String> = self
             .plan

@@ -8,7 +8,7 @@ use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
-/// The battery is named before the distance when it is less than this many percent above the requirement.
+/// The battery is shown instead of the distance when it is less than this many percent above the requirement.
 const RUNNING_SHORT: f64 = 10.0;
 
 #[derive(Debug, Clone)]
@@ -101,7 +101,7 @@ impl Recover {
         distance_m.filter(|&distance_m| distance_m > self.radius_m)
     }
 
-    /// The most urgent need of one vehicle while it flies: the battery when it runs short, otherwise the distance
+    /// The most urgent need of one vehicle while it flies: the battery when it runs low, otherwise the distance
     /// home. Short, since it is shown beside the title.
     fn outlook(&self, vehicles: &[Craft]) -> Option<Text> {
         let [craft] = vehicles else { return None };
@@ -138,7 +138,7 @@ impl Recover {
             return text!("mission-recover-fly", radius = radius, percent = least);
         };
         let mut advice = Vec::new();
-        // Only the first begins with a capital letter.
+        // Only the first piece of advice begins with a capital letter.
         let place = |advice: &[Text]| if advice.is_empty() { "first" } else { "later" };
         if let Some(percent) = self.is_short(craft) {
             advice.push(text!(

@@ -8,7 +8,7 @@ use crate::geo::maths;
 use crate::mission::format::{FileTable, gate, list, number};
 use crate::mission::world::World;
 
-/// The most gates of one route.
+/// The maximum number of gates of one route.
 const MOST_GATES: usize = 100;
 
 /// Gates as the mission describes them: east, north and up from the origin.
@@ -42,7 +42,7 @@ impl GateRoute {
         &self.gates
     }
 
-    /// By how much the path to a gate may be shorter than to its position in the file: gates have a radius, and the
+    /// How much shorter the path to a gate may be than to its position in the file: gates have a radius, and the
     /// seed moves them.
     pub fn slack_m(&self) -> f64 {
         self.radius_m + self.jitter_m
@@ -59,7 +59,7 @@ impl GateRoute {
         gates.chain([super::NEXT_PLACE.to_owned()]).collect()
     }
 
-    /// The positions of the gates in one flight: each moved horizontally, evenly over a disc.
+    /// The positions of the gates in one flight: each is moved horizontally, with a uniform distribution over a disc.
     pub fn drawn(&self, world: &World, objective: &str) -> Vec<[f64; 3]> {
         let mut random = world.random(objective);
         let moved = |&[east_m, north_m, up_m]: &[f64; 3]| {

@@ -9,7 +9,7 @@ use crate::mission::zone::{Shape, Zone};
 use crate::text;
 use crate::text::Text;
 
-/// The most cells: more than can be flown, fewer than would slow a step down.
+/// The maximum number of cells: more than can be flown, fewer than would slow a step down.
 const MOST_CELLS: usize = 10_000;
 
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! `standoff`: keep the right distance from a structure while near it.
 //!
-//! Only the time within `near` of the structure counts, and a least amount of it is required, so that staying away
-//! does not meet the objective.
+//! Only the time within `near` of the structure counts. A minimum amount of it is required, so that staying away does
+//! not meet the objective.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ struct Standoff {
     near_m: f64,
     least: Duration,
     target: ObjectiveTarget,
-    /// The time near the structure, at the right distance, and too close.
+    /// The time near the structure; then the time at the right distance, and too close.
     near: Duration,
     kept: Duration,
     too_near: Duration,

@@ -16,7 +16,7 @@ use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
 
-/// The most places of one `visit`.
+/// The maximum number of places of one `visit`.
 const MOST_PLACES: usize = 100;
 const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
@@ -40,7 +40,7 @@ struct Gates {
 struct Stop {
     name: String,
     at: Point,
-    /// The heights that count for a place; for gates the distance is in three dimensions.
+    /// The heights that count for a place; for gates, the distance is in three dimensions.
     heights_m: [f64; 2],
     up_m: Option<f64>,
     radius_m: f64,

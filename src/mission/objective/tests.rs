@@ -123,7 +123,7 @@ fn a_flight_ends_when_the_last_report_is_20_s_old_right_or_wrong() {
     assert_eq!((ends_after(0.0), ends_after(40.0)), (20, 20));
 }
 
-/// The first map is taken after 100 s.
+/// The first comparison of the map is after 100 s.
 #[test]
 fn a_map_of_a_fire_is_as_good_as_what_was_seen_of_it_and_how_lately() {
     let fit_after_100_s = |east_m: f64, north_m: f64| {

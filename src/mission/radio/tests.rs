@@ -6,7 +6,7 @@ fn model(id: &str) -> Model {
     Model::by_id(id).expect("a known one")
 }
 
-/// The ground station of the nodes below.
+/// The ground station of the tests below.
 fn ground() -> RadioNode {
     let radio = Radio {
         own: None,
@@ -114,7 +114,7 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
         (relayed[0] - legs).abs() < 1e-9 && relayed[0] > 15.0,
         "{relayed:?}"
     );
-    // A vehicle that does not relay is of no use.
+    // A vehicle that does not relay does not help.
     let deaf = RadioNode {
         relays: false,
         ..above

@@ -1,4 +1,4 @@
-//! A vehicle as missions see it, as the integers in its messages.
+//! A vehicle as missions see it, stored as the integers in its messages.
 
 use std::time::Duration;
 
@@ -151,8 +151,8 @@ impl ObservedVehicle {
         &self.said
     }
 
-    /// The first value here that no state in `known` contains. A lost link is not compared: the console decides that
-    /// by itself.
+    /// The first value here that no state in `known` contains. A lost link is not compared, because the console decides
+    /// that on its own.
     pub fn unseen<'a>(&self, known: &(impl Iterator<Item = &'a Self> + Clone)) -> Option<Text> {
         let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
         let unheard = self.unheard.flatten();
@@ -249,7 +249,7 @@ impl ObservedVehicle {
     }
 }
 
-/// A present field was reported, even if its value is unknown.
+/// A field that is present was reported, even if its value is unknown.
 #[expect(
     clippy::option_option,
     reason = "not said differs from said to be unknown"
@@ -260,7 +260,7 @@ fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     Option::deserialize(deserializer).map(Some)
 }
 
-/// The health report of a vehicle that can be armed, and nothing more.
+/// A health report which shows only that the vehicle can be armed.
 fn checked(now: Duration) -> Health {
     Health {
         present: Health::PREARM,

@@ -20,7 +20,7 @@ use crate::workshop::Design;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stored {
     pub head: Head,
-    /// What is wrong with the rest of the file, after the readable part.
+    /// The fault of the rest of the file, after the readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
 }
@@ -28,7 +28,7 @@ pub struct Stored {
 /// A record scored again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rescored {
-    /// The present result; for a record without an end, as if the flight had ended there.
+    /// The result by the current rules; for a record without an end, as if the flight had ended there.
     pub report: Report,
     /// The recorded result; `None` for a record without an end.
     pub before: Option<End>,
@@ -38,7 +38,7 @@ impl Stored {
     /// Reads a record up to the first line that is damaged or goes back in time.
     ///
     /// # Errors
-    /// It is no record, or one of another version; as text.
+    /// A text if it is not a record, or is one of another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let first = all.next().unwrap_or_default();
@@ -91,7 +91,7 @@ impl Stored {
     pub fn rescore(&self) -> Result<Rescored, Text> {
         let mut replay = self.reenact()?;
         drop(replay.advance(Duration::MAX));
-        // An abandoned exam ended where its record does.
+        // An abandoned exam ended where its record ends.
         if self.end().is_none() && self.head.stake == Stake::Exam {
             replay.flight.abandon();
         }
@@ -101,7 +101,7 @@ impl Stored {
         })
     }
 
-    /// The flight before its first step, to be repeated step by step.
+    /// The flight before its first step, ready to be repeated step by step.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
@@ -155,7 +155,7 @@ pub struct Reenactment {
     backend: FlightBackend,
     vehicles: Vehicles,
     ledger: Ledger,
-    /// The recorded ids of entries, and their ids here.
+    /// The recorded ids of ledger entries, with their ids in this flight.
     entries: BTreeMap<u32, EntryId>,
     now: Option<Duration>,
     lines: Arc<Vec<RecordLine>>,
@@ -231,7 +231,7 @@ impl Reenactment {
                 self.step(at);
             }
             RecordLine::Act { deed, vehicles } => {
-                // Its rows are in the record.
+                // The rows of the deed are in the record.
                 drop(self.flight.act(EntryId(0), deed, vehicles));
             }
             RecordLine::Lose { vehicle, change } => {
@@ -253,7 +253,7 @@ impl Reenactment {
         }
     }
 
-    /// Passes the steps without a line before that time, while the flight lasts: a damaged time may lie years ahead.
+    /// Passes the steps without a line before that time, while the flight lasts: a damaged time may be years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
             && self.flight.outcome().is_none()

@@ -49,7 +49,7 @@ fn a_record_scores_again_as_it_was_scored() {
     let stored = Stored::read(&text).expect("a good record");
     assert_eq!(stored.damage, None);
     let again = stored.rescore().expect("a good mission");
-    // The test vehicle's position is finer than in messages; the rest is equal.
+    // The test vehicle's position is finer than in messages; the rest is identical.
     assert_eq!(again.report.score, report.score);
     assert_eq!(again.report.ledger, report.ledger);
     assert_eq!(again.report.prediction, report.prediction);
@@ -103,7 +103,7 @@ fn a_record_is_small() {
     assert!(do_nothing().report().score < 300);
 }
 
-/// The mission with a relay, with an inject, a vehicle out of radio range for a while, and a pause.
+/// A flight of the mission with a relay, with an inject, a vehicle out of radio range for a while, and a pause.
 fn troubled() -> (Report, String) {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 7);
@@ -205,7 +205,7 @@ fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
     }
 }
 
-/// A flight that says how much there is to do as often as this, by command, and is recorded.
+/// A recorded flight in which the trainee answers the question about the workload with these levels, by command.
 fn asked(answers: &[u8], stake: Stake) -> (Report, String) {
     let mut pilot = Pilot::new(7);
     pilot.flight.set_stake(stake);
@@ -316,8 +316,8 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     assert!(head.designs.is_empty());
 }
 
-/// The verbs that a record may name. A record outlives the table: where a verb gets another name, the old one has to
-/// stay readable ([`language::verb`]) before it is changed here.
+/// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
+/// readable ([`language::verb`]) before it is changed here.
 const RECORDED_VERBS: [&str; 42] = [
     "altitude",
     "arm",

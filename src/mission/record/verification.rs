@@ -1,7 +1,7 @@
-//! Verification: flying a record again in the embedded simulator, from its inputs.
+//! Verification: a record is flown again in the embedded simulator, from its inputs.
 //!
-//! The simulated vehicles get the same frames after the same steps. Then the record's content must follow: each
-//! fingerprint of their state, every state that the mission saw, refusals of commands, and the score.
+//! The simulated vehicles get the same frames after the same steps. The record's content must then follow: each
+//! fingerprint of their state, every state that the mission saw, the refusals of commands, and the score.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -26,15 +26,15 @@ mod tests;
 pub use reflight::Divergence;
 use reflight::{LATE_AT_MOST, Reflight, SHOWN_WITHIN, differs};
 
-/// The most by which the mission's clock may be ahead of the simulator step noted with it.
+/// The maximum by which the mission's clock may be ahead of the simulator step recorded with it.
 const NOTED_WITHIN: Duration = Duration::from_millis(100);
-/// The most time between a demand of the mission and its parameter being set.
+/// The maximum time between a demand of the mission and its parameter being set.
 const SET_WITHIN: Duration = Duration::from_secs(10);
 
 /// The result of a verification.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// Where the flight first differs from its record; `None` where it does not.
+    /// The first difference between the flight and its record; `None` if there is none.
     pub difference: Option<Divergence>,
     /// The score that follows from the record.
     pub rescored: Rescored,
@@ -77,7 +77,7 @@ impl Stored {
     }
 }
 
-/// Flies a flight without a mission again; where it differs from its log.
+/// Repeats a flight without a mission; returns the first difference from its log.
 pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergence> {
     match Reflight::new(config, inputs) {
         Ok(mut reflight) => {
@@ -95,7 +95,7 @@ struct RecordCheck {
     reflight: Reflight,
     /// The recorded state of the vehicles so far.
     recorded: BTreeMap<VehicleId, ObservedVehicle>,
-    /// Vehicles with a bad radio, and until when its effects may last.
+    /// Vehicles with a bad radio, and the time until which its effects may last.
     muffled: BTreeMap<VehicleId, Duration>,
     /// The mission's latest demands on simulators.
     wanted: BTreeMap<(VehicleId, &'static str), WantedParameter>,
@@ -110,7 +110,7 @@ struct RecordCheck {
 /// The timing of a record, from its first line.
 #[derive(Clone, Copy)]
 struct RecordClock {
-    /// Whether the simulator had a clock of its own.
+    /// Whether the simulator had its own clock.
     is_paced: bool,
     /// The mission's time and the simulator's in that line.
     mission: Duration,
@@ -168,8 +168,8 @@ impl RecordCheck {
                 None => {}
             }
         }
-        // A console's log may lack its last line. The record was still compared to its end: a missing input would have
-        // shown.
+        // A console's log may lack its last line. The record was still compared up to its end, so a missing input would
+        // have been noticed.
         if self.is_paced() && self.reflight.is_cut {
             self.reflight.damage = None;
         }
@@ -180,7 +180,7 @@ impl RecordCheck {
         }
     }
 
-    /// Compares what a line says was shown.
+    /// Compares the states in a line with the repeated flight.
     fn take(&mut self, shown: &ShownVehicles<'_>) -> Result<(), Divergence> {
         let at = shown.simulated.unwrap_or(shown.mission);
         let clock = *self.clock.get_or_insert(RecordClock::of(shown));
@@ -215,7 +215,7 @@ impl RecordCheck {
         self.clock.is_some_and(|clock| clock.is_paced)
     }
 
-    /// The time up to a line, on the simulator's own clock: nothing new was shown in it.
+    /// Passes the time up to a line, on the simulator's own clock: nothing new was shown in that time.
     fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Divergence> {
         if self.recorded.is_empty() {
             return Ok(());
@@ -229,7 +229,8 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Steps before a mission time that have no line: nothing was new in them. The simulator's time is the mission's.
+    /// Passes the steps without a line before a mission time: they contain nothing new. The simulator's time is the
+    /// mission's.
     fn pass(&mut self, until: Duration) -> Result<(), Divergence> {
         while self.ticked + TICK < until {
             self.ticked += TICK;
@@ -241,7 +242,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Compares everything that is recorded of the vehicles whose radio is good.
+    /// Compares everything that is recorded about the vehicles with a good radio.
     fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Divergence> {
         for (id, recorded) in &self.recorded {
             if self.muffled.get(id).is_none_or(|until| *until < at) {
@@ -273,7 +274,7 @@ impl RecordCheck {
         }
     }
 
-    /// Whether the simulator was set as the mission demands: its weather and its faults.
+    /// Whether the simulator's weather and faults were set as the mission demands.
     fn compare_wanted(&self) -> Result<(), Divergence> {
         let settled = self.seen_to.saturating_sub(SET_WITHIN);
         for ((id, name), wanted) in self
@@ -323,7 +324,7 @@ impl RecordCheck {
         self.compare_outcome(stored, &rescored.report)
     }
 
-    /// Whether the record has every command that a vehicle refused.
+    /// Whether the record contains every command that a vehicle refused.
     fn compare_refusals(&self) -> Result<(), Divergence> {
         for witness in &self.reflight.witnesses {
             let id = witness.session.vehicle().id;

@@ -4,10 +4,10 @@ use super::detector::MineSpec;
 use super::{Band, Camera, DetectorSpec, Ground, Noise, ProbeSpec, Response, Sensor, Work};
 use crate::mission::ground_truth::Quantity;
 
-/// All of them.
+/// All sensors.
 ///
 /// The photoionisation detector reaches 90 % of a step in 3 s, so five seconds in a cell are enough for it; the
-/// optical particle counter needs 18 s, the electrochemical cell 25 s. A ppm of vapour is meant as isobutylene at
+/// optical particle counter needs 18 s, the electrochemical cell 25 s. A ppm of vapour refers to isobutylene at
 /// 25 degrees (56.11 g/mol, 24.45 l/mol). The scintillator counts 65 times a second in natural background and needs
 /// 5 us for a pulse; the Geiger tube counts 1.5 times a second in 1 uSv/h.
 pub(crate) static SENSORS: &[Sensor] = &[
@@ -156,7 +156,7 @@ const fn ground(id: &'static str, name: &'static str, swath_m: f64, mines: MineS
     }
 }
 
-/// Mines in the open are visible at 5 mm per pixel or finer, which a lens achieves up to this height.
+/// The detection of mines in the open by a lens that achieves the required 5 mm per pixel up to this height.
 const fn open_mines(height_m: f64) -> MineSpec {
     MineSpec {
         best: [0.0, 0.0, 0.70, 0.20],
@@ -166,7 +166,7 @@ const fn open_mines(height_m: f64) -> MineSpec {
         false_alarms_per_m2: 0.0008,
     }
 }
-/// Disturbed soil has a different temperature around dawn and dusk.
+/// The detection of mines by thermal cameras: disturbed soil has a different temperature around dawn and dusk.
 const WARM_MINES: MineSpec = MineSpec {
     best: [0.25, 0.25, 0.60, 0.15],
     height_m: 15.0,
@@ -175,7 +175,7 @@ const WARM_MINES: MineSpec = MineSpec {
     false_alarms_per_m2: 0.001,
 };
 
-/// 12 megapixels, fixed, looking down.
+/// A fixed camera with 12 megapixels, looking down.
 const RGB: Camera = Camera {
     band: Band::Visible,
     view_deg: [69.0, 42.0],
@@ -183,7 +183,7 @@ const RGB: Camera = Camera {
     mines: Some(open_mines(14.5)),
     inspects_to_m: None,
 };
-/// 4K on a gimbal.
+/// A 4K camera on a gimbal.
 const RGB_GIMBAL: Camera = Camera {
     band: Band::Visible,
     view_deg: [81.0, 52.0],
@@ -191,7 +191,7 @@ const RGB_GIMBAL: Camera = Camera {
     mines: Some(open_mines(11.2)),
     inspects_to_m: Some(12.0),
 };
-/// Ten times zoom; it identifies objects from six times as far as the plain gimbal camera.
+/// A camera with tenfold zoom, which identifies objects from six times as far as the plain gimbal camera.
 const ZOOM: Camera = Camera {
     band: Band::Visible,
     view_deg: [15.0, 9.0],
@@ -199,7 +199,7 @@ const ZOOM: Camera = Camera {
     mines: None,
     inspects_to_m: Some(72.0),
 };
-/// 160 x 120 pixels, Lepton class.
+/// A thermal camera with 160 x 120 pixels, Lepton class.
 const THERMAL_160: Camera = Camera {
     band: Band::Thermal,
     view_deg: [57.0, 44.0],
@@ -207,7 +207,7 @@ const THERMAL_160: Camera = Camera {
     mines: Some(WARM_MINES),
     inspects_to_m: None,
 };
-/// 320 x 256 pixels, Boson class.
+/// A thermal camera with 320 x 256 pixels, Boson class.
 const THERMAL_320: Camera = Camera {
     band: Band::Thermal,
     view_deg: [34.0, 27.0],
@@ -215,7 +215,7 @@ const THERMAL_320: Camera = Camera {
     mines: Some(WARM_MINES),
     inspects_to_m: None,
 };
-/// 640 pixels across, on a gimbal.
+/// A thermal camera with 640 pixels across, on a gimbal.
 const THERMAL_640: Camera = Camera {
     band: Band::Thermal,
     view_deg: [33.0, 26.0],

@@ -1,4 +1,4 @@
-//! Sensors that find objects: heads that pass close over the ground, and cameras.
+//! Sensors that find objects: sensor heads that pass close over the ground, and cameras.
 
 use crate::geo::maths;
 use crate::mission::weather::Light;
@@ -6,12 +6,12 @@ use crate::mission::weather::Light;
 /// The type of a detector.
 #[derive(Debug, PartialEq)]
 pub(crate) enum DetectorSpec {
-    /// It senses what lies directly below it.
+    /// It senses objects directly below it.
     Ground(Ground),
     Camera(Camera),
 }
 
-/// A head that passes close over the ground.
+/// A sensor head that passes close over the ground.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Ground {
     /// Width of the strip that it covers.
@@ -22,16 +22,16 @@ pub(crate) struct Ground {
 
 /// A sensor's probability of finding mines on one pass, and how it falls with height and speed.
 ///
-/// Orders of magnitude from humanitarian demining, not a product's measured values.
+/// The values are orders of magnitude from humanitarian demining, not measured values of a product.
 #[derive(Debug, PartialEq)]
 pub(crate) struct MineSpec {
     /// The best probability for metal mines, minimum-metal mines, surface mines, and scrap.
     pub best: [f64; 4],
-    /// The height up to which it works at its best.
+    /// The height up to which its probability is best.
     pub height_m: f64,
     /// The scale of the decline above it: `exp(-((h - height) / height_scale)^2)`.
     pub height_scale_m: f64,
-    /// The speed at which half is left: `1 / (1 + exp((v - speed) / (0.15 speed)))`.
+    /// The speed at which half of the probability is left: `1 / (1 + exp((v - speed) / (0.15 speed)))`.
     pub speed_m_s: f64,
     /// False alarms per square metre covered.
     pub false_alarms_per_m2: f64,
@@ -59,7 +59,7 @@ pub(crate) enum Band {
 }
 
 impl DetectorSpec {
-    /// The greatest distance east or north at which it sees anything from a height.
+    /// The maximum distance, east or north, at which it sees anything from a height.
     pub fn reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(_) => self.strip_reach_m(height_m),
@@ -71,7 +71,7 @@ impl DetectorSpec {
     }
 
     /// Whether it works at a height and a speed: it still has half of its best probability, or finds half of all
-    /// persons.
+    /// people.
     pub fn works(&self, height_m: f64, speed_m_s: f64, light: Light) -> bool {
         match self {
             Self::Ground(ground) => ground.mines.left(height_m, speed_m_s) >= 0.5,
@@ -81,7 +81,7 @@ impl DetectorSpec {
 
     /// Whether an offset across and along the course is in its covered strip.
     pub fn covers(&self, [across, along]: [f64; 2], height_m: f64) -> bool {
-        // Tolerance, so that adjoining strips leave no gap.
+        // The tolerance, so that adjacent strips leave no gap.
         const TOUCH_M: f64 = 1e-6;
         let [width, length] = match self {
             Self::Ground(ground) => [ground.swath_m; 2],
@@ -90,7 +90,7 @@ impl DetectorSpec {
         across.abs() <= width / 2.0 + TOUCH_M && along.abs() <= length / 2.0 + TOUCH_M
     }
 
-    /// The greatest distance at which it can cover anything.
+    /// The maximum distance at which it can cover anything.
     pub fn strip_reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(ground) => ground.swath_m,

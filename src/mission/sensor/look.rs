@@ -6,7 +6,7 @@
 //! Pictures, per look of 2 s: Johnson's criteria in the form of the targeting task performance metric. A pixel on the
 //! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its
 //! area; `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise.
-//! This is reduced by contrast, by cover, by smoke, and by what the observer misses.
+//! This is reduced by contrast, by cover, by smoke, and by the objects that the observer misses.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
 use crate::commands::FindKind;
@@ -26,7 +26,7 @@ const LOOK_S: f64 = 2.0;
 const INSPECTION_S: f64 = 4.0;
 /// The greatest angle between the view of a defect and the normal of its line.
 const VIEW_ANGLE_DEG: f64 = 35.0;
-/// The multiple of `N50` at which 90 % are recognised.
+/// The multiple of `N50` at which 90 % of objects are recognised.
 const NINE_IN_TEN: f64 = 1.77;
 /// Extinction of far infrared in smoke, as a share of that of light: the exponent of the transmission (Beer-Lambert).
 const SMOKE_IN_INFRARED: f64 = 0.1;
@@ -52,9 +52,9 @@ pub(crate) struct View<'a> {
 pub(crate) struct Look {
     /// The probability of noticing the object, for each pass or each look.
     pub chance: f64,
-    /// The probability of recognising a noticed object as harmless, where it is.
+    /// The probability of recognising a noticed object as harmless, if it is harmless.
     pub told_apart: f64,
-    /// Length of one independent look; `None` where a whole pass is one look.
+    /// Length of one independent look; `None` if a whole pass is one look.
     pub every_s: Option<f64>,
     /// The kind that it is taken for.
     pub taken_for: FindKind,
@@ -65,7 +65,7 @@ pub(crate) struct Look {
 }
 
 impl DetectorSpec {
-    /// The possible result of a look at an object; `None` where the detector cannot see it.
+    /// The possible result of a look at an object; `None` if the detector cannot see it.
     pub fn look(&self, view: &View<'_>) -> Option<Look> {
         let look = match self {
             Self::Ground(ground) => ground.look(view),
@@ -74,7 +74,7 @@ impl DetectorSpec {
         look.filter(|look| view.object.present && look.chance > 0.0)
     }
 
-    /// False alarms for mines or persons, per metre flown at a height.
+    /// The number of false alarms for mines or people, per metre flown at a height.
     pub fn false_alarms_per_m(&self, taken_for: FindKind, height_m: f64, light: Light) -> f64 {
         let mines = match self {
             Self::Ground(ground) => Some(&ground.mines),
@@ -95,8 +95,8 @@ impl DetectorSpec {
 }
 
 impl DetectorSpec {
-    /// A look at a false contact; `None` where the sensor cannot check it. An absent person is ruled out as surely as
-    /// a present one is recognised.
+    /// A look at a false contact; `None` if the sensor cannot check it. The absence of a person is recognised as surely
+    /// as the presence of one.
     pub fn look_at_nothing(
         &self,
         taken_for: FindKind,
@@ -123,13 +123,13 @@ impl DetectorSpec {
     }
 }
 
-/// Warm stones and stumps: one per ten hectares.
+/// False alarms for people from warm stones and stumps: one per ten hectares.
 const FALSE_PERSONS_PER_M2: f64 = 1e-5;
 
 impl Ground {
     fn look(&self, view: &View<'_>) -> Option<Look> {
         let lateral = lateral(2.0 * view.offset_m[0].abs() / self.swath_m);
-        // The head is as long as it is wide.
+        // The sensor head is as long as it is wide.
         if view.offset_m[1].abs() > self.swath_m / 2.0 {
             return None;
         }
@@ -166,13 +166,13 @@ impl MineSpec {
         })
     }
 
-    /// The share of its probabilities that height and speed leave.
+    /// The share of its probabilities that remains at a height and a speed.
     pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
         let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
         self.nearness(height_m) / (1.0 + maths::exp(over))
     }
 
-    /// The share that height leaves.
+    /// The share that remains at a height.
     fn nearness(&self, height_m: f64) -> f64 {
         let above = (height_m - self.height_m).max(0.0);
         maths::exp(-maths::powi(above / self.height_scale_m, 2))
@@ -266,7 +266,7 @@ impl Camera {
         })
     }
 
-    /// Whether a look from a height finds at least half of all persons in the open.
+    /// Whether a look from a height finds at least half of all people in the open.
     pub(super) fn shows_persons(&self, height_m: f64, light: Light) -> bool {
         let cycles = PERSON_M / (2.0 * self.pixel_m(height_m));
         task_performance(cycles / DETECT_CYCLES) * self.contrast(light) >= 0.5
@@ -283,7 +283,7 @@ impl Camera {
         }
     }
 
-    /// The visibility of mines in a light: disturbed soil shows only at dawn and dusk.
+    /// The visibility of mines in a light: disturbed soil is visible only at dawn and dusk.
     fn mine_light(&self, light: Light) -> f64 {
         match (self.band, light) {
             (Band::Thermal, Light::Day | Light::Night) => 0.0,
@@ -311,7 +311,7 @@ fn task_performance(x: f64) -> f64 {
     }
 }
 
-/// 1 up to 0.8, then falling to 0 at 1.
+/// The factor for the lateral offset: 1 up to 0.8, then falling to 0 at 1.
 fn lateral(u: f64) -> f64 {
     ((1.0 - u) / 0.2).clamp(0.0, 1.0)
 }

@@ -9,7 +9,7 @@ use super::Sensor;
 use crate::geo::maths;
 use crate::mission::ground_truth::Quantity;
 
-/// How a sensor measures.
+/// The measuring properties of a sensor.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ProbeSpec {
     pub quantity: Quantity,
@@ -18,20 +18,20 @@ pub(crate) struct ProbeSpec {
     pub gain: f64,
     /// Time constant in seconds.
     pub tau_s: f64,
-    /// How the reading is produced.
+    /// The method of measurement.
     pub response: Response,
     /// Largest reading, in its unit.
     pub ceiling: f64,
 }
 
-/// How a reading is produced.
+/// The method of measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Response {
     /// The sensor samples the air around it.
     Inlet(Noise),
-    /// A beam down to the ground; the reading is the integral along it, per metre.
+    /// The sensor measures along a beam down to the ground; the reading is the integral along it.
     Beam(Noise),
-    /// A pulse counter: its readings scatter as counts do.
+    /// The sensor counts pulses, so its readings scatter as counts do.
     Counter {
         /// Counts per second, per unit of the reading.
         per_unit_s: f64,
@@ -81,7 +81,7 @@ impl Probe {
         })
     }
 
-    /// Whether it measures along a beam to the ground.
+    /// Whether it measures along a beam down to the ground.
     pub fn looks_down(&self) -> bool {
         matches!(self.spec.response, Response::Beam(_))
     }

@@ -76,7 +76,7 @@ impl<W: io::Write + io::Seek> McapFile<W> {
         self.add_place(unix_us, bytes)
     }
 
-    /// Adds the position in Foxglove's own schema, too.
+    /// Also adds the position in Foxglove's own schema.
     fn add_place(&mut self, unix_us: u64, bytes: &[u8]) -> Result<(), McapError> {
         let mut decoder = Decoder::new();
         decoder.push(bytes);

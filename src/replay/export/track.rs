@@ -62,7 +62,7 @@ pub(super) fn tracks(film: &Film) -> Result<Tracks, Text> {
     Ok(tracks)
 }
 
-/// A vehicle's position at a time of the recording, as far as known.
+/// A vehicle's position at a time of the recording, if known.
 pub(super) fn place(film: &Film, track: &[TrackPoint], at: Duration) -> Option<TrackPoint> {
     let at_us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
     let unix_us = film.began_unix_us().saturating_add(at_us);

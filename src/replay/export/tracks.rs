@@ -12,8 +12,8 @@ use crate::replay::Film;
 
 type Xml = Writer<Vec<u8>>;
 
-/// A moment with the position of its first vehicle; for a moment of the whole flight, with that of the first vehicle
-/// of all.
+/// A moment with the position of its first vehicle; for a moment of the whole flight, the position is that of the first
+/// vehicle overall.
 fn placed<'a>(
     film: &'a Film,
     tracks: &'a Tracks,

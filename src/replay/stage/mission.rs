@@ -21,7 +21,7 @@ impl MissionStage {
         })
     }
 
-    /// Flies up to a mission time, from the start if it lies in the past.
+    /// Flies up to a mission time, beginning again at the start if that time is in the past.
     pub fn go_to(&mut self, elapsed: Duration) {
         if elapsed < self.elapsed
             && let Ok(anew) = self.run.reenact()

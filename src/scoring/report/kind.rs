@@ -27,7 +27,7 @@ pub enum EventKind {
     Load,
     /// The flight was paused.
     Pause,
-    /// A message of the mission file's events.
+    /// A message from the mission file's events.
     #[serde(rename = "event")]
     MissionEvent,
     /// An inject of the instructor.
@@ -81,16 +81,16 @@ pub enum FlownBy {
     BundledPilot,
 }
 
-/// How the text of a mission compares with the mission of the course that has its id.
+/// How the text of a mission compares with that of the course's mission with the same id.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, strum::Display)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum MissionFile {
-    /// It is the mission of the course.
+    /// It is the course's mission.
     Course,
-    /// It has another revision than the course's mission.
+    /// It has a different revision from that of the course's mission.
     OtherRevision,
-    /// It has the same revision as the course's mission, but another text.
+    /// It has the same revision as the course's mission, but a different text.
     Altered,
     /// The course has no mission with this id.
     Own,

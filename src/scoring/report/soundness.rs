@@ -9,13 +9,13 @@ const POINTS_OFF: f64 = 1.2;
 const TENTH: f64 = 0.051;
 /// The tolerance of shares.
 const SHARE_OFF: f64 = 0.005;
-/// The least factor for hints.
+/// The minimum factor for hints.
 const LEAST_FACTOR: f64 = 0.7;
 /// The points of a perfect flight.
 const PERFECT: f64 = 1000.0;
 
 impl Report {
-    /// Why the result does not follow from its parts, in English; `None` if it does. Only the flight's record shows
+    /// Why the result does not follow from its parts, in English; `None` if it does. Only the flight's record can show
     /// whether the parts are true.
     pub fn fault(&self) -> Option<String> {
         let parts = self.components.iter().find_map(ComponentReport::fault);

@@ -1,4 +1,4 @@
-//! How commands are counted.
+//! Tests of the command tally.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use super::*;
 use crate::ledger::{Ledger, RowState, RowUpdate};
 use crate::mission::fake::given;
 
-/// Gives lines to vehicle 1, each at a mission time in ms, on a program clock slowed down by `slower`.
+/// Gives lines to vehicle 1, each at a mission time in ms, with the program's clock slowed down by `slower`.
 fn logged(slower: u64, lines: &[(u64, &str, RowState)]) -> (Ledger, CommandLog, Vec<CommandEvent>) {
     let (mut ledger, mut log) = (Ledger::new(), CommandLog::default());
     let mut events = Vec::new();

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Rules that these flights may break; none of them harms people.
+/// The rules that these flights may break; breaking them does not harm people.
 const BROKEN: [SafetyKind; 8] = [
     SafetyKind::Geofence,
     SafetyKind::Crash,

@@ -1,6 +1,6 @@
-//! The check sum of a file.
+//! The checksum of a file.
 
-/// CRC-32 as `MAVLink` has it for files: from nothing, and without the inversion of zip's.
+/// CRC-32 as `MAVLink` defines it for files: it starts at zero, and has no inversions, unlike that of zip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FtpChecksum(u32);
 
@@ -23,7 +23,7 @@ const fn table() -> [u32; 256] {
 }
 
 impl FtpChecksum {
-    /// Takes in the next bytes of the file.
+    /// Adds the next bytes of the file.
     pub fn add(&mut self, bytes: &[u8]) {
         self.0 = bytes.iter().fold(self.0, |crc, byte| {
             (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)]

@@ -5,11 +5,11 @@ use std::time::Duration;
 use super::FtpFault;
 use super::packet::{FtpAnswer, FtpRequest};
 
-/// A request counts as lost after this long, or after one and a half times the way there and back.
+/// A request counts as lost after this long, or after one and a half round trips if that is longer.
 const SILENCE: Duration = Duration::from_millis(500);
-/// Requests in vain make the next wait longer, up to this factor.
+/// Unanswered requests make the next wait longer, up to this factor.
 const LONGEST_WAIT: u32 = 4;
-/// After so many requests in vain a wait doubles.
+/// The wait doubles after this many unanswered requests.
 const PATIENT_FOR: u32 = 4;
 
 /// A request that is repeated until it is answered. It keeps its number: a server that has carried it out already sends
@@ -47,7 +47,7 @@ impl Exchange {
     /// The request, if it is due.
     ///
     /// # Errors
-    /// [`FtpFault::Silent`] once the patience is over.
+    /// [`FtpFault::Silent`] once the time limit is over.
     pub fn poll(
         &mut self,
         round_trip: Duration,

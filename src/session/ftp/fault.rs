@@ -1,4 +1,4 @@
-//! Why something about a vehicle's files fails.
+//! Faults of requests for a vehicle's files.
 
 use crate::text;
 use crate::text::Text;
@@ -6,22 +6,22 @@ use crate::text::Text;
 /// Why a file server refuses a request. Source: <https://mavlink.io/en/services/ftp.html#error_codes>.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FtpNak {
-    /// Without a reason: also a second file while one is open, and a request that is not supported, in `ArduPilot`.
+    /// No reason given. `ArduPilot` also uses it for a second file while one is open, and for unsupported requests.
     Fail,
     /// An error number of the vehicle's operating system.
     System(u8),
     InvalidSize,
-    /// The session is not open, or is another client's.
+    /// The session is not open, or belongs to another client.
     InvalidSession,
     /// All sessions are in use.
     NoSession,
-    /// The offset is behind the end of the file or the list.
+    /// The offset is beyond the end of the file or the list.
     EndOfFile,
     UnknownCommand,
     Exists,
     Protected,
     NotFound,
-    /// A code that the protocol does not have.
+    /// A code that the protocol does not define.
     Other(u8),
 }
 
@@ -43,7 +43,7 @@ impl FtpNak {
         }
     }
 
-    /// Whether the server may have forgotten the open file. `ArduPilot` then says that there is no file.
+    /// Whether the server may have forgotten the open file. `ArduPilot` then reports that there is no file.
     pub(super) fn is_of_lost_session(self) -> bool {
         match self {
             Self::InvalidSession | Self::NoSession | Self::NotFound => true,
@@ -58,7 +58,8 @@ impl FtpNak {
         }
     }
 
-    /// Whether another session may keep a file from being opened. `ArduPilot` gives no reason to a second one.
+    /// Whether another session may prevent a file from being opened. `ArduPilot` refuses a second session without a
+    /// reason.
     pub(super) fn is_of_busy_server(self) -> bool {
         match self {
             Self::Fail | Self::InvalidSession | Self::NoSession => true,
@@ -74,17 +75,17 @@ impl FtpNak {
     }
 }
 
-/// Why a task about a vehicle's files fails.
+/// Why a task of the file transfer failed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FtpFault {
     Refused(FtpNak),
-    /// Nothing of use was heard for long.
+    /// Nothing useful was received for a long time.
     Silent,
-    /// The file has so many bytes, not as many as expected.
+    /// The file has this size in bytes, not the expected one.
     OtherSize(u32),
-    /// An answer makes no sense.
+    /// An answer is not valid.
     Malformed,
-    /// A folder has more entries than are read.
+    /// A folder has more entries than the client reads.
     TooMany,
     /// A path is empty, or too long for a packet.
     BadPath,

@@ -8,19 +8,19 @@ use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence};
 use super::{FtpFault, FtpNak, PATIENCE};
 use crate::session::gaps::{FileBytes, GapMap};
 
-/// `ArduPilot` takes a session that was idle for 3 s from its owner; each refusal counts as activity.
+/// `ArduPilot` ends a session that was idle for 3 s if another client needs one; each refusal counts as activity.
 const UNTIL_IDLE: Duration = Duration::from_millis(3500);
-/// After so many refusals the server counts as busy for long.
+/// After this many refusals, the server counts as busy for a long time.
 const MOST_REFUSALS: u8 = 4;
-/// A server that loses the session so often in a row will lose it again.
+/// After this many losses of the session in a row, further attempts are pointless.
 const MOST_LOSSES: u8 = 3;
 
-/// A file that is opened and read.
+/// The opening and reading of a file.
 #[derive(Debug, Clone)]
 pub(super) struct FileReading {
     path: String,
     session: u8,
-    /// What is missing of a file of known size; `None` before a file of any size is opened.
+    /// The missing parts of a file of known size; `None` until a file of unknown size is opened.
     known: Option<GapMap>,
     stage: Stage,
     refusals: u8,
@@ -33,12 +33,12 @@ enum Stage {
     Opening(Exchange),
     /// Ends sessions that were left open.
     Resetting(Exchange),
-    /// Another session may end until then.
+    /// Waits until this time for another session to end.
     Resting(Duration),
     Flowing(FileFlow),
 }
 
-/// What an answer means for a file.
+/// The meaning of an answer for a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum FileNews {
     Nothing,
@@ -64,7 +64,7 @@ impl FileReading {
         }
     }
 
-    /// The session that may be open at the server.
+    /// The session that may be open on the server.
     pub fn session(&self) -> u8 {
         self.session
     }
@@ -119,7 +119,7 @@ impl FileReading {
         let Some(size) = data.first_chunk().copied().map(u32::from_le_bytes) else {
             return FileNews::Fault(FtpFault::Malformed);
         };
-        // PX4 numbers sessions itself.
+        // PX4 assigns the session number.
         self.session = answer.session;
         let gaps = self.known.take().unwrap_or_else(|| GapMap::new(size));
         if gaps.size() != size {
@@ -134,7 +134,8 @@ impl FileReading {
         FileNews::Nothing
     }
 
-    /// The file is not opened: the server may be busy with another session, or with one that was never closed.
+    /// Handles a refusal to open the file: the server may be busy with another session, or with one that was never
+    /// closed.
     fn refused(&mut self, nak: FtpNak, sequence: &mut FtpSequence, now: Duration) -> FileNews {
         self.refusals += 1;
         if !nak.is_of_busy_server() || self.refusals >= MOST_REFUSALS {
@@ -156,14 +157,14 @@ impl FileReading {
         FileNews::Nothing
     }
 
-    /// Opens the file again for what is missing.
+    /// Opens the file again to read the missing parts.
     fn lost(&mut self, nak: FtpNak, sequence: &mut FtpSequence) -> FileNews {
         self.losses += 1;
         if self.losses > MOST_LOSSES {
             return FileNews::Fault(FtpFault::Refused(nak));
         }
         if let Stage::Flowing(flow) = &self.stage {
-            // The size of an estimate may have shrunk meanwhile; then all is read again.
+            // An estimated size may have shrunk in the meantime; then the whole file is read again.
             self.known = (!self.is_estimate).then(|| flow.gaps().clone());
         }
         self.stage = opening(&self.path, self.session, sequence);
@@ -173,7 +174,7 @@ impl FileReading {
     /// The requests that are due.
     ///
     /// # Errors
-    /// [`FtpFault::Silent`] if nothing of use was heard for long.
+    /// [`FtpFault::Silent`] if nothing useful was received for a long time.
     pub fn poll(
         &mut self,
         sequence: &mut FtpSequence,

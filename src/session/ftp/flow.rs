@@ -10,43 +10,43 @@ use crate::session::gaps::{FileBytes, GapMap};
 
 /// Bytes in one packet.
 const PIECE: u32 = MOST_DATA as u32;
-/// Bytes of one burst: `ArduPilot` sends 500 packets.
+/// Bytes in one burst: `ArduPilot` sends 500 packets.
 const BURST: u32 = 500 * PIECE;
-/// Pieces that are asked for at one time: `ArduPilot` keeps five requests and drops the rest.
+/// Pieces that are requested at one time: `ArduPilot` keeps five requests and drops the rest.
 const AT_ONCE: usize = 4;
-/// What one piece costs where packets are lost. Where a burst of all that is missing would take less, it is asked for.
+/// The cost of one piece when packets are lost. If a burst of all missing bytes would take less, a burst is requested.
 const PIECE_COST: Duration = Duration::from_millis(60);
 /// Bytes per second of a burst that has not been measured: a radio of 57600 baud.
 const SLOW: f64 = 4000.0;
-/// A request was lost, or a burst has ended, if nothing comes for this long.
+/// If nothing arrives for this long, a request was lost or a burst has ended.
 const SILENCE: Duration = Duration::from_millis(600);
-/// Nothing more will come if there was nothing new for this long.
+/// If nothing new arrives for this long, nothing more will come.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// So many bursts without anything, and none with, mean that the server has no bursts.
+/// If this many bursts bring nothing, and none has brought anything before, the server does not support bursts.
 const MOST_DRY_BURSTS: u8 = 4;
-/// Answers that were sent before the newest request, or count on from it, have numbers that are no farther away.
+/// The largest distance of an answer's number from that of the newest request, in either direction.
 const WINDOW: u32 = 4096;
 
-/// A burst that is awaited.
+/// A burst that has been requested.
 #[derive(Debug, Clone)]
 struct Burst {
     sequence: u32,
     at: u32,
     begun: Duration,
-    /// How far it has come.
+    /// The offset that it has reached.
     reached: u32,
 }
 
 /// Whether a server sends bursts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Bursts {
-    /// So many brought nothing.
+    /// This many bursts brought nothing.
     Untried(u8),
     Known,
     None,
 }
 
-/// An open file that is read.
+/// The reading of an open file.
 #[derive(Debug, Clone)]
 pub(super) struct FileFlow {
     session: u8,
@@ -55,31 +55,31 @@ pub(super) struct FileFlow {
     /// The number of the last request.
     newest: u32,
     gaps: GapMap,
-    /// Whether the file has to have the size that it was opened with.
+    /// Whether the file must have the size that it was opened with.
     is_exact: bool,
     burst: Option<Burst>,
     bursts: Bursts,
-    /// Pieces that were asked for, by the number of the request: which, and when.
+    /// Requested pieces, by the number of the request: the range, and the time.
     pieces: BTreeMap<u32, (Range<u32>, Duration)>,
     heard_at: Duration,
-    /// When anything new came last.
+    /// When something new last arrived.
     news_at: Duration,
     bytes_per_s: f64,
 }
 
-/// What an answer means for a file.
+/// The meaning of an answer for a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Heard {
     Nothing,
-    /// Bytes that were missing, at least some of them.
+    /// Bytes of which at least some were missing.
     Bytes(FileBytes),
-    /// The server does not know the session any more.
+    /// The server no longer knows the session.
     Lost(FtpNak),
     Fault(FtpFault),
 }
 
 impl FileFlow {
-    /// Begins with a file that a request has opened, of which something is missing.
+    /// Begins to read a file that a request has opened and of which something is missing.
     pub fn new(opened: &FtpRequest, session: u8, gaps: GapMap, now: Duration) -> Self {
         Self {
             session,
@@ -96,7 +96,8 @@ impl FileFlow {
         }
     }
 
-    /// Takes the size that the file was opened with for an estimate, as files have it that are made when they are read.
+    /// Treats the size that the file was opened with as an estimate, as for files that are generated while they are
+    /// read.
     pub fn estimated(mut self) -> Self {
         self.is_exact = false;
         self
@@ -108,7 +109,7 @@ impl FileFlow {
 
     pub fn receive(&mut self, answer: &FtpAnswer, sequence: &FtpSequence, now: Duration) -> Heard {
         let request = sequence.request_of(answer.sequence);
-        // What comes late is welcome too.
+        // Late data is used too.
         let is_recent = request > self.opened && request.abs_diff(self.newest) < WINDOW;
         if answer.session != self.session || !is_recent {
             return Heard::Nothing;
@@ -164,7 +165,7 @@ impl FileFlow {
         }
     }
 
-    /// Takes bytes; what does not lie in the file is none of its.
+    /// Stores bytes; those outside the file are ignored.
     fn take(&mut self, at: u32, data: &[u8], now: Duration) -> Heard {
         let end = at.checked_add(data.len() as u32);
         if end.is_none_or(|end| end > self.gaps.size()) {
@@ -182,7 +183,7 @@ impl FileFlow {
         Heard::Bytes(bytes)
     }
 
-    /// The file has no byte at a place: it ends there, or before.
+    /// Handles a refusal because the file has no byte at this offset: it ends there or earlier.
     fn end_at(&mut self, size: u32) -> Heard {
         if self.is_exact && size < self.gaps.size() {
             return Heard::Fault(FtpFault::OtherSize(size));
@@ -191,7 +192,7 @@ impl FileFlow {
         Heard::Nothing
     }
 
-    /// Measures the burst, and notices its end.
+    /// Measures the burst, and detects its end.
     fn follow_burst(&mut self, answer: &FtpAnswer, len: u32, now: Duration) {
         let size = self.gaps.size();
         let Some(burst) = &mut self.burst else {
@@ -227,7 +228,7 @@ impl FileFlow {
     /// The requests that are due.
     ///
     /// # Errors
-    /// [`FtpFault::Silent`] if nothing new came for long.
+    /// [`FtpFault::Silent`] if nothing new arrived for a long time.
     pub fn poll(
         &mut self,
         sequence: &mut FtpSequence,
@@ -255,7 +256,7 @@ impl FileFlow {
         })
     }
 
-    /// Where to begin a burst: at the first gap where much of what follows is missing, else at a long gap.
+    /// Where to begin a burst: at the first gap if much of what follows is missing, otherwise at a long gap.
     fn worth_a_burst(&self) -> Option<u32> {
         if self.bursts == Bursts::None {
             return None;
@@ -294,7 +295,7 @@ impl FileFlow {
         request
     }
 
-    /// Pieces of the gaps that were not asked for yet. One that is asked for again is a request of its own.
+    /// The next pieces of the gaps that have not been requested yet. A repeated piece is a new request.
     fn next_pieces(&mut self, sequence: &mut FtpSequence, now: Duration) -> Vec<FtpRequest> {
         let free = AT_ONCE.saturating_sub(self.pieces.len());
         let is_asked = |piece: &Range<u32>| {

@@ -3,30 +3,30 @@
 use super::packet::FtpAnswer;
 use super::{FtpFault, FtpNak};
 
-/// More entries of one folder are not read.
+/// The maximum number of entries read from one folder.
 const MOST_ENTRIES: u32 = 4096;
 
 /// An entry of a vehicle's folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FtpEntry {
-    /// Plain: without separators of paths and control characters.
+    /// A plain name, without path separators and control characters.
     pub name: String,
-    /// Bytes of a file; `None` for a folder.
+    /// The size of a file in bytes; `None` for a folder.
     pub size: Option<u32>,
 }
 
-/// A folder that is read.
+/// The reading of a folder.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FolderListing {
     entries: Vec<FtpEntry>,
-    /// Entries that the server has named, also those that are left out.
+    /// The number of entries that the server has listed, including those that are skipped.
     counted: u32,
 }
 
-/// What an answer means for a list.
+/// The meaning of an answer for a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Listed {
-    /// More is to be asked for, from this entry on.
+    /// More must be requested, from this entry on.
     More(u32),
     All(Vec<FtpEntry>),
     Fault(FtpFault),
@@ -40,7 +40,7 @@ impl FolderListing {
             Err(nak) => return Listed::Fault(FtpFault::Refused(*nak)),
         };
         let before = self.counted;
-        // ArduPilot ends an entry with two zeros, the protocol has one.
+        // ArduPilot ends an entry with two zeros; the protocol defines one.
         for entry in data.split(|byte| *byte == 0).filter(|it| !it.is_empty()) {
             self.counted += 1;
             self.entries.extend(FtpEntry::read(entry));
@@ -56,7 +56,8 @@ impl FolderListing {
 }
 
 impl FtpEntry {
-    /// Reads `Fname<tab>size` or `Dname`; `None` for what is skipped, is not understood or could lead elsewhere.
+    /// Reads `Fname<tab>size` or `Dname`; `None` for entries that are skipped, not understood, or could lead to another
+    /// folder.
     fn read(entry: &[u8]) -> Option<Self> {
         let text = std::str::from_utf8(entry).ok()?;
         let (name, size) = if let Some(file) = text.strip_prefix('F') {

@@ -5,14 +5,14 @@ use super::fault::FtpNak;
 /// `FILE_TRANSFER_PROTOCOL.payload`.
 pub type FtpPayload = [u8; 251];
 
-/// Bytes of data in one packet at most.
+/// The maximum number of bytes of data in one packet.
 pub(super) const MOST_DATA: usize = 239;
-/// Bytes before the data.
+/// The number of bytes before the data.
 const HEADER: usize = 12;
 const ACCEPTED: u8 = 128;
 const REFUSED: u8 = 129;
 
-/// The requests that are used, by their number in the protocol.
+/// The requests that the client uses, with their numbers in the protocol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum FtpOpcode {
@@ -28,18 +28,18 @@ pub(super) enum FtpOpcode {
 /// A request to a vehicle's file server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct FtpRequest {
-    /// Its number among our requests; the protocol has the lower 16 bits.
+    /// Its number among our requests; packets carry the lower 16 bits.
     pub sequence: u32,
     pub session: u8,
     pub opcode: FtpOpcode,
     pub offset: u32,
-    /// Length of `data`, or how much is to be read.
+    /// The length of `data`, or the number of bytes to read.
     pub size: u8,
     pub data: Vec<u8>,
 }
 
 impl FtpRequest {
-    /// A request about a path, from the beginning of what it names.
+    /// A request about a path, from offset 0 of its file or folder.
     pub fn about(path: &str, opcode: FtpOpcode, session: u8, sequence: &mut FtpSequence) -> Self {
         Self {
             sequence: sequence.next(),
@@ -74,7 +74,7 @@ pub(super) struct FtpAnswer {
 }
 
 impl FtpAnswer {
-    /// Reads a payload; `None` if it is no answer, or claims more data than it has room for.
+    /// Reads a payload; `None` if it is not an answer, or claims more data than it has room for.
     pub fn read(payload: &FtpPayload) -> Option<Self> {
         let size = usize::from(payload[4]);
         let data = payload.get(HEADER..HEADER + size)?;
@@ -98,16 +98,16 @@ impl FtpAnswer {
     }
 }
 
-/// Numbers of requests.
+/// The numbers of requests.
 ///
-/// An answer has the number after that of its request; those of a burst count on from there. `ArduPilot` repeats its
-/// last answer when a request has the number before that one, so numbers that a burst may have used are passed over.
+/// An answer has the number after that of its request, and those of a burst count on from there. `ArduPilot` repeats
+/// its last answer if a request has the number before that answer, so numbers that a burst may have used are skipped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FtpSequence {
     last: u32,
 }
 
-/// Numbers that a burst may use: `ArduPilot` sends 500 packets at most.
+/// The numbers reserved for a burst: `ArduPilot` sends 500 packets at most.
 const BURST_ROOM: u32 = 1024;
 
 impl FtpSequence {
@@ -116,12 +116,12 @@ impl FtpSequence {
         self.last
     }
 
-    /// Leaves room for the answers of a burst.
+    /// Skips the numbers that the answers of a burst may use.
     pub fn pass_over_burst(&mut self) {
         self.last = self.last.wrapping_add(BURST_ROOM);
     }
 
-    /// Which request an answer's number follows; the nearest one of those with the same lower bits.
+    /// The number of the request that an answer belongs to: the nearest one with the same lower bits.
     pub fn request_of(&self, answer: u16) -> u32 {
         let request = answer.wrapping_sub(1);
         let behind = (self.last as u16).wrapping_sub(request) as i16;

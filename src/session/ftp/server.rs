@@ -1,20 +1,20 @@
-//! A file server for tests, which behaves as `ArduPilot`'s does unless it is told otherwise.
+//! A file server for tests, which behaves like `ArduPilot`'s except for its [`Quirks`].
 
 use std::collections::{BTreeMap, VecDeque};
 
 use super::packet::FtpPayload;
 
-/// Requests that wait; more are dropped.
+/// The maximum number of waiting requests; more are dropped.
 const MOST_WAITING: usize = 5;
 const BURST: usize = 500;
 const PIECE: usize = 239;
 
-/// The check sums of a server.
+/// How a server handles requests for checksums.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sums {
     #[default]
     Right,
-    /// They are of something else.
+    /// It returns wrong checksums.
     Wrong,
     /// It does not know the request.
     None,
@@ -25,20 +25,20 @@ pub enum Sums {
 pub struct Quirks {
     /// It answers nothing.
     pub is_silent: bool,
-    /// Bursts are refused with this code.
+    /// It refuses bursts with this code.
     pub refuses_bursts: Option<u8>,
-    /// A burst ends without a last packet that says so.
+    /// It ends a burst without a last packet that marks the end.
     pub ends_without_word: bool,
-    /// It gives this session, whatever the client asks for.
+    /// It assigns this session, whatever the client requests.
     pub session: Option<u8>,
     /// It refuses to read from this offset on.
     pub refuses_from: Option<usize>,
-    /// It says that files are so much longer than they are.
+    /// It reports files as longer than they are, by this many bytes.
     pub estimate: usize,
-    /// It closes the file after so many packets of data.
+    /// It closes the file after this many packets of data.
     pub forgets_after: Option<usize>,
     pub sums: Sums,
-    /// Another client has a file open, until so many requests were refused.
+    /// Another client has a file open until this many requests have been refused.
     pub busy_for: usize,
 }
 
@@ -151,7 +151,7 @@ impl FileServer {
         self.answer(request, 128, &size.to_le_bytes())
     }
 
-    /// Bytes of the open file, or a code.
+    /// Bytes of the open file, or the code of a refusal.
     fn bytes(&mut self, session: u8, offset: usize, size: usize) -> Result<Vec<u8>, u8> {
         if self.quirks.forgets_after.is_some_and(|it| self.sent >= it) {
             self.quirks.forgets_after = None;

@@ -1,4 +1,4 @@
-//! The client against a server, over a channel that loses, doubles and reorders packets.
+//! The client against a server, over a channel that loses, duplicates and reorders packets.
 
 use proptest::prelude::*;
 use rand::SeedableRng as _;
@@ -14,7 +14,7 @@ const STEP: Duration = Duration::from_millis(10);
 struct Channel {
     loss: f64,
     doubling: f64,
-    /// A packet may be overtaken for so many steps.
+    /// The number of steps in which later packets may overtake a packet.
     delay: u32,
 }
 
@@ -25,7 +25,7 @@ struct Scene {
     channel: Channel,
     random: ChaCha8Rng,
     now: Duration,
-    /// Packets of the server in one step.
+    /// The number of packets that the server sends in one step.
     rate: usize,
     on_the_way: Vec<(Duration, FtpPayload, bool)>,
     events: Vec<FtpEvent>,
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// Lets time pass until nothing is left to be done; how long it took.
+    /// Advances time until the client is idle; returns how long that took.
     fn run(&mut self, task: FtpTask) -> Duration {
         let begun = self.now;
         self.client.ask(task);
@@ -222,7 +222,7 @@ fn a_busy_server_is_asked_again_later() {
         scene.read("a", None);
         assert_eq!(*scene.last(), last);
     }
-    // A file that an earlier run of ours has left open.
+    // A file that an earlier run of the program has left open.
     let mut scene = Scene::new(FileServer::with("a", &content(500)));
     scene.client.ask(FtpTask::Read {
         path: "a".to_owned(),
@@ -315,14 +315,14 @@ fn a_task_that_is_cancelled_says_no_more_and_makes_room() {
         scene.step();
     }
     assert_eq!((scene.file.len(), &scene.events[..]), (before, &[][..]));
-    // The server sends its burst to the end before it closes the file.
+    // The server finishes its burst before it closes the file.
     assert!(!scene.server.is_open());
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Whatever is lost, doubled or late, as long as something comes, the bytes are those of the vehicle.
+    /// As long as some packets arrive, the received file is correct, whatever is lost, duplicated or late.
     #[test]
     fn a_file_survives_the_channel(
         seed in any::<u64>(),
@@ -335,7 +335,7 @@ proptest! {
         refuses_bursts in prop_oneof![3 => Just(None), 1 => Just(Some(7u8))],
         session in prop_oneof![Just(None), Just(Some(0u8))],
     ) {
-        // Without bursts it takes its time.
+        // Without bursts, the transfer takes longer.
         let len = if refuses_bursts.is_some() { len / 8 } else { len };
         let mut scene = Scene::new(FileServer::with("logs/1", &content(len)));
         scene.server.quirks = Quirks { refuses_bursts, ends_without_word, session, ..Quirks::default() };
@@ -347,7 +347,7 @@ proptest! {
         prop_assert!(scene.file == content(len));
     }
 
-    /// A hostile server can end a task, but never writes outside the file, and never keeps the client for ever.
+    /// A hostile server can end a task, but never writes outside the file, and never blocks the client forever.
     #[test]
     fn hostile_answers_do_no_harm(seed in any::<u64>(), size in 0u32..100_000, copies in any::<bool>()) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -365,7 +365,7 @@ proptest! {
             prop_assert!(now < Duration::from_secs(3600));
             let mut answer = [0; 251];
             random.fill_bytes(&mut answer);
-            // Most answers fit to the request in some of their fields.
+            // Most answers match the request in some of their fields.
             if let Some(request) = &last {
                 let number = u16::from_le_bytes([request[0], request[1]]);
                 let number = number.wrapping_add(1 + random.random_range(0..3));

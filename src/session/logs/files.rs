@@ -1,4 +1,4 @@
-//! The files in which a vehicle keeps its logs, for those that hand out files (MAVFTP).
+//! The files in which a vehicle stores its logs, for vehicles that offer files (MAVFTP).
 
 use std::collections::BTreeMap;
 
@@ -8,26 +8,26 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Where `ArduPilot` keeps logs: SITL, boards.
+/// The folders where `ArduPilot` stores logs: in SITL, and on boards.
 const FOLDERS: [&str; 2] = ["logs", "/APM/LOGS"];
 /// `MAV_PROTOCOL_CAPABILITY_FTP`.
 const CAPABILITY: u64 = 32;
 
-/// Whether a vehicle announces that it hands out files.
+/// Whether a vehicle announces that it offers files.
 pub(super) fn hands_out_files(vehicle: &Vehicle) -> bool {
     let version = vehicle.version.as_ref();
     version.is_some_and(|version| version.capabilities & CAPABILITY != 0)
 }
 
-/// Looks for the files of listed logs.
+/// The search for the files of listed logs.
 #[derive(Debug, Clone)]
 pub(super) struct FileSearch {
     logs: Vec<ListedLog>,
     folder: usize,
     ticket: FtpTicket,
-    /// Whether a folder was listed that is not that of the logs.
+    /// Whether a folder was listed that does not contain these logs.
     is_other: bool,
-    /// What was found, or why nothing was.
+    /// The files found, or why there are none.
     found: Option<LogFiles>,
 }
 
@@ -36,12 +36,12 @@ pub(super) struct FileSearch {
 pub(super) struct LogFiles {
     /// Paths by the number of the log in the vehicle's list.
     paths: BTreeMap<u16, String>,
-    /// Why a log has none; `None` if the vehicle hands out no files.
+    /// Why a log has no file; `None` if the vehicle offers no files.
     reason: Option<Text>,
 }
 
 impl LogFiles {
-    /// No log has a file.
+    /// The result that no log has a file.
     pub fn none(reason: Text) -> Self {
         Self {
             paths: BTreeMap::new(),
@@ -52,7 +52,7 @@ impl LogFiles {
     /// The path of a log's file.
     ///
     /// # Errors
-    /// Why it has none; nothing if the vehicle hands out no files.
+    /// Why it has no file; `None` if the vehicle offers no files.
     pub fn path(&self, log: u16) -> Result<&str, Option<Text>> {
         let path = self.paths.get(&log);
         path.map(String::as_str).ok_or_else(|| self.reason.clone())
@@ -114,10 +114,10 @@ fn ask(folder: &str, ftp: &mut FtpClient) -> FtpTicket {
     ftp.ask(FtpTask::List { folder })
 }
 
-/// The paths of the logs whose files have the listed size; `None` if the folder is not that of these logs.
+/// The paths of the logs whose files have the listed size; `None` if the folder does not contain these logs.
 ///
-/// A vehicle lists its logs from 1, the oldest first, while their files keep their numbers. Those begin anew at some
-/// time, so the oldest is not always the one with the lowest number. The newest may have grown since.
+/// A vehicle lists its logs from 1, the oldest first, but their files keep their numbers. File numbers wrap around at
+/// some point, so the oldest file is not always the one with the lowest number. The newest may have grown since.
 fn files_of(
     logs: &[ListedLog],
     folder: &str,
@@ -195,10 +195,10 @@ mod tests {
         ];
         let both = vec![log(1, "00000007.bin"), log(2, "00000008.BIN")];
         assert_eq!(paths(&[500, 700], &files), Some(both));
-        // The newest has grown: it is another file than the one that is listed.
+        // The newest file has grown, so it differs from the listed log.
         let first = vec![log(1, "00000007.bin")];
         assert_eq!(paths(&[500, 600], &files), Some(first));
-        // Numbers have begun anew: the lowest is the newest.
+        // The numbers have wrapped around: the lowest is the newest.
         let files = [
             ("00000001.BIN", 30),
             ("00000499.BIN", 10),

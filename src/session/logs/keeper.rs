@@ -1,4 +1,4 @@
-//! What a session needs of the files that logs are kept in.
+//! The storage of logs, as a session needs it.
 
 use std::fmt::Debug;
 
@@ -10,54 +10,54 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ListedLog {
     pub number: u16,
-    /// Bytes; a log that is still written grows.
+    /// The size in bytes; a log that is still being written grows.
     pub size: u32,
-    /// Seconds since 1970 (UTC); 0 where the vehicle does not know.
+    /// Seconds since 1970 (UTC); 0 if the vehicle does not know.
     pub time_utc_s: u32,
 }
 
-/// A log that is downloaded.
+/// A log to download.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct VehicleLog {
     pub vehicle: VehicleId,
     pub log: ListedLog,
-    /// Where it is to be kept, as the user wrote it; by default the folder for logs.
+    /// The folder to store it in, as the user wrote it; `None` for the default folder.
     pub folder: Option<String>,
 }
 
-/// What is there of a log from an earlier download.
+/// The parts of a log from an earlier download.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeptLog {
     pub gaps: GapMap,
-    /// Some of what is there: the vehicle's bytes must be the same, else the file is of another log.
+    /// Some of the stored bytes: if the vehicle's bytes differ, the file belongs to another log.
     pub samples: Vec<FileBytes>,
-    /// The file, if it is whole.
+    /// The file, if it is complete.
     pub file: Option<String>,
 }
 
-/// Keeps the logs of vehicles in files.
+/// Stores the logs of vehicles in files.
 pub trait LogKeeper: Debug + Send + Sync {
-    /// What is there of a log.
+    /// The parts of a log that are stored already.
     ///
     /// # Errors
-    /// In plain words when nothing can be kept there.
+    /// A text if nothing can be stored there.
     fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text>;
 
-    /// Keeps bytes, and then what is still missing.
+    /// Stores bytes, and then the gaps that remain.
     ///
     /// # Errors
-    /// In plain words when they cannot be written.
+    /// A text if they cannot be written.
     fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text>;
 
-    /// The check sum of a log that has come whole ([`FtpChecksum`](crate::session::FtpChecksum)).
+    /// The checksum of a complete log ([`FtpChecksum`](crate::session::FtpChecksum)).
     ///
     /// # Errors
-    /// In plain words when what was kept cannot be read.
+    /// A text if the stored bytes cannot be read.
     fn checksum(&self, log: &VehicleLog) -> Result<u32, Text>;
 
-    /// Checks the length of a log that has come whole, and gives its file the final name, which is returned.
+    /// Checks the length of a complete log, and gives its file the final name, which is returned.
     ///
     /// # Errors
-    /// In plain words when the length is another one, or it cannot be renamed.
+    /// A text if the length is wrong, or the file cannot be renamed.
     fn finish(&self, log: &VehicleLog) -> Result<String, Text>;
 }

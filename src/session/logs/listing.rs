@@ -1,4 +1,4 @@
-//! Reading the list of a vehicle's logs.
+//! Reads the list of a vehicle's logs.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -9,20 +9,20 @@ use mavlink::dialects::ardupilotmega::{LOG_ENTRY_DATA, LOG_REQUEST_LIST_DATA, Ma
 use super::ListedLog;
 use crate::wire::{MavAddress, Outgoing};
 
-/// The list, or what is missing of it, is asked for again after so long without anything new.
+/// If nothing new arrives for this long, the list or its missing part is requested again.
 const SILENCE: Duration = Duration::from_secs(1);
-/// So many requests without any news mean that nothing more will come.
+/// After this many requests without anything new, nothing more will come.
 const FRUITLESS: u8 = 20;
 
-/// A list that is being read.
+/// The reading of a list.
 #[derive(Debug, Clone)]
 pub(super) struct Listing {
     entries: BTreeMap<u16, ListedLog>,
-    /// How many logs there are, and the highest number, once the vehicle has said so.
+    /// The number of logs and the highest log number, once the vehicle has announced them.
     announced: Option<(u16, u16)>,
-    /// When it was asked for, or anything new came, last; `None` before it was asked for.
+    /// When it was last requested, or something new last arrived; `None` before the first request.
     heard_at: Option<Duration>,
-    /// Requests in a row that nothing new came of.
+    /// The number of consecutive requests that brought nothing new.
     fruitless: u8,
 }
 
@@ -36,10 +36,10 @@ impl Listing {
         }
     }
 
-    /// Takes in an entry.
+    /// Adds an entry.
     pub fn receive(&mut self, entry: &LOG_ENTRY_DATA, now: Duration) {
         let highest = self.announced.map_or(0, |(_, highest)| highest);
-        // What is asked for again ends earlier.
+        // An answer to a repeated request has a smaller last number.
         self.announced = Some((entry.num_logs, entry.last_log_num.max(highest)));
         let log = ListedLog {
             number: entry.id,

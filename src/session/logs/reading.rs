@@ -1,4 +1,4 @@
-//! Reading the bytes of one log after the other, and keeping them.
+//! Reads one log after the other, and stores the bytes.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -13,45 +13,45 @@ use crate::session::gaps::{FileBytes, GapMap};
 use crate::text;
 use crate::text::Text;
 
-/// Bytes that are collected before they are written.
+/// How many bytes are collected before they are written.
 const BLOCK: usize = 64 * 1024;
-/// What has come is written at the latest after so long.
+/// Received bytes are written after this time at the latest.
 const WRITE_EVERY: Duration = Duration::from_secs(1);
 
-/// A log that is read, and those after it.
+/// The reading of a log, and the logs that follow.
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
     log: VehicleLog,
     later: VecDeque<ListedLog>,
-    /// Bytes of all logs that are to be read.
+    /// The size of all logs to read, in bytes.
     bytes: u64,
     files: LogFiles,
     transfer: Transfer,
     route: Route,
     carrier: LogCarrier,
-    /// Whether it is read for the second time, because the check sum differed.
+    /// Whether the log is being read for the second time because the checksum differed.
     is_again: bool,
-    /// The file, if it was whole before.
+    /// The file, if it was complete before.
     file: Option<String>,
-    /// What has not been written yet.
+    /// Bytes that have not been written yet.
     unwritten: Vec<FileBytes>,
     written_at: Duration,
 }
 
-/// How the bytes come, and what follows them.
+/// How the bytes arrive, and the steps that follow.
 #[derive(Debug, Clone)]
 enum Route {
-    /// By log messages, which `ArduPilot` sends many times as fast as files.
+    /// By log messages, which `ArduPilot` sends much faster than files.
     Messages,
-    /// As a file, because log messages have ceased, with the task that is under way.
+    /// As a file, because log messages have stopped; with the task under way.
     File(String, FtpTicket),
-    /// All bytes are there, and the vehicle is asked for the check sum of its file.
+    /// All bytes have arrived, and the vehicle is asked for the checksum of its file.
     Checking(String, FtpTicket),
-    /// The vehicle has said the check sum.
+    /// The vehicle has sent the checksum.
     Summed(String, u32),
-    /// It is another one: the file is opened once more to see whether it has grown.
+    /// The checksum differs: the file is opened once more to see whether it has grown.
     Measuring(FtpTicket),
-    /// Nothing is left to be asked; what came of the check sum.
+    /// Nothing is left to request; the result of the check.
     Checked(FileCheck),
 }
 
@@ -59,7 +59,7 @@ impl Reading {
     /// Begins with the first of some logs; `None` if there are none.
     ///
     /// # Errors
-    /// In plain words when nothing can be kept there.
+    /// A text if nothing can be stored there.
     pub fn begin(
         first: VehicleLog,
         later: VecDeque<ListedLog>,
@@ -85,7 +85,7 @@ impl Reading {
         })
     }
 
-    /// Goes on with the next log, if there is one.
+    /// Continues with the next log; returns whether there is one.
     pub fn turn_to_next(&mut self, desk: &mut Desk<'_>) -> Result<bool, Text> {
         let Some(next) = self.later.pop_front() else {
             return Ok(false);
@@ -103,7 +103,7 @@ impl Reading {
         Ok(true)
     }
 
-    /// How much of all logs is there, 0 to 99, with those that were finished before.
+    /// The received share of all logs, including the finished ones, in percent, 0 to 99.
     pub fn percent(&self, finished: &[WholeLog]) -> u8 {
         let whole: u64 = finished.iter().map(|it| u64::from(it.log.size)).sum();
         let gaps = self.transfer.gaps();
@@ -115,7 +115,7 @@ impl Reading {
         &mut self.transfer
     }
 
-    /// Takes in what became of bytes.
+    /// Handles the result of received bytes.
     pub fn note(&mut self, received: Received) {
         match received {
             Received::Nothing => {}
@@ -130,7 +130,7 @@ impl Reading {
         }
     }
 
-    /// Takes in an event of the client for files.
+    /// Handles an event of the client for files.
     pub fn hear(&mut self, ticket: FtpTicket, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
         match &self.route {
             Route::File(path, asked) if *asked == ticket => {
@@ -161,11 +161,11 @@ impl Reading {
         }
     }
 
-    /// A task for the check sum has failed.
+    /// The result of the check if its task has failed.
     fn unchecked(&mut self, fault: FtpFault) -> FileCheck {
         let reason = Text::from(fault);
         if fault == FtpFault::Silent {
-            // Later logs need not wait for it again.
+            // Later logs need not try it again.
             self.files = LogFiles::none(reason.clone());
         }
         FileCheck::Unknown(Some(reason))
@@ -187,7 +187,7 @@ impl Reading {
                 self.route = self.checking(path, ftp);
             }
             FtpEvent::Failed(fault) => {
-                // Neither way is left for this log, unless messages come again.
+                // No way is left to read this log unless log messages arrive again.
                 self.files = LogFiles::none(fault.into());
                 self.route = Route::Messages;
                 self.transfer.resume(now);
@@ -196,7 +196,7 @@ impl Reading {
         }
     }
 
-    /// Drops what was asked of the client for files.
+    /// Cancels the task of the client for files.
     pub fn leave(&self, ftp: &mut FtpClient) {
         match &self.route {
             Route::File(_, ticket) | Route::Checking(_, ticket) | Route::Measuring(ticket) => {
@@ -206,7 +206,7 @@ impl Reading {
         }
     }
 
-    /// Writes what was collected. A file that is whole already needs nothing.
+    /// Writes the collected bytes. A file that is already complete needs nothing.
     pub fn write(&mut self, keeper: &dyn LogKeeper, now: Duration) -> Result<(), Text> {
         self.written_at = now;
         let bytes = std::mem::take(&mut self.unwritten);
@@ -216,7 +216,7 @@ impl Reading {
         keeper.keep(&self.log, &bytes, self.transfer.gaps())
     }
 
-    /// Does what is due; returns the log once it is whole.
+    /// Does what is due; returns the log once it is complete.
     pub fn advance(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Ending> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();
@@ -255,7 +255,7 @@ impl Reading {
         Ok(None)
     }
 
-    /// All bytes are there: compares check sums, and gives the file its name.
+    /// With all bytes received, compares the checksums and gives the file its final name.
     fn finish(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Text> {
         if let Some(file) = self.file.take() {
             self.leave(desk.ftp);
@@ -290,7 +290,7 @@ impl Reading {
         Ok(Some(self.whole(file, Some(LogWay { carrier, check }))))
     }
 
-    /// Asks for the check sum of the vehicle's file.
+    /// Requests the checksum of the vehicle's file.
     fn checking(&self, path: String, ftp: &mut FtpClient) -> Route {
         let task = FtpTask::Checksum {
             path: path.clone(),
@@ -304,7 +304,7 @@ impl Reading {
         WholeLog { log, file, way }
     }
 
-    /// Reads all of it again, by log messages.
+    /// Reads the whole log again, by log messages.
     fn begin_anew(&mut self, desk: &Desk<'_>) -> Result<(), Text> {
         let gaps = GapMap::new(self.log.log.size);
         desk.keeper.keep(&self.log, &[], &gaps)?;
@@ -321,7 +321,7 @@ impl Route {
         Self::File(path, ticket)
     }
 
-    /// With all bytes there, reading the file only compares its size.
+    /// Requests the file with no bytes missing, which only compares its size.
     fn measuring(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
         Self::Measuring(ask_for(path, gaps, ftp))
     }

@@ -1,4 +1,4 @@
-//! Reading one log: as a stream where much is missing, and in small pieces where little was lost.
+//! Reads one log: as a stream where much is missing, in small pieces where little was lost.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -9,32 +9,32 @@ use mavlink::dialects::ardupilotmega::{LOG_DATA_DATA, LOG_REQUEST_DATA_DATA, Mav
 use crate::session::gaps::{FileBytes, GapMap};
 use crate::wire::{MavAddress, Outgoing};
 
-/// Bytes in one `LOG_DATA`. `ArduPilot` answers a request for no more at once, also on slow links, and silently drops a
-/// request that comes while it is still answering another.
+/// Bytes in one `LOG_DATA`. `ArduPilot` answers a request of this size at once, also on slow links. It silently drops a
+/// request that arrives while it is still answering another.
 const PIECE: u32 = 90;
-/// Pieces that are asked for at one time.
+/// Pieces that are requested at one time.
 const AT_ONCE: usize = 16;
-/// What one piece costs with so many asked for at a time, some of them lost. Where a stream of all that is missing would
-/// take less, it is asked for.
+/// The cost of one piece when many are requested at a time and some are lost. If a stream of all missing bytes would
+/// take less, a stream is requested.
 const PIECE_COST: Duration = Duration::from_millis(25);
 /// Bytes per second of a stream that has not been measured: a radio of 57600 baud.
 const SLOW: f64 = 4000.0;
-/// A request was lost, or a stream has ended, if nothing comes for this long.
+/// If nothing arrives for this long, a request was lost or a stream has ended.
 const SILENCE: Duration = Duration::from_millis(600);
-/// Fruitless requests make the next one wait twice as long, but not longer than this many times.
+/// Each fruitless request doubles the next wait, up to this factor.
 const LONGEST_WAIT: u32 = 2;
-/// Nothing more will come if there was nothing new for this long.
+/// If nothing new arrives for this long, nothing more will come.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Gaps that are kept track of; bytes that would split one more are asked for later.
+/// The maximum number of gaps tracked; bytes that would split another one are dropped and requested later.
 const MOST_GAPS: usize = 10_000;
 
-/// A stream that was asked for.
+/// A stream that was requested.
 #[derive(Debug, Clone)]
 struct Stream {
     range: Range<u32>,
     begun: Duration,
-    /// How far it has come.
+    /// The offset that it has reached.
     reached: u32,
 }
 
@@ -43,30 +43,30 @@ struct Stream {
 pub(super) struct Transfer {
     number: u16,
     gaps: GapMap,
-    /// What has to be the same as before.
+    /// Bytes that must be the same as before.
     samples: Vec<FileBytes>,
     stream: Option<Stream>,
-    /// Pieces that were asked for, by their beginning: their end, and when.
+    /// Requested pieces, by their start: the end, and the time of the request.
     pieces: BTreeMap<u32, (u32, Duration)>,
     heard_at: Duration,
-    /// When anything new came last.
+    /// When something new last arrived.
     news_at: Duration,
     fruitless: u8,
     bytes_per_s: f64,
 }
 
-/// What a message meant for a transfer.
+/// The meaning of a message for a transfer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Received {
     Nothing,
     /// Bytes that were missing.
     Bytes(FileBytes),
-    /// What was there is of another log: all is missing.
+    /// The stored bytes belong to another log: everything is missing.
     Other,
 }
 
 impl Transfer {
-    /// Begins to read what is missing, and again what `samples` have of what was read before.
+    /// Begins to read the missing bytes, and reads again those in `samples`, to compare.
     pub fn new(number: u16, mut gaps: GapMap, samples: Vec<FileBytes>, now: Duration) -> Self {
         for sample in &samples {
             gaps.open(sample.range());
@@ -93,11 +93,11 @@ impl Transfer {
         now >= self.news_at + PATIENCE
     }
 
-    /// Takes in a message with data of a log.
+    /// Handles a message with data of a log.
     pub fn receive(&mut self, data: &LOG_DATA_DATA, now: Duration) -> Received {
         let count = u32::from(data.count).min(PIECE);
         let end = data.ofs.saturating_add(count).min(self.gaps.size());
-        // The end of a log that is shorter than listed has no bytes. Short ones elsewhere would only leave gaps.
+        // A log that is shorter than listed ends with a short message. Short messages elsewhere only leave gaps.
         let is_short = count < PIECE && end < self.gaps.size() && !self.asked_until(end);
         if data.id != self.number || data.ofs > end || count == 0 || is_short {
             return Received::Nothing;
@@ -112,14 +112,14 @@ impl Transfer {
         self.take(bytes, now)
     }
 
-    /// Whether a request ended there.
+    /// Whether a request ended at this offset.
     fn asked_until(&self, end: u32) -> bool {
         let stream = self.stream.as_ref().map(|it| it.range.end);
         let mut pieces = self.pieces.values().map(|(end, _)| *end);
         stream == Some(end) || pieces.any(|it| it == end)
     }
 
-    /// Takes in bytes that lie within the log, from wherever they come.
+    /// Stores bytes within the log, from any source.
     pub fn take(&mut self, bytes: FileBytes, now: Duration) -> Received {
         if self.differs(&bytes) {
             *self = Self {
@@ -128,7 +128,7 @@ impl Transfer {
             };
             return Received::Other;
         }
-        // Bytes all over a large log would make a list of gaps that is longer than the log.
+        // Bytes scattered over a large log would make the list of gaps larger than the log.
         if self.gaps.missing().len() >= MOST_GAPS && self.gaps.splits(&bytes.range()) {
             return Received::Nothing;
         }
@@ -141,13 +141,13 @@ impl Transfer {
         Received::Bytes(bytes)
     }
 
-    /// Counts silence from now on: the bytes came otherwise until now.
+    /// Counts silence from now on: until now, the bytes arrived in another way.
     pub fn resume(&mut self, now: Duration) {
         self.heard_at = now;
         self.news_at = now;
     }
 
-    /// Measures the stream, and notices its end.
+    /// Measures the stream, and detects its end.
     fn follow(&mut self, range: Range<u32>, count: u32, now: Duration) {
         let Some(stream) = &mut self.stream else {
             return;
@@ -164,7 +164,7 @@ impl Transfer {
         }
     }
 
-    /// Whether bytes are not those that were read before.
+    /// Whether bytes differ from those that were read before.
     fn differs(&self, bytes: &FileBytes) -> bool {
         self.samples.iter().any(|sample| {
             let (ours, theirs) = (sample.range(), bytes.range());
@@ -176,7 +176,7 @@ impl Transfer {
         })
     }
 
-    /// The requests that are due; `round_trip` is how long an answer takes on the way.
+    /// The requests that are due; `round_trip` is the delay of the link there and back.
     pub fn poll(
         &mut self,
         vehicle: MavAddress,
@@ -213,7 +213,7 @@ impl Transfer {
             Some(_) => Vec::new(),
             None => self.next_pieces(now),
         };
-        // Silence counts from when something was asked for after nothing was.
+        // Silence counts from the first request after an idle time.
         if self.stream.is_some() || (!asked.is_empty() && self.pieces.len() == asked.len()) {
             self.heard_at = now;
         }
@@ -221,7 +221,7 @@ impl Transfer {
         asked.into_iter().map(request).collect()
     }
 
-    /// The stretch to ask for as a stream: from the first to the last gap where most of it is missing, else a long gap.
+    /// The range to request as a stream: from the first to the last gap if most of it is missing, otherwise a long gap.
     fn worth_a_stream(&self) -> Option<Range<u32>> {
         let gaps = self.gaps.missing();
         let (first, last) = (gaps.first()?, gaps.last()?);
@@ -243,7 +243,7 @@ impl Transfer {
         (pieces as usize > AT_ONCE * 4 || is_better(longest, pieces)).then(|| longest.clone())
     }
 
-    /// Small pieces of the gaps that were not asked for yet.
+    /// Small pieces of the gaps that have not been requested yet.
     fn next_pieces(&mut self, now: Duration) -> Vec<Range<u32>> {
         let free = AT_ONCE.saturating_sub(self.pieces.len());
         let pieces = self.gaps.missing().iter().flat_map(|gap| {

@@ -1,17 +1,17 @@
-//! Lists of logs in words.
+//! Lists of logs as text.
 
 use super::ListedLog;
 use crate::text;
 use crate::text::{Text, figure, utc_of};
 
-/// Logs that a list names; the newest are the ones that are wanted.
+/// The maximum number of logs in a text; the newest, which are the ones usually wanted.
 const MOST_NAMED: usize = 10;
 
 fn kilobytes(bytes: u64) -> String {
     figure(bytes as f64 / 1000.0, 1)
 }
 
-/// The list in words: number, size and time of the newest.
+/// The list as text: number, size and time of the newest logs.
 pub(super) fn list(logs: &[ListedLog]) -> Text {
     if logs.is_empty() {
         return text!("outcome-logs-none");
@@ -39,38 +39,38 @@ pub(super) fn list(logs: &[ListedLog]) -> Text {
     )
 }
 
-/// A log that is whole.
+/// A complete log.
 #[derive(Debug, Clone)]
 pub(super) struct WholeLog {
     pub log: ListedLog,
     pub file: String,
-    /// How it came; `None` if it was there before.
+    /// How it was received; `None` if it was complete before.
     pub way: Option<LogWay>,
 }
 
-/// How a log came, and whether it is the vehicle's.
+/// How a log was received, and whether it matches the vehicle's file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct LogWay {
     pub carrier: LogCarrier,
     pub check: FileCheck,
 }
 
-/// What carried the last bytes of a log.
+/// How the last bytes of a log were received.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LogCarrier {
     Messages,
     File,
 }
 
-/// What came of comparing the check sum with that of the vehicle's file.
+/// The result of comparing the checksum with that of the vehicle's file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum FileCheck {
     Same,
     /// It differs, although the log was read twice.
     Other,
-    /// The vehicle has added to the file since: its check sum says nothing of what was listed.
+    /// The vehicle has added to the file since: its checksum does not apply to the listed log.
     Grown,
-    /// The vehicle gives none, and why; no reason if it hands out no files.
+    /// The vehicle gives no checksum, with the reason; `None` if it offers no files.
     Unknown(Option<Text>),
 }
 
@@ -92,7 +92,7 @@ impl LogWay {
     }
 }
 
-/// What was kept, in words, and how it came.
+/// The stored logs as text, and how they were received.
 pub(super) fn kept(logs: &[WholeLog]) -> Text {
     let paths: Vec<&str> = logs.iter().map(|log| log.file.as_str()).collect();
     let bytes = logs.iter().map(|it| u64::from(it.log.size)).sum();

@@ -13,9 +13,9 @@ use crate::wire::MavAddress;
 const ANSWER_WITHIN: Duration = Duration::from_secs(1);
 /// The longest wait for an answer, even on a slow link.
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
-/// How often a request is sent before the download is given up (MAVLink's protocol: 5 retries).
+/// How many times a request is sent before the download is abandoned (MAVLink's protocol: 5 retries).
 const TRIES: u8 = 6;
-/// After this many requests for an item, the other form is used.
+/// After this many requests for an item in one form, the other form is used.
 const TRIES_PER_FORM: u8 = 3;
 /// The longest list; `ArduPilot` stores some hundreds.
 const MOST_ITEMS: u16 = 5000;
@@ -26,13 +26,13 @@ pub(super) struct Download {
     pub kind: PlanKind,
     address: MavAddress,
     form: Form,
-    /// Whether the vehicle is known to support integer items. Floats have a precision of 2 m at best, so losses alone
-    /// must not lead to them then.
+    /// Whether the vehicle is known to support integer items. Then lost messages alone must not lead to the use of
+    /// floats, which have a precision of 2 m at best.
     is_int_certain: bool,
     /// The number of items, once known.
     total: Option<u16>,
     items: Vec<PlanItem>,
-    /// How often the present request was sent, and when last.
+    /// How often the current request was sent, and when last.
     tries: u8,
     asked_at: Duration,
 }
@@ -49,7 +49,7 @@ pub(super) enum Step {
 }
 
 impl Download {
-    /// A new download. `knows_int` tells whether the vehicle supports integer items, if known.
+    /// A new download. `knows_int` is whether the vehicle supports integer items, if known.
     pub fn new(kind: PlanKind, address: MavAddress, knows_int: Option<bool>) -> Self {
         let is_float = knows_int == Some(false);
         Self {
@@ -93,7 +93,7 @@ impl Download {
         Step::Going
     }
 
-    /// Takes an answer about this list.
+    /// Handles an answer about this list.
     pub fn receive(&mut self, answer: Answer, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         match answer {
             Answer::Count(count) => self.count(count, now, out),
@@ -102,7 +102,7 @@ impl Download {
         }
     }
 
-    /// Tells the vehicle that the transfer is over.
+    /// Sends the end of the transfer to the vehicle.
     pub fn cancel(&self, out: &mut Vec<MavMessage>) {
         let cancelled = MavMissionResult::MAV_MISSION_OPERATION_CANCELLED;
         out.push(wire::acknowledge(self.address, self.kind, cancelled));
@@ -110,14 +110,14 @@ impl Download {
 
     fn count(&mut self, count: u16, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         if self.total == Some(count) {
-            // Our request was sent twice, and so it is answered twice.
+            // Our request was sent twice, so there are two answers.
             return Step::Going;
         }
         if count > MOST_ITEMS {
             self.cancel(out);
             return Step::Failed;
         }
-        // A different count in between: it is another list now.
+        // A different count: the list has been replaced.
         self.total = Some(count);
         self.items.clear();
         self.go_on(now, out)

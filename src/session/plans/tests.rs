@@ -26,7 +26,7 @@ fn ms(milliseconds: u64) -> Duration {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Manner {
     Modern,
-    /// Only the older request, with the older item.
+    /// It supports only the older request and the older item.
     Legacy,
     Refusing,
     Mute,

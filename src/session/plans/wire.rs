@@ -110,7 +110,7 @@ pub(super) fn request_item(
     }
 }
 
-/// Ends a transfer: complete or cancelled.
+/// Ends a transfer, either complete or cancelled.
 pub(super) fn acknowledge(
     vehicle: MavAddress,
     kind: PlanKind,

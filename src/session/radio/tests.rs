@@ -122,7 +122,7 @@ fn parameters_are_said_until_they_hold_by_the_name_that_the_vehicle_has() {
         }
         std::mem::take(&mut names)
     };
-    // The vehicle is not heard yet.
+    // No message from the vehicle has arrived yet.
     assert!(say(&mut settings, 1).is_empty());
     settings.receive(&frame(&ground_station_heartbeat()));
     assert_eq!(say(&mut settings, 2), [("SIM_GPS_DISABLE".to_owned(), 1.0)]);

@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::parameters::Fetching;
 
-/// The step of these tests.
+/// The time step of these tests.
 const STEP: Duration = Duration::from_millis(20);
 
 /// A vehicle with many parameters behind a lossy link.
@@ -180,7 +180,7 @@ fn what_was_lost_is_asked_for_by_its_place_and_never_many_at_once() {
     assert!(far.most_at_once <= 10, "{} at once", far.most_at_once);
 }
 
-/// 1382 parameters at 30 % loss and 500 ms each way.
+/// 1382 parameters with 30 % loss and a delay of 500 ms each way.
 #[test]
 fn a_long_and_lossy_way_does_not_make_the_last_ones_slow() {
     for seed in 1..=5 {

@@ -23,7 +23,7 @@ mod files;
 struct Memory {
     parts: Mutex<BTreeMap<u16, (Vec<u8>, GapMap)>>,
     whole: Mutex<BTreeMap<u16, Vec<u8>>>,
-    /// The most gaps that were kept.
+    /// The largest number of gaps stored.
     kept_gaps: Mutex<usize>,
 }
 
@@ -86,8 +86,8 @@ impl LogKeeper for Memory {
     }
 }
 
-/// A vehicle with logs at the other end of a session. It answers one request at a time, and drops those that come
-/// meanwhile.
+/// A vehicle with logs at the other end of a session. It answers one request at a time, and drops those that arrive in
+/// the meantime.
 struct Shelf {
     scene: Scene,
     keeper: Arc<Memory>,
@@ -97,14 +97,14 @@ struct Shelf {
     random: ChaCha8Rng,
     passed: usize,
     sending: Option<(u16, std::ops::Range<u32>)>,
-    /// Messages of a stream in 10 ms.
+    /// The number of stream messages per 10 ms.
     rate: usize,
     requests: usize,
-    /// Requests that are answered; later ones are not.
+    /// The number of requests that it answers; later ones get no answer.
     answers: usize,
-    /// Bytes that log messages have carried.
+    /// The number of bytes sent in log messages.
     carried: usize,
-    /// The files, if the vehicle hands them out.
+    /// The file server, if the vehicle offers files.
     server: FileServer,
 }
 
@@ -132,7 +132,7 @@ impl Shelf {
         }
     }
 
-    /// A vehicle that hands out the files of its logs.
+    /// A vehicle that offers the files of its logs.
     fn with_files(logs: Vec<Vec<u8>>) -> Self {
         let mut shelf = Self::new(logs);
         for (number, log) in (1..).zip(&shelf.logs) {
@@ -178,7 +178,7 @@ impl Shelf {
         self.scene.rows.last().expect("a row")
     }
 
-    /// Lets 10 ms pass.
+    /// Advances time by 10 ms.
     fn step(&mut self) {
         self.scene.pass(ms(10));
         for message in std::mem::take(&mut self.scene.sent) {
@@ -487,7 +487,7 @@ fn bytes_all_over_a_huge_log_make_no_endless_list() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Whatever is lost, as long as something comes, the bytes are those of the vehicle.
+    /// As long as some messages arrive, the received log is correct, whatever is lost.
     #[test]
     fn a_log_survives_losses(
         seed in any::<u64>(),

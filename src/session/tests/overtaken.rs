@@ -12,7 +12,7 @@ fn last(scene: &Scene, entry: u32) -> RowState {
     *scene.states(entry).last().expect("a row")
 }
 
-/// On the way to a target, then ordered home by entry 2, which the vehicle has accepted.
+/// A vehicle on the way to a target, then ordered home by entry 2, which it has accepted.
 fn returning() -> Scene {
     let mut scene = under_way();
     scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));

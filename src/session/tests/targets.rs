@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::{
 use super::*;
 use crate::geo::LatLon;
 
-/// In the air in GUIDED on its way to a target, by its telemetry.
+/// A vehicle in the air in GUIDED, on its way to a target according to its telemetry.
 pub(super) fn under_way() -> Scene {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);

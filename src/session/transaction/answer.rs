@@ -18,7 +18,7 @@ use crate::wire::{Content, Frame};
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
 /// The time-out after "in progress" until the next sign.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
-/// The value of `COMMAND_ACK` without a progress.
+/// The value in `COMMAND_ACK` for an unknown progress.
 const PROGRESS_UNKNOWN: u8 = 255;
 
 impl Transaction {

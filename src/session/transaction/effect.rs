@@ -1,4 +1,4 @@
-//! The effect of a command, as it shows in telemetry.
+//! The effect of a command, as telemetry shows it.
 
 use std::time::Duration;
 
@@ -10,8 +10,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// A velocity shorter than this may end before the vehicle has accelerated (0 to 5 m/s takes an ArduCopter 2.4 s), so
-/// that a missing effect proves nothing.
+/// A velocity that lasts less than this may end before the vehicle has accelerated (an ArduCopter takes 2.4 s from 0 to
+/// 5 m/s), so a missing effect proves nothing.
 const GATHERING_SPEED: Duration = Duration::from_secs(4);
 /// How long a vehicle may take to start an accepted command: the change shows with its next heartbeat.
 const BEGINS_WITHIN: Duration = Duration::from_secs(3);
@@ -60,7 +60,7 @@ impl Transaction {
         }
     }
 
-    /// Repeats a velocity for its duration, and then sends a stop.
+    /// Repeats a velocity for its duration, and then stops the vehicle.
     pub(super) fn keep_up(
         &mut self,
         repeat: Repeat,
@@ -85,8 +85,8 @@ impl Transaction {
         }
     }
 
-    /// Whether telemetry shows the effect of this very command; `None` if the effect is not observable. An effect that
-    /// was present before must be confirmed by a later heartbeat.
+    /// Whether telemetry shows the effect of this particular command; `None` if the effect is not observable. An effect
+    /// that was present before must be confirmed by a later heartbeat.
     pub(super) fn effect_shows(&self, vehicle: &Vehicle) -> Option<bool> {
         let seen = self.effect.seen(vehicle)?;
         let is_news = !self.effect_was_there

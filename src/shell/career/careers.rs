@@ -21,7 +21,7 @@ pub(in crate::shell) struct Careers {
     current: Option<Profile>,
     /// Flights not stored yet with their profiles, oldest first: the disk may be full for a while.
     waiting: VecDeque<(String, RunEntry)>,
-    /// The change counter at the last look.
+    /// The change counter at the last check.
     seen: Option<i64>,
 }
 
@@ -30,7 +30,7 @@ impl Careers {
     /// flights.
     ///
     /// # Errors
-    /// They are not available; the console works without them.
+    /// The profiles are not available; the console works without them.
     pub fn open(data: &Path, course: MissionCourse) -> Result<(Self, Vec<Text>), ProfileError> {
         let (profiles, told) = store::open_profiles(data)?;
         let careers = Self {
@@ -112,7 +112,7 @@ impl Careers {
         self.waiting.push_back((whose.to_owned(), run));
     }
 
-    /// Whether flights wait to be stored.
+    /// Whether any flights are waiting to be stored.
     pub fn has_waiting(&self) -> bool {
         !self.waiting.is_empty()
     }
@@ -129,7 +129,7 @@ impl Careers {
         while let Some((whose, run)) = self.waiting.front() {
             match enter(&mut self.profiles, &self.course, whose, run) {
                 Ok(reward) => rewards.extend(reward),
-                // A profile deleted meanwhile has no career any more.
+                // A profile deleted in the meantime no longer has a career.
                 Err(error @ ProfileError::Unknown { .. }) => {
                     self.waiting.pop_front();
                     return (rewards, Err(error));
@@ -180,7 +180,7 @@ impl Careers {
         std::mem::replace(&mut self.seen, now) != now
     }
 
-    /// The trainee's career; `None` without one.
+    /// The trainee's career; `None` without a trainee.
     pub fn career(&self) -> Result<Option<Career>, ProfileError> {
         let Some(profile) = &self.current else {
             return Ok(None);
@@ -196,7 +196,7 @@ impl Careers {
     }
 }
 
-/// Stores a flight in a career. One that is stored already brings nothing more.
+/// Stores a flight in a career. A flight that is already stored earns nothing more.
 fn enter(
     profiles: &mut Profiles,
     course: &MissionCourse,

@@ -35,17 +35,17 @@ impl Patience {
     }
 }
 
-/// What delays the first line from a pipe: vehicles that are not ready yet, up to a time limit.
+/// The delay of the first line from a pipe while vehicles are not ready yet, up to a time limit.
 #[derive(Debug)]
 pub(super) struct Beginning {
     /// The number of vehicles, if known.
     expected: usize,
-    /// The limit for vehicles that are heard but not ready to arm; `None` once lines are accepted.
+    /// The time limit for vehicles that are heard but not ready to arm; `None` once lines are accepted.
     ready: Option<Patience>,
 }
 
 impl Beginning {
-    /// A person's lines need no wait.
+    /// The wait before the first line; a person's lines need none.
     pub fn of(expected: usize, is_person: bool) -> Self {
         Self {
             expected,

@@ -4,7 +4,7 @@ use std::io::{BufRead, ErrorKind};
 
 use tokio::sync::mpsc;
 
-/// The most lines read ahead.
+/// The maximum number of lines read ahead.
 const LINES_AHEAD: usize = 16;
 
 /// A line as it was read.
@@ -12,7 +12,7 @@ const LINES_AHEAD: usize = 16;
 pub(super) enum PlainLine {
     /// A line of text.
     Read(String),
-    /// A line that is not UTF-8, with marks where it is not.
+    /// A line that is not valid UTF-8, with replacement characters for the invalid bytes.
     Garbled(String),
 }
 

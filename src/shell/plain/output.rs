@@ -9,9 +9,9 @@ use crate::notice::sanitised;
 use crate::text::Text;
 use crate::ui::{Look, ascii};
 
-/// The most waiting lines; further ones are dropped and counted.
+/// The maximum number of waiting lines; further ones are dropped and counted.
 const LINES_WAITING: usize = 2000;
-/// How long a program told to end waits for its reader.
+/// How long a program that was told to end waits for its reader.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 
 pub struct PlainOutput {
@@ -19,7 +19,7 @@ pub struct PlainOutput {
     outcome: Receiver<io::Result<()>>,
     /// Whether lines come from a person, who needs a prompt.
     is_person: bool,
-    /// Whether the present line begins with the prompt.
+    /// Whether the current line begins with the prompt.
     prompted: bool,
     left_out: u64,
 }
@@ -48,7 +48,7 @@ impl PlainOutput {
         }
     }
 
-    /// Prints a text on a line of its own.
+    /// Prints a text on a separate line.
     pub fn say(&mut self, look: &Look, text: &Text) {
         let translated = sanitised(&look.locale.text(text));
         let words = match look.symbols {
@@ -100,7 +100,7 @@ impl PlainOutput {
     /// The output is closed.
     pub fn finish(self, told_to_end: bool) -> anyhow::Result<()> {
         if self.prompted {
-            // The shell's prompt starts on a line of its own.
+            // The shell's prompt must start on a new line.
             drop(self.pieces.try_send("\n".to_owned()));
         }
         drop(self.pieces);

@@ -13,7 +13,7 @@ use crate::notice::Notice;
 use crate::text::{Text, text};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// How long the newest notice may still collect equal ones.
+/// How long the newest notice may still collect identical ones.
 const FOLD_TIME: std::time::Duration = std::time::Duration::from_secs(10);
 /// The number of commands and notices listed on demand.
 const LISTED: usize = 20;
@@ -25,7 +25,7 @@ pub struct PlainReport {
     notice: Option<(Notice, u32)>,
     /// The first command whose outcome is not printed yet.
     next: Option<EntryId>,
-    /// Commands that had not ended.
+    /// Commands that had not ended at the last call.
     open: Vec<EntryId>,
     /// The decided objectives, and the hint.
     objectives: BTreeMap<usize, ObjectiveState>,
@@ -139,7 +139,7 @@ impl PlainReport {
     }
 }
 
-/// The stages of processes; vehicles of equal stage are merged.
+/// The stages of processes; vehicles at the same stage are merged.
 fn stages(hangar: &Hangar) -> Text {
     let mut together: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     for instance in hangar.instances() {

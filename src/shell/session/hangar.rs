@@ -26,9 +26,9 @@ use usage::{ProcessUsage, shown};
 
 /// How long to wait for an earlier session's processes before new ones start.
 const ENDING_PATIENCE: Duration = Duration::from_secs(5);
-/// The interval of reading a process's output.
+/// The time between reads of a process's output.
 const LOOK_EVERY: Duration = Duration::from_millis(500);
-/// The most waiting news.
+/// The maximum number of waiting events.
 const NEWS_KEPT: usize = 64;
 
 /// The results of launches and requests.
@@ -40,7 +40,7 @@ enum ProcessNews {
     /// They could not be launched.
     NotLaunched(Text),
     Failed(Text),
-    /// What a vehicle's process has printed, from the line with this number on.
+    /// The output of a vehicle's process, from the line with this number on.
     Printed(VehicleId, u64, Vec<OutputLine>),
 }
 
@@ -76,7 +76,7 @@ impl SessionEnding {
     /// Waits until they are gone, up to a time limit.
     pub async fn over(self, patience: Duration) {
         if let Some(mut seen) = self.0 {
-            // They are gone, too, if the sender has gone.
+            // They are also gone if the sender is gone.
             let gone = seen.wait_for(|all| all.is_empty());
             drop(tokio::time::timeout(patience, gone).await);
         }
@@ -181,7 +181,7 @@ impl Processes {
         });
     }
 
-    /// The vehicles whose processes were restarted since the last call.
+    /// The vehicles whose processes have been restarted since the last call.
     fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
         let mut again = Vec::new();
         for instance in instances {
@@ -307,7 +307,7 @@ impl RunningSession {
         }
         if let Some(instances) = processes.changed(now) {
             for vehicle in processes.started_again(&instances) {
-                // A fleet that cannot keep up notices it by the vehicle's clock.
+                // A fleet that cannot take this call detects the restart by the vehicle's clock.
                 let _ = self.fleet.restarted(vehicle);
             }
             events.push(ProcessEvent::Instances(instances).into());

@@ -11,11 +11,11 @@ use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
 
-/// The interval of the doctor's examinations.
+/// The time between the doctor's examinations.
 const EXAMINE_EVERY: Duration = Duration::from_secs(1);
-/// The interval of counting messages,
+/// The time between counts of the messages.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
-/// and the one with very many kinds of them.
+/// The same, if there are very many kinds of messages.
 const LOOK_AT_MANY_EVERY: Duration = Duration::from_secs(1);
 const MANY: usize = 4000;
 

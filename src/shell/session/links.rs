@@ -51,7 +51,7 @@ impl SessionLinks {
 
     /// Their state, if it has changed.
     pub fn changed(&mut self, vehicles: &[watch::Receiver<Arc<Vehicle>>]) -> Option<Event> {
-        // An ended link does not change any more, but its last state must still be shown.
+        // An ended link no longer changes, but its last state must still be shown.
         let links = self.all.iter();
         let ended = links.filter(|link| link.has_changed().is_err()).count();
         let has_changed = |link: &watch::Receiver<LinkStatus>| link.has_changed().unwrap_or(false);
@@ -70,7 +70,7 @@ impl SessionLinks {
 
 /// The state and the last notice of a link.
 struct LinkHeard {
-    /// The last state seen, and since when.
+    /// The last state seen.
     seen: LinkNews,
     since: Duration,
     /// The last notice given.
@@ -98,7 +98,7 @@ impl LinkHeard {
             self.since = now;
         }
         let is_said = match self.seen {
-            // Its first start is normal.
+            // The first start of a link is normal.
             LinkNews::Up if self.said == LinkNews::Silent => {
                 self.said = LinkNews::Up;
                 false
@@ -121,7 +121,7 @@ enum LinkNews {
     Silent,
     /// The link carries data.
     Up,
-    /// It does not, for this reason.
+    /// The link does not carry data, for this reason.
     Down(Text),
     /// Closed for good, such as a recording played to its end.
     Ended,

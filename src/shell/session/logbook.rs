@@ -10,7 +10,7 @@ use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
 use crate::text::Text;
 
-/// The interval of writing, and so the most that a crash loses.
+/// The time between writes, and so the maximum that a crash loses.
 const WRITE_EVERY: Duration = Duration::from_secs(1);
 
 /// Writes the record of a flight.

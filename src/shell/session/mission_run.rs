@@ -68,7 +68,7 @@ impl MissionRun {
         }
     }
 
-    /// A mission with vehicles that have to be started first.
+    /// A mission with vehicles that must be started first.
     pub fn of_processes(flight: Flight, speedup: f64) -> Self {
         let pace = FlightPace::VehicleClocks(Clock::new(speedup));
         Self::new(FlightDriver::new(flight, pace), FlightBackend::ArduPilot)
@@ -141,7 +141,7 @@ impl MissionRun {
         events
     }
 
-    /// Adds the attempts to the report, and keeps it for its career.
+    /// Adds the attempts to the report, and stores it for the career.
     fn finish(&mut self, report: &mut Report) {
         let Some(logbook) = &self.logbook else {
             return;
@@ -189,7 +189,7 @@ impl MissionRun {
             self.driver
                 .begin_when_heard(now, shown.vehicles().len() >= wanted);
         }
-        // A booting vehicle runs at another speed.
+        // A booting vehicle runs at a different speed.
         let flies = |id| {
             let hangar = shown.hangar();
             let instance = hangar.and_then(|hangar| hangar.of(id));
@@ -207,7 +207,7 @@ fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
         .map(move |notice| Event::Notice(Notice { at: now, ..notice }))
 }
 
-/// Sends demands to vehicles that are heard, oldest first, until one fails: it and the rest stay.
+/// Sends demands to vehicles that are heard, oldest first, until one fails; that one and the rest stay queued.
 fn tell_demands(
     wanted: &mut VecDeque<Demand>,
     is_heard: impl Fn(VehicleId) -> bool,
@@ -266,7 +266,7 @@ impl RunningSession {
         self.mission_run.as_ref()?.driver.flight().open_pledge()
     }
 
-    /// Takes over the prediction and the goal of the previous attempt, in which nothing flew.
+    /// Copies the prediction and the goal of the previous attempt, in which nothing flew.
     pub fn renew(&mut self, pledge: Pledge) {
         if let Some(mission_run) = &mut self.mission_run {
             mission_run.driver.flight_mut().renew(pledge);

@@ -130,12 +130,12 @@ impl Drop for FlightRecorder {
     }
 }
 
-/// The occurrence for the journal: only what neither telemetry nor the mission repeats.
+/// The journal entry for an event, if neither telemetry nor the mission repeats it.
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),
         VehicleEvent::Paths(paths) => Some(Happening::Paths(PathLine::all(paths))),
-        // Orders are noted when they are given.
+        // Orders are recorded when they are given.
         VehicleEvent::Telemetry(_)
         | VehicleEvent::Parameters { .. }
         | VehicleEvent::Given { .. } => None,

@@ -82,7 +82,7 @@ impl SessionPlan {
 }
 
 impl SessionPlan {
-    /// Whether a session is recorded. One that plays a recording is not.
+    /// Whether a session is recorded. A session that plays a recording is not.
     fn is_recorded(&self, backend: &SessionBackend) -> bool {
         let plays = |address: &Address| matches!(address, Address::File { .. });
         let is_playback = match self {

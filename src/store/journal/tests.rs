@@ -18,7 +18,7 @@ fn profiles(data: &Path) -> Profiles {
     Profiles::open(data).expect("a folder of our own").0
 }
 
-/// Records a flight without commands, to its end or without one; returns the mission and the report.
+/// Records a flight without commands, with or without its end; returns the mission and the report.
 fn recorded(
     runs: &Runs,
     profile: Option<&str>,
@@ -76,7 +76,7 @@ fn a_finished_record_that_nobody_stored_is_made_up_for_once() {
         stake: Stake::Graded,
     };
     let run = RunEntry::of(&mission, &report, landing);
-    // The same as if stored when it ended, except for the day: texts are compared in English.
+    // The same as if stored when it ended, except for the day. Texts are compared in English.
     let json = |evidence: &[Evidence]| serde_json::to_string(evidence).expect("plain");
     let flight = &stored[0].flight;
     assert_eq!(json(&flight.evidence), json(&run.flight.evidence));
@@ -168,7 +168,7 @@ fn exam(runs: &Runs, seed: u64) -> RunFile {
     exam_of(runs, seed, Duration::from_secs(12))
 }
 
-/// The same with a given length of flight.
+/// The record of an exam with a given length of flight.
 fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Arc::new(

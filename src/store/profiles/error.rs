@@ -36,7 +36,7 @@ pub enum ProfileError {
     Exists { name: String },
     /// The name is not valid.
     Name,
-    /// A file contains no profile.
+    /// A file does not contain a profile.
     NoProfile { fault: String },
     /// A part cannot be bought.
     Refused(PurchaseRefusal),

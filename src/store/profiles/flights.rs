@@ -43,7 +43,7 @@ pub struct PastRun {
 }
 
 impl PastRun {
-    /// The same as an attempt at its mission, counted from 1.
+    /// The run as an attempt at its mission; `attempt` counts from 1.
     pub fn as_try(&self, attempt: u32) -> TryReport {
         TryReport {
             attempt,
@@ -62,7 +62,7 @@ impl Profiles {
     /// A profile's history, oldest first. Impossible entries ([`CareerEntry::fault`]) are left out and logged.
     ///
     /// # Errors
-    /// The database cannot be read, or contains data that no version writes.
+    /// The database cannot be read, or contains data that no version of the program writes.
     pub fn history(&self, profile: &Profile) -> Result<Vec<CareerEntry>, ProfileError> {
         let mut query =
             self.ask("SELECT id, entry FROM entries WHERE profile = ?1 ORDER BY number")?;
@@ -87,7 +87,7 @@ impl Profiles {
         Ok(fault.is_none().then_some(entry))
     }
 
-    /// A profile's runs without their reports, oldest first; the same that its history has.
+    /// A profile's runs without their reports, oldest first; the same runs as in its history.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -211,7 +211,7 @@ impl RunRow<'_> {
                 self.id,
                 self.ended,
                 report.revision,
-                // SQLite has no unsigned integers; the bits are the same.
+                // SQLite has no unsigned integers, so the bits are stored as a signed one.
                 report.seed as i64,
                 report.backend.name(),
                 json(&self.airframes),

@@ -1,6 +1,6 @@
 //! Repair of unreadable rows from a copy of the database.
 //!
-//! `SQLite` detects damaged pages, but not a damaged byte inside a text.
+//! `SQLite` detects damaged pages, but not a damaged byte within a text.
 
 use std::path::Path;
 
@@ -74,7 +74,7 @@ fn rotten_rows(
     while let Some(row) = rows.next()? {
         let bytes = row.get_ref(2)?.as_bytes().unwrap_or_default();
         if readable(bytes, *notation).is_none() {
-            // A row whose key is damaged as well is in no copy.
+            // A row whose key is damaged too cannot be found in a copy.
             if let (Ok(profile), Ok(key)) = (row.get(0), row.get(1)) {
                 rotten.push(RottenRow { profile, key });
             }

@@ -7,10 +7,10 @@ use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Purchase};
 use crate::workshop::Design;
 
 impl Profiles {
-    /// Buys the licence for a part. Two consoles cannot spend the same credits.
+    /// Buys the licence for a part. Two consoles cannot spend the same credits twice.
     ///
     /// # Errors
-    /// The reason against the purchase, or the database cannot be written; nothing is paid then.
+    /// The part cannot be bought, or the database cannot be written; then nothing is paid.
     pub fn buy(
         &mut self,
         profile: &Profile,
@@ -42,7 +42,7 @@ impl Profiles {
             .query_map([profile.key], |row| row.get::<_, String>(0))
             .and_then(Iterator::collect::<Result<Vec<_>, _>>)
             .map_err(|error| self.fault(error))?;
-        // A design with an unknown part is left out here, and stays in the file.
+        // A design with an unknown part is left out here, but stays in the file.
         Ok(rows
             .iter()
             .filter_map(|toml| Design::from_toml(toml).ok())
@@ -85,7 +85,7 @@ impl Profiles {
         design: &Design,
     ) -> Result<(), ProfileError> {
         let transaction = self.transaction()?;
-        // The old one goes first: the names may differ only in case.
+        // The old design is removed first, because the names may differ only in case.
         self.drop_design(profile, from)?;
         self.keep_design(profile, design)?;
         transaction.commit().map_err(|error| self.fault(error))

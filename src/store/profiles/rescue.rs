@@ -11,7 +11,7 @@ use crate::store::utc;
 use crate::text;
 use crate::text::Text;
 
-/// The two backups: after the newest run, and the one before.
+/// The two backups: the one after the newest run, and the one before it.
 const COPIES: [&str; 2] = ["backup", "backup-before"];
 /// The result of a successful check.
 const SOUND: &str = "ok";
@@ -50,7 +50,7 @@ pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
     }
     let lock = lock_file(path)?;
     lock.lock()?;
-    // Another console may have been faster.
+    // Another console may have rescued it already.
     let Some(fault) = damage(path) else {
         return Ok(None);
     };
@@ -61,7 +61,7 @@ pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
         .transpose()?;
     let when = utc(SystemTime::now()).replace(':', "-");
     let damaged = beside(path, &format!("damaged-{when}"));
-    // If the program is killed from here on, there is no file or an empty one, which counts as damage while copies
+    // If the program is killed from here on, the file is missing or empty, which counts as damage while copies
     // exist.
     rename(path, &damaged)?;
     for log in ["-wal", "-shm"] {
@@ -86,7 +86,7 @@ fn lock_file(path: &Path) -> io::Result<File> {
 }
 
 /// The damage of a database. A missing or empty file is a new database if there is no copy. A busy database or a
-/// refusing file system is no damage.
+/// refusing file system is not damage.
 fn damage(path: &Path) -> Option<Text> {
     if is_empty(path) {
         return good_copy(path).map(|_| text!("profiles-fault-empty"));
@@ -110,7 +110,7 @@ fn faulty(words: String) -> Text {
     text!("profiles-fault-database", words = words)
 }
 
-/// The result of `SQLite`'s check: [`SOUND`], or the damage.
+/// The result of `SQLite`'s check: [`SOUND`], or a description of the damage.
 fn check(path: &Path) -> rusqlite::Result<String> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(path, flags)?;
@@ -137,10 +137,10 @@ fn is_empty(path: &Path) -> bool {
     )
 }
 
-/// Duplicates a copy beside the database that it will replace; synced to the disk first.
+/// Duplicates a copy next to the database that it will replace, and syncs it to the disk.
 fn duplicate(copy: &Path, path: &Path) -> io::Result<PathBuf> {
     let restored = beside(path, "restored");
-    // A leftover of an interrupted rescue.
+    // Removes what an interrupted rescue has left.
     remove(&restored)?;
     let mut file = super::private(&restored)?;
     io::copy(&mut File::open(copy)?, &mut file)?;
@@ -170,7 +170,7 @@ fn sync_folder(path: &Path) -> io::Result<()> {
     File::open(folder.unwrap_or(Path::new(".")))?.sync_all()
 }
 
-/// Backs the database up. The copy is checked before it replaces the last one. If another console is doing it, this
+/// Backs the database up. The copy is checked before it replaces the last one. If another console is doing so, this
 /// one does not.
 pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<()> {
     let [newest, before] = COPIES.map(|name| beside(path, name));
@@ -180,7 +180,7 @@ pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<
     if lock.try_lock().is_err() {
         return Ok(());
     }
-    // A leftover of an interrupted copy, or a link planted by another user.
+    // Removes what an interrupted copy has left, or a link planted by another user.
     remove(&fresh).map_err(io)?;
     drop(super::private(&fresh).map_err(io)?);
     connection.backup("main", &fresh, None)?;

@@ -2,7 +2,7 @@
 
 use rusqlite::{Connection, TransactionBehavior};
 
-/// What each version added to the one before it.
+/// The changes of each version from the previous one.
 const STEPS: [&str; 1] = ["
     CREATE TABLE profiles (
         -- Never used again: whoever still holds a removed profile must not write into somebody else's.
@@ -89,7 +89,7 @@ pub(super) fn migrate(connection: &mut Connection) -> rusqlite::Result<i32> {
         return Ok(found);
     }
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
-    // Another console may have been faster.
+    // Another console may have migrated them already.
     let found = version(&transaction)?;
     for step in STEPS
         .iter()

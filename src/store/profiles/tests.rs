@@ -196,7 +196,7 @@ fn what_one_console_stores_another_sees_and_credits_are_spent_once() {
     one.store(&anna, &run("a", "one", 1000)).expect("stored");
     let credits = || CareerStanding::of(&two.history(&anna).expect("readable")).credits();
     assert_eq!(credits(), 900);
-    // A mesh radio costs 404.
+    // The licence for a mesh radio costs 404 credits.
     one.buy(&anna, "r_mesh24", &course(), WHEN).expect("paid");
     assert!(matches!(
         two.buy(&anna, "r_mesh24", &course(), WHEN),

@@ -20,7 +20,7 @@ mod claim;
 const SCHEMA: u32 = 1;
 /// The largest profile file.
 const LARGEST: u64 = 256 * 1024 * 1024;
-/// The most bytes of an id or a name.
+/// The maximum length of an id or a name, in bytes.
 const LONGEST_LINE: usize = 200;
 
 /// A profile with all its data.
@@ -64,7 +64,7 @@ impl ProfileFile {
     /// Reads the file of an exported profile.
     ///
     /// # Errors
-    /// It cannot be read, or is no profile; the error names the file.
+    /// It cannot be read, or is not a profile; the error names the file.
     pub fn open(path: &Path) -> Result<Self, ProfileError> {
         let shown = path.display();
         let mut text = String::new();
@@ -91,7 +91,7 @@ impl ProfileFile {
     /// Reads an exported profile.
     ///
     /// # Errors
-    /// It is no profile, has an unknown version, or contains impossible entries.
+    /// It is not a profile, has an unknown version, or contains impossible entries.
     pub fn read(source: &str) -> Result<Self, ProfileError> {
         let fault = |fault: String| ProfileError::NoProfile { fault };
         let file: Self =
@@ -108,7 +108,7 @@ impl ProfileFile {
         }
     }
 
-    /// The first impossible entry, in English: the file is untrusted.
+    /// The first impossible entry, in English; the file is untrusted.
     fn fault(&self) -> Option<String> {
         let since = || faulty_moment("since", &self.since);
         let entries = || {

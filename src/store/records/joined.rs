@@ -1,4 +1,4 @@
-//! The logs that were joined to records: a small file for each vehicle, beside the record.
+//! The logs that were joined to records: a small file for each vehicle, next to the record.
 
 use std::fs::{self, OpenOptions};
 use std::io::Write as _;
@@ -11,16 +11,16 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// What stands between the name of a record and the number of a vehicle.
+/// The text between the name of a record and the number of a vehicle.
 const MARK: &str = ".log-";
 const JSON: &str = ".json";
-/// No joined log is longer than this.
+/// The maximum size of a joined log, in bytes.
 const LONGEST: u64 = 64 * 1024 * 1024;
-/// No log is longer than this.
+/// The maximum size of a log, in bytes.
 const LARGEST_LOG: u64 = 2 * 1024 * 1024 * 1024;
 
 impl RecordFiles {
-    /// What all its files' names begin with.
+    /// The common beginning of its files' names.
     fn common_name(&self) -> Option<String> {
         let name = self.review.file_name()?.to_str()?;
         name.strip_suffix(REVIEW).map(str::to_owned)
@@ -44,7 +44,7 @@ impl RecordFiles {
         paths
     }
 
-    /// The logs that were joined to the record, and what is wrong with those that cannot be read.
+    /// The logs that were joined to the record, and the faults of those that cannot be read.
     pub fn read_joined(&self) -> (Vec<JoinedLog>, Vec<Text>) {
         let (mut logs, mut faults) = (Vec::new(), Vec::new());
         for path in self.joined_paths() {
@@ -66,7 +66,8 @@ impl RecordFiles {
         (logs, faults)
     }
 
-    /// Stores a log beside the record, which does not change; that of the same vehicle is replaced. Returns the path.
+    /// Stores a log next to the record, which does not change. An earlier one of the same vehicle is replaced. Returns
+    /// the path.
     ///
     /// # Errors
     /// It cannot be written.
@@ -86,7 +87,7 @@ impl RecordFiles {
         Ok(path)
     }
 
-    /// Removes what was joined to the record.
+    /// Removes the logs that were joined to the record.
     ///
     /// # Errors
     /// It cannot be removed.
@@ -101,7 +102,7 @@ impl RecordFiles {
 /// The bytes of a log.
 ///
 /// # Errors
-/// It cannot be read; in words.
+/// A text if it cannot be read.
 pub fn read_log(path: &Path) -> Result<Vec<u8>, Text> {
     read_regular(path, LARGEST_LOG).map_err(|error| {
         let (file, error) = (path.display().to_string(), error.to_string());

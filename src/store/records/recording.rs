@@ -11,10 +11,10 @@ use crate::record::{Happening, JournalLine};
 use crate::text;
 use crate::text::Text;
 
-/// The interval of writing.
+/// The time between writes.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
-/// A record being written. Dropping it writes the rest.
+/// A record being written. Dropping it writes the remaining data.
 #[derive(Debug)]
 pub struct Recording {
     stem: String,
@@ -35,7 +35,7 @@ struct RecordingState {
     lines: String,
     /// Waiting lines of the inputs.
     inputs: String,
-    /// The time of the last one.
+    /// The time of the last line.
     last_at: Duration,
     is_over: bool,
     /// Bytes written so far.
@@ -102,7 +102,7 @@ impl Shared {
 }
 
 impl Recording {
-    /// Starts a thread that writes frames from `source`, and noted lines.
+    /// Starts a thread that writes frames from `source`, and the lines added to it.
     pub(super) fn start(
         writer: RecordWriter,
         source: impl FnMut() -> Vec<u8> + Send + 'static,
@@ -158,7 +158,7 @@ impl Recording {
         }
     }
 
-    /// Bytes that were written so far.
+    /// The number of bytes written so far.
     pub fn bytes(&self) -> u64 {
         self.shared.state().bytes
     }
@@ -208,7 +208,7 @@ impl RecordWriter {
     /// # Errors
     /// The disk is full or unavailable, or the record has reached its limit; then frames are dropped.
     pub fn append(&mut self, piece: &RecordPiece<'_>) -> Result<(), RecordingFault> {
-        // Frames first: a journal may lack its last lines, but never refers to missing frames.
+        // Frames are written first, so that a journal may lack its last lines, but never refers to missing frames.
         let is_full = self.len() + piece.frames.len() as u64 > self.most_bytes;
         let written = if is_full {
             Ok(())
@@ -225,7 +225,7 @@ impl RecordWriter {
         Ok(())
     }
 
-    /// Bytes written so far.
+    /// The number of bytes written so far.
     fn len(&self) -> u64 {
         let inputs = self.inputs.as_ref().map_or(0, AppendFile::len);
         self.frames.len() + self.journal.len() + inputs

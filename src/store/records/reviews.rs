@@ -1,4 +1,4 @@
-//! Reviews of records: small files beside them, which stay when old records make room.
+//! Reviews of records: small files next to them, which stay when old records are removed.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -16,7 +16,7 @@ impl RecordFiles {
     /// The review of the record, if there is one.
     ///
     /// # Errors
-    /// It cannot be read, or is no review; as text.
+    /// A text if it cannot be read, or is not a review.
     pub fn read_review(&self) -> Result<Option<Review>, Text> {
         match read(&self.review) {
             Ok(text) => Review::read(&text).map(Some),
@@ -25,7 +25,7 @@ impl RecordFiles {
         }
     }
 
-    /// Writes the review of the record; the one before is replaced as a whole.
+    /// Writes the review of the record; an earlier one is replaced as a whole.
     ///
     /// # Errors
     /// It cannot be written.
@@ -41,7 +41,7 @@ impl RecordFiles {
         write().map_err(|error| unwritable(&self.review, error))
     }
 
-    /// Removes its review, where there is one.
+    /// Removes its review, if there is one.
     ///
     /// # Errors
     /// It cannot be removed.
@@ -64,7 +64,7 @@ impl Records {
             .map(|entry| entry.file_name().to_string_lossy().into_owned())
             .filter(|name| name.ends_with(REVIEW))
             .collect();
-        // Names begin with the time of day: a mission's newest review replaces the others.
+        // Names begin with the date and time, so a mission's newest review replaces the others.
         names.sort();
         let mut newest = BTreeMap::new();
         for name in names {

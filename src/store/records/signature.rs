@@ -14,7 +14,7 @@ use crate::store::signature::{
 pub enum RecordSignature {
     /// No file is signed.
     None,
-    /// All files are signed, but no key was given to check them: the named key is not reliable.
+    /// All files are signed, but no key was given to check them: the named key cannot be trusted.
     Unchecked { key: String },
     /// All files are signed by the key, with this comment.
     Valid { key: String, comment: String },
@@ -28,7 +28,7 @@ pub enum RecordSignature {
 const FILES: &str = "files:";
 
 impl RecordFiles {
-    /// The files that a flight leaves, with their endings.
+    /// The files of the flight itself, with their endings.
     fn flown(&self) -> impl Iterator<Item = (&'static str, &PathBuf)> {
         let files = [
             (RUN, &self.run),
@@ -40,8 +40,8 @@ impl RecordFiles {
         flown.filter_map(|(ending, path)| Some((ending, path.as_ref()?)))
     }
 
-    /// Signs each file of the record; the signatures say `about` it. Existing signatures are replaced. Returns the
-    /// signature files.
+    /// Signs each file of the record; the signatures contain the comment `about`. Existing signatures are replaced.
+    /// Returns the signature files.
     ///
     /// # Errors
     /// A console still writes the record, a file cannot be read, or a signature cannot be written.
@@ -83,7 +83,7 @@ impl RecordFiles {
         if let Some(file) = unsigned {
             return Err(RecordSignature::Partial { file });
         }
-        // Whoever removes a file could remove its signature too: the others list it.
+        // Anyone who removes a file could also remove its signature, so the other signatures list it.
         let signed = about.split('\t').find_map(|it| it.strip_prefix(FILES));
         let missing = signed.unwrap_or_default().split(',').find(|ending| {
             let mut present = self.flown();
@@ -165,7 +165,7 @@ mod tests {
         let (key, public) = keys(folder.path(), "mine");
         let signatures = files.sign(&key, "score:900").expect("signed");
         let text = fs::read_to_string(&signatures[0]).expect("there");
-        // Each row: what becomes of the first signature.
+        // The first signature, changed or cut off at every seventh byte.
         for at in (0..text.len()).step_by(7) {
             let mut bytes = text.clone().into_bytes();
             bytes[at] = bytes[at].wrapping_add(1) & 0x7f;
@@ -183,7 +183,7 @@ mod tests {
                 "{at}: {cut:?}"
             );
         }
-        // That of another file of the record, contents and all.
+        // Another file of the record together with its signature.
         let [run, inputs] = [&files.run, &files.inputs].map(|it| it.clone().expect("there"));
         fs::write(&signatures[0], &text).expect("written");
         fs::copy(&run, &inputs).expect("copied");
@@ -212,7 +212,7 @@ mod tests {
         fs::write(&earlier[2], kept).expect("written");
         let check = |files: &RecordFiles| files.signature(Some(&public));
         assert_eq!(check(&files), invalid("flight.tlog", SignatureFault::Mixed));
-        // Without the frames, with or without their signature.
+        // The frames are missing, with or without their signature.
         files.sign(&key, "score:950").expect("signed again");
         fs::remove_file(folder.path().join("flight.tlog")).expect("there");
         let rest = RecordFiles::beside(&folder.path().join("flight.run.jsonl"));
@@ -232,7 +232,7 @@ mod tests {
         let text = fs::read_to_string(&signatures[0]).expect("there");
         let lines: Vec<&str> = text.lines().collect();
         let damaged = invalid("flight.run.jsonl", SignatureFault::Damaged);
-        // The decoder skips blanks, and the library panics at what is then too short.
+        // The decoder skips spaces, and the library panics if the result is then too short.
         for last in [
             " ".repeat(88),
             "\t".repeat(88),

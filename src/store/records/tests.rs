@@ -86,7 +86,7 @@ fn a_record_that_is_too_large_ends_and_says_so() {
         .expect("a record");
     let stem = recording.stem().to_owned();
     drop(recording);
-    // What had room is there.
+    // The parts that fitted are there.
     let files = RecordFiles::beside(&records.folder().join(format!("{stem}{JOURNAL}")));
     assert!(files.head().is_ok());
     assert!(files.bytes <= 500, "{}", files.bytes);

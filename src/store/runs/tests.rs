@@ -62,7 +62,7 @@ fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
     );
 }
 
-/// The program's folder, with something foreign in it.
+/// The program's folder, with foreign files in it.
 fn shared() -> (tempfile::TempDir, Runs) {
     let data = tempfile::tempdir().expect("a temporary folder");
     let runs = Runs::within(data.path());
@@ -105,7 +105,7 @@ fn the_oldest_runs_make_room_and_nothing_foreign_does() {
 fn large_runs_make_room_by_their_age_but_the_newest_stays_whatever_its_size() {
     let (_data, runs) = shared();
     let half = BYTES_KEPT / 2;
-    // Each row: how long it is, and how many are there when the next one begins.
+    // Each row: the length of a run, and the number of runs left when the next one begins.
     for (number, (len, left)) in [(half, 1), (half, 2), (1, 2), (2 * BYTES_KEPT, 1), (1, 1)]
         .into_iter()
         .enumerate()

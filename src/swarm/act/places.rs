@@ -9,7 +9,7 @@ use crate::swarm::lanes::{Lane, Start, shares};
 use crate::swarm::transit::{Leg, are_apart, heights};
 use crate::vehicle::VehicleId;
 
-/// Members at their present positions, to change only their height.
+/// Members at their current positions, to change only their height.
 pub(in crate::swarm) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
     let member = |&(id, at): &(VehicleId, DVec3)| Member::new(id, at, at.truncate().extend(up_m));
     team.iter().map(member).collect()

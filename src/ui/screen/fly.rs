@@ -11,18 +11,18 @@ use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
 
-/// The least width with a column each for telemetry and mission, and with the detailed telemetry.
+/// The minimum width for separate columns of telemetry and mission, and for the detailed telemetry.
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the telemetry pane, and of the mission below it.
 const SIDE_WIDTH: u16 = 40;
-/// Columns of the mission on its own.
+/// Columns of the mission in a separate column.
 const MISSION_WIDTH: u16 = 56;
-/// Rows that the telemetry pane needs above a mission.
+/// The minimum rows of the telemetry pane above a mission.
 const TELEMETRY_LEAST: u16 = 5;
-/// The least rows for a pane of notices over the whole width.
+/// The minimum number of rows for a pane of notices over the whole width.
 const NOTICES_LEAST: u16 = 6;
 
-/// The least size of a useful map.
+/// The minimum size of a useful map.
 const MAP_LEAST: (u16, u16) = (60, 9);
 /// Rows of the notices below a map.
 const NOTICES_MOST: u16 = 10;
@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let below_alerts = panel.below(alerts::height(state));
     urgent::draw(state, below_alerts.upper(urgent::height(state)), buffer);
     let body = below_alerts.below(urgent::height(state));
-    // At most half of the screen.
+    // The table gets at most half of the screen.
     let wanted = swarm::height(state, body.look, body.area.width);
     let rows = wanted.min(usize::from(body.area.height / 2)) as u16;
     swarm::draw(state, body.upper(rows), buffer);
@@ -99,7 +99,7 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     }
 }
 
-/// Draws telemetry and mission and returns the rest beside them.
+/// Draws telemetry and mission, and returns the rest of the area beside them.
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);

@@ -19,9 +19,9 @@ use crate::ui::widget::{aligned, below, clip, put, row_of, wrap};
 const BAR: usize = 12;
 const SHORT_BAR: usize = 5;
 const WORDS: usize = 22;
-/// Columns of all figures behind them.
+/// Columns of all figures after them.
 const FIGURES: usize = 32;
-/// The most columns of a host.
+/// The maximum number of columns of a host.
 const HOST: usize = 24;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -79,7 +79,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     );
     let inner = below(inner, 1);
     if hangar.instances().is_empty() {
-        // The whole room is free for it.
+        // The message may use the whole room.
         draw_nothing(hangar, panel.at(below(panel.area, 2)), buffer);
     }
     draw_instances(
@@ -92,7 +92,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     below(panel.area, rows)
 }
 
-/// Why there is no process.
+/// Draws the reason why there is no process.
 fn draw_nothing(hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buffer) {
     let (text, role) = match hangar.fault() {
         Some(fault) => (panel.text(fault), Role::Danger),
@@ -136,7 +136,7 @@ struct Columns {
 }
 
 impl Columns {
-    /// The remaining columns: host names are kept at the bar's expense.
+    /// Divides the remaining columns: the bar is shortened to keep host names whole.
     fn new(hangar: &Hangar, width: u16) -> Self {
         let left = |bar| usize::from(width).saturating_sub(4 + bar + 1 + WORDS + 1 + FIGURES + 1);
         let names = hangar.instances().iter().filter_map(host_name);

@@ -21,15 +21,15 @@ use crate::ui::widget::{below, clip, columns, put, width};
 mod about;
 mod list;
 
-/// Columns of the list: as its longest line needs, between these limits.
+/// Limits of the width of the list, which otherwise depends on its longest line.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
 /// Rows of the text above the sketch of a mission's area, without a career and with one.
 const TEXT_ROWS: u16 = 14;
 const CAREER_ROWS: u16 = 23;
-/// The most columns of the text: longer lines are hard to read.
+/// The maximum number of columns of the text: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
-/// Columns of what a mission means to the career, and what it asks for, at least, where it stands beside the text.
+/// The minimum columns of the career's facts and of the objectives if they are shown beside the text.
 const FACTS_WIDTH: u16 = 50;
 
 /// Draws the trainee, the list with its cursor, and a text about the chosen item.
@@ -124,7 +124,7 @@ fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     ]);
     let left = usize::from(panel.area.width).saturating_sub(line.width() + 4);
     let end = put(buffer, panel.area, 0, &line).unwrap_or(panel.area.x);
-    // If the whole advice does not fit, the mission matters most.
+    // If the whole advice does not fit, only the mission is shown.
     let words: Vec<String> = advice(career).iter().map(|it| panel.text(it)).collect();
     let shown = words.iter().find(|text| width(text) <= left);
     if let Some(text) = shown.or(words.last()) {

@@ -15,14 +15,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::ledger::{entry_role, summary};
 use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
 
-/// The least width with the rows of a command beside the list.
+/// The minimum width for showing the rows of a command beside the list.
 const BESIDE: u16 = 150;
 /// Columns of the fixed parts of a line: mark, time, vehicles, answer, attempts.
 const TIME_WIDTH: usize = 7;
 const COUNT_WIDTH: usize = 5;
 const ANSWER_WIDTH: usize = 8;
 const TRIES_WIDTH: usize = 5;
-/// The least columns of an outcome beside its command.
+/// The minimum columns for an outcome beside its command.
 const OUTCOME_LEAST: usize = 24;
 /// Columns of a vehicle's state.
 const STATE_WIDTH: usize = 16;
@@ -47,7 +47,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             buffer,
         );
     } else {
-        // At most a third of the screen: a key shows the rest.
+        // The rows get at most a third of the screen; a key shows the rest.
         let wanted = 2 + lines(entry, panel.look, usize::from(panel.area.width)).len() as u16;
         let rows = wanted.clamp(4, (panel.area.height / 3).max(4));
         let list = panel.area.height.saturating_sub(rows);

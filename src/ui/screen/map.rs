@@ -13,7 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length, next_place, stamp};
 use crate::ui::widget::{below, columns, mission, put, row_of, upper, urgent, wrap};
 
-/// The most rows of a lesson.
+/// The maximum number of rows of a lesson.
 const LESSON_ROWS: usize = 3;
 /// Columns of the north mark and a gap.
 const NORTH_MARK: u16 = 4;
@@ -37,7 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         draw_legend(state, panel.at(legend), buffer);
     }
     let canvas = below(pane, 1);
-    // Drawn over the north of the map: a map that moved with every alert would be unreadable.
+    // Alerts are drawn over the north of the map, because a map that moved with every alert would be unreadable.
     urgent::draw(
         state,
         panel.at(upper(canvas, urgent::height(state))),
@@ -62,8 +62,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the step of a lesson, so that a trainee sent to the map need not go back to read on. It is placed where it
-/// does not cover its target.
+/// Draws the step of a lesson, so that a trainee who was sent to the map need not go back to read it. It is placed
+/// where it does not cover its target.
 fn draw_lesson(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(step) = state.session().mission().and_then(mission::lesson) else {
         return;
@@ -97,7 +97,8 @@ fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut B
     }
 }
 
-/// The cursor's position: coordinates, offset from home if that fits, from the vehicle, and from the ruler's start.
+/// The cursor's position: coordinates, offset from home if that fits, and the distances from the vehicle and from the
+/// ruler's start.
 fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Line<'static> {
     let muted = |id: &str| Span::styled(format!("{} ", look.say(id)), look.style(Role::Muted));
     let way = |from: LatLon| {

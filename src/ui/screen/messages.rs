@@ -20,7 +20,7 @@ use crate::wire::Anatomy;
 mod fields;
 mod graph;
 
-/// Columns of the tree with rate and age, and with bytes and count besides.
+/// Columns of the tree with rate and age, and of the wide one, which also has bytes and count.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;
 /// From this width on, the tree is wide.

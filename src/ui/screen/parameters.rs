@@ -23,7 +23,7 @@ mod status;
 
 /// Rows of the status above the list.
 const STATUS_ROWS: u16 = 2;
-/// The least rows of the list.
+/// The minimum number of rows of the list.
 const LIST_LEAST: u16 = 8;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {

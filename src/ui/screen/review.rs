@@ -20,7 +20,7 @@ use crate::ui::widget::{put, row_of, wrap};
 
 mod curves;
 
-/// The moments get one column in this many beside the map; the most columns that they use.
+/// Beside the map, the moments get one column in this many, up to the following maximum.
 const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
 /// Rows below the moments for the one under the cursor.
@@ -52,7 +52,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The tabs of the pages, with the present one and the answered ones marked.
+/// The tabs of the pages, with the current one and the answered ones marked.
 fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a> {
     let review = &view.review;
     let mut spans = vec![Span::raw(" ")];

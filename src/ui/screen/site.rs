@@ -13,11 +13,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_site;
 use crate::ui::widget::{aligned, clip, clock, put, width};
 
-/// Rows of a sketch that shows anything.
+/// Rows that a sketch needs to be readable.
 pub(super) const SITE_ROWS: u16 = 12;
 /// Columns of the figures at the right.
 const FIGURES: u16 = 30;
-/// The most columns of the sketch.
+/// The maximum number of columns of the sketch.
 const SKETCH: u16 = 72;
 
 /// Draws the sketch and the figures below one rule.

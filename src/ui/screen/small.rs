@@ -12,7 +12,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
-/// Shows the required and the present size.
+/// Shows the required and the current size.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let text = panel.text(&text!(
         "small-needs",

@@ -22,7 +22,7 @@ mod wealth;
 /// Rows of credits and experience on a screen that shows everything.
 const WEALTH_ROWS: u16 = 12;
 
-/// What is drawn, with the look.
+/// The subject of the drawing, with the look.
 struct Subject<'a> {
     state: &'a State,
     career: &'a Career,
@@ -114,7 +114,7 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 impl Subject<'_> {
-    /// A pane's rule with its title; a heavy one for the pane with the cursor.
+    /// Draws a pane's rule with its title; the rule is heavy for the pane with the cursor.
     fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
         Panel::new(self.look, area).focused(title, self.has_cursor(pane), buffer)
     }
@@ -125,7 +125,7 @@ impl Subject<'_> {
     }
 }
 
-/// A day relative to today: today, in so many days, so many days ago.
+/// A day relative to today: today, in a number of days, or a number of days ago.
 fn days(from_today: i64) -> Text {
     match from_today {
         0 => text!("days-today"),

@@ -29,20 +29,20 @@ mod state;
 mod tape;
 mod texts;
 
-/// The least size to show everything at once.
+/// The minimum size to show everything at once.
 const WHOLE: (u16, u16) = (110, 34);
 /// The number of pages on smaller screens.
 const PAGES: usize = 3;
 /// Rows of the list of sensors over the whole width.
 const SENSORS_ROWS: u16 = 9;
-/// Rows of the outputs below others.
+/// Rows of the outputs below other panes.
 const OUTPUTS_ROWS: u16 = 8;
 /// Columns of the attitude indicator on a small screen.
 const ATTITUDE_COLUMNS: u16 = 33;
 /// Rows of the heading tape, and of the line with the angles.
 const TAPE_ROWS: u16 = 3;
 
-/// What the panes are drawn from.
+/// The data that the panes are drawn from.
 struct Subject<'a> {
     vehicle: &'a Vehicle,
     state: &'a State,

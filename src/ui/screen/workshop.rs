@@ -24,12 +24,12 @@ mod parts;
 mod shelf;
 mod slots;
 
-/// The least rows with both lists, one below the other.
+/// The minimum rows for both lists, one below the other.
 const TALL: u16 = 34;
-/// The least columns with wide lists, and the least rows of a chart below them.
+/// The minimum columns for wide lists, and the minimum rows of a chart below them.
 const ROOMY: u16 = 110;
 const CHART_ROWS: u16 = 9;
-/// Percent of a wide screen for the list of slots, and columns of the figures.
+/// The share of a wide screen for the list of slots, in percent; then the columns of the figures.
 const SLOTS_PERCENT: u16 = 30;
 const WIDE_FIGURES: u16 = 56;
 /// Rows of the figures with their title.
@@ -109,7 +109,7 @@ fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
         .min(count.saturating_sub(rows))
 }
 
-/// Highlights the cursor's line; without the focus only with a mark.
+/// Highlights the cursor's line; without the focus, it gets only a mark.
 fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     if has_keys {
         Panel::new(look, row_of(place, 0)).mark_cursor(buffer);
@@ -118,7 +118,7 @@ fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Writes texts below each other, wrapped; returns the rest.
+/// Writes texts one below the other, wrapped; returns the rest of the area.
 fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Rect {
     let mut row = 0;
     for (text, style) in texts {

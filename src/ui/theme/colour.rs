@@ -7,7 +7,7 @@ use ratatui::style::Color;
 pub enum ColourDepth {
     /// No colours: only bold, underline and reverse.
     None,
-    /// The sixteen basic ones.
+    /// The sixteen basic colours.
     Sixteen,
     Indexed,
     True,
@@ -57,8 +57,8 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
         .sum()
 }
 
-/// A grey becomes the nearest grey, a colour the basic one of its hue: by distance alone, a soft red would become dark
-/// grey.
+/// Maps a grey to the nearest grey, and a colour to the basic one of its hue; by distance alone, a soft red would
+/// become dark grey.
 fn nearest_basic(rgb: [u8; 3]) -> Color {
     let nearest = match hue_deg(rgb) {
         None => {
@@ -79,7 +79,7 @@ fn nearest_basic(rgb: [u8; 3]) -> Color {
     nearest.map_or(Color::Reset, |&(colour, _)| colour)
 }
 
-/// The angle of a colour on the HSV circle, 0 to 359 degrees; none for greys.
+/// The angle of a colour on the HSV circle, 0 to 359 degrees; `None` for greys.
 fn hue_deg(rgb: [u8; 3]) -> Option<u32> {
     let [r, g, b] = rgb.map(i32::from);
     let (most, least) = (r.max(g).max(b), r.min(g).min(b));

@@ -86,7 +86,7 @@ impl<'a> Lineage<'a> {
         })
     }
 
-    /// The user's file for `name`. A user's `dark` that inherits `dark` means the embedded one.
+    /// The user's file for `name`. If a user's `dark` inherits `dark`, it inherits the embedded one.
     fn own(&self, name: &str) -> Option<&'a ThemeFile> {
         let is_itself = self.names.last().is_some_and(|last| last == name);
         self.themes.own(name).filter(|_| !is_itself)
@@ -159,7 +159,7 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     }
 }
 
-/// The faults of roles that are not tables: the TOML reader would name Rust types.
+/// The faults of roles that are not tables, because the TOML reader's messages would name Rust types.
 fn roles_without_table(source: &str) -> Vec<Diagnostic> {
     let (document, _) = DeTable::parse_recoverable(source);
     let roles = document.get_ref().get("roles").map(Spanned::get_ref);

@@ -12,7 +12,7 @@ pub struct Themes {
     own: BTreeMap<String, ThemeFile>,
 }
 
-/// A theme file of the administrator's or the user's.
+/// A theme file of the administrator or the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ThemeFile {
     /// The path for fault reports.
@@ -28,7 +28,7 @@ pub enum ThemeError {
     Unknown {
         name: String,
         known: String,
-        /// The most similar name, with the words around it.
+        /// A suggestion with the most similar name.
         guess: String,
     },
     /// Its file has faults.
@@ -43,7 +43,7 @@ pub enum ThemeError {
 impl From<&ThemeError> for Text {
     fn from(error: &ThemeError) -> Self {
         match error {
-            // The console offers only existing names; just the command line can request others.
+            // The console offers only existing names; only the command line can request others.
             ThemeError::Unknown { .. } => Self::verbatim(error.to_string()),
             ThemeError::Faulty { file, faults } => {
                 let (shown, rest) = first_shown(faults);

@@ -184,7 +184,7 @@ fn the_users_themes_inherit_from_each_other_and_from_embedded_ones() {
             "base",
             "inherits = \"light\"\n[roles]\ninfo = { fg = \"red\" }",
         ),
-        // It replaces the embedded theme of its name, and inherits from it.
+        // The file replaces the embedded theme of the same name, and inherits from it.
         (
             "dark",
             "inherits = \"dark\"\n[roles]\nok = { fg = \"cyan\" }",

@@ -13,7 +13,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, short_clock, width};
 
-/// The rows of the line: none without an alert.
+/// The rows of the line; 0 without an alert.
 pub fn height(state: &State) -> u16 {
     u16::from(state.session().alarms().pressing().is_some())
 }

@@ -8,7 +8,7 @@ use super::{aligned, columns, put, width};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// Eighths of a cell.
+/// A cell filled by zero to eight eighths.
 const EIGHTHS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 /// Columns of a bar, and of a bar with the gap after it; its label fits into that.
 const BAR: usize = 4;
@@ -24,7 +24,7 @@ pub struct Bar {
 
 #[derive(Debug, Clone, Copy)]
 pub struct Bars<'a> {
-    /// The bars from the left; the last ones are shown where not all fit.
+    /// The bars from the left; if not all fit, the last ones are shown.
     pub values: &'a [Bar],
     /// Lines across the chart: their value and their name.
     pub lines: &'a [(f64, String)],

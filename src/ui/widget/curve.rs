@@ -14,11 +14,11 @@ const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█']
 /// A curve. The values are spread over the whole width; `None` is a gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve<'a> {
-    /// Values from the left, one per column: [`steps`] says how many columns there are.
+    /// Values from the left, one per column: [`steps`] returns the number of columns.
     pub values: &'a [Option<f64>],
-    /// What is drawn at the bottom.
+    /// The value at the bottom.
     pub low: f64,
-    /// What is drawn at the top.
+    /// The value at the top.
     pub high: f64,
     pub style: Style,
 }
@@ -58,7 +58,7 @@ impl Curve<'_> {
     }
 }
 
-/// Joins neighbours by vertical strokes, so that a steep curve is one line.
+/// Draws the curve as dots, joining neighbours by vertical strokes, so that a steep curve is one line.
 fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
     let rows = area.height * 4;
     let mut before: Option<u16> = None;
@@ -96,7 +96,7 @@ fn bar(eighths: u16) -> char {
     BARS[usize::from(eighths.clamp(1, 8)) - 1]
 }
 
-/// Draws a bar per column; the least value stays visible.
+/// Draws a bar per column; the smallest value stays visible.
 fn draw_bars(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer, bar: fn(u16) -> char) {
     for (at, value) in curve.values.iter().enumerate().take(area.width.into()) {
         let Some(value) = value else {

@@ -1,4 +1,4 @@
-//! Gauges: a share in a few cells, in the colour of its meaning.
+//! Gauges: a share in a few cells, in a colour that shows its meaning.
 
 use ratatui::text::Span;
 
@@ -9,10 +9,10 @@ use crate::vehicle::{HomeReach, LinkQuality};
 /// The battery levels for low and nearly empty, in percent.
 const LOW_PERCENT: u8 = 25;
 const EMPTY_PERCENT: u8 = 10;
-/// The least share of messages received on a good link.
+/// The minimum share of messages received on a good link.
 const GOOD_PERCENT: u8 = 90;
 
-/// A share between nothing and all.
+/// A share between 0 and 1, for display.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gauge {
     /// The filled share, 0 to 1.
@@ -23,7 +23,7 @@ pub struct Gauge {
 }
 
 impl Gauge {
-    /// The gauge in so many cells; anything above zero is visible.
+    /// The gauge in this many cells; anything above zero is visible.
     pub fn spans(&self, cells: usize, look: &Look) -> Vec<Span<'static>> {
         let cell = |share: f64| (share.clamp(0.0, 1.0) * cells as f64).round() as usize;
         let least = usize::from(self.share > 0.0);

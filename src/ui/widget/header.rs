@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         String::new()
     };
     let left = width(&name) + width(&pace) + 1;
-    // The figures are shortened for the title while they lose no meaning.
+    // The figures are shortened to make room for the title, as long as they stay clear.
     let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
     let long = right_part(state, panel.look, false);
     let right = if fits(&long) {
@@ -60,7 +60,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     }
 }
 
-/// The figures; abbreviated where there is little room.
+/// The figures; abbreviated if there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
     let is_reading = state.session().is_reading();
     if is_reading && short {
@@ -105,7 +105,7 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
     })
 }
 
-/// The flight screen has its own line for it.
+/// The most urgent alert; the flight screen has a separate line for it.
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let pressing = session.alarms().pressing()?;
@@ -114,7 +114,7 @@ fn pressing_alert(state: &State) -> Option<Text> {
     is_shown.then(|| text!("alert-header", count = count))
 }
 
-/// How long the mission's alert still waits for an answer; two rooms show the alert itself.
+/// The remaining time for an answer to the mission's alert; two rooms show the alert itself.
 fn mission_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let alert = session.mission()?.alerts.first()?;
@@ -150,7 +150,7 @@ fn links(state: &State, short: bool) -> Text {
     match links {
         [] => text!("header-no-link"),
         [link] if link.up => text!("header-link-up"),
-        // A long address is cut rather than the state.
+        // A long address is cut, so that the state stays visible.
         [link] => {
             let name = clip(&link.name, if short { 14 } else { 24 });
             text!("header-link-down", name = name)

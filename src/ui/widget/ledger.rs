@@ -22,7 +22,7 @@ use crate::vehicle::VehicleId;
 
 /// The indent of an outcome.
 const INDENT: usize = 2;
-/// The greatest width of a remark that is a value and not a sentence.
+/// The maximum width of a remark that counts as a value, not a sentence.
 const LONGEST_VALUE: usize = 24;
 
 /// Draws the newest entries that fit.
@@ -98,7 +98,7 @@ pub fn entry_lines<'a>(
     lines
 }
 
-/// The command and its outcome: on one line if they fit, otherwise below each other.
+/// The command and its outcome: on one line if they fit, otherwise one below the other.
 fn head_lines<'a>(
     entry: &LedgerEntry,
     session: &FlightView,
@@ -200,13 +200,13 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
     worst.map_or(Role::Muted, row_role)
 }
 
-/// The answer to a query, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
+/// The answer to a query, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` if they differ.
 fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     let told = |row: &LedgerRow| row.state == RowState::Done && row.explanation.is_some();
     if !entry.rows.iter().all(told) {
         return None;
     }
-    // The line already names the value.
+    // The line already contains the name of the value.
     let asked = entry.line.split_whitespace().next_back()?;
     let short = |text: &Text| {
         let text = look.text(text);
@@ -219,7 +219,7 @@ fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     if let [(text, _)] = remarks.as_slice() {
         return Some(short(text));
     }
-    // Different sentences on one line would run together: each gets its own line.
+    // Different sentences on one line would run together, so each gets its own line.
     let is_long = |(text, _): &(Text, Vec<VehicleId>)| look.text(text).width() > LONGEST_VALUE;
     if remarks.iter().any(is_long) {
         return None;
@@ -231,7 +231,7 @@ fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     Some(parts.collect::<Vec<_>>().join("   "))
 }
 
-/// The explanations of rows, merged if they differ only in their vehicle, in the order of their first one.
+/// The explanations of rows, merged if they differ only in their vehicle, in the order of their first occurrence.
 fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
     let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &&LedgerRow| row.state != RowState::Superseded;

@@ -17,7 +17,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, row_of};
 
-/// Draws them, with the entry under the cursor marked and visible.
+/// Draws the notices, with the entry under the cursor marked and visible.
 pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
@@ -41,7 +41,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
     );
     let window = Window::around(cursor - near.start, blocks, rows);
     window.draw(panel.at(inner), buffer);
-    // Beyond them, only the nearest lines were created.
+    // Only the lines near the cursor were created.
     let above = near.start + window.first;
     let below = window.lines.len() - window.first + count.saturating_sub(near.end);
     panel.at(inner).mark_scroll(above, above + below, buffer);
@@ -101,7 +101,7 @@ impl<'a> Window<'a> {
                 panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
             }
             if at == self.marked.start {
-                // Visible without colour too, in the free column beside the frame.
+                // A mark that is visible without colour, in the free column beside the frame.
                 let margin = Rect {
                     x: inner.x.saturating_sub(1),
                     ..inner

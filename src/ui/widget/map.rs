@@ -64,7 +64,7 @@ fn title(state: &State, look: &Look, outside: usize) -> String {
     title.join("  ")
 }
 
-/// Draws what a view shows, with its scale; returns how many vehicles are out of sight.
+/// Draws the content of a view, with its scale; returns the number of vehicles out of sight.
 fn draw_view(
     state: &State,
     look: &Look,

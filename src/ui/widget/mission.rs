@@ -60,7 +60,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let hint = hint_lines(progress, width, panel.look);
     if let Some(grid) = Grid::of(&progress.cells) {
-        // The map has the cells too; the hint is only here.
+        // The map also shows the cells, but the hint is shown only here.
         let rows = grid.rows() as u16;
         let free = upper(rest, rest.height.saturating_sub(hint.len() as u16));
         grid.draw(state, panel.at(upper(free, rows)), buffer);
@@ -135,8 +135,8 @@ fn counts(progress: &Progress) -> Vec<Text> {
     contacts.into_iter().chain(marks).chain(said).collect()
 }
 
-/// A line for each objective. If name and result do not fit on it, the result of a met objective is left out; any
-/// other is placed below its name if there are rows, otherwise the name is cut.
+/// A line for each objective. If name and result do not fit on it, the result of a met objective is left out. Any other
+/// result is placed below its name if there are rows; otherwise the name is cut.
 fn objective_lines(
     progress: &Progress,
     width: usize,
@@ -253,7 +253,7 @@ impl<'a> Grid<'a> {
             .unwrap_or(0)
     }
 
-    /// A cell shows its name until it is sampled, then its value.
+    /// Draws the cells. A cell shows its name until it is sampled, then its value.
     fn draw(&self, state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let fits = panel.area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);

@@ -18,13 +18,13 @@ use crate::vehicle::Severity;
 
 /// Columns of a severity.
 const SEVERITY_WIDTH: usize = 5;
-/// The most lines of a notice that is no error.
+/// The maximum number of lines of a notice that is not an error.
 const MOST_LINES: usize = 2;
 
-/// How long a console's own notice stays visible among vehicles' texts.
+/// How long the console's own notice stays visible among vehicles' texts.
 const KEPT_IN_VIEW: Duration = Duration::from_secs(30);
 
-/// Draws the newest notices that fit. Vehicles' texts leave half of the pane to the console's own notices while these
+/// Draws the newest notices that fit. Vehicles' texts leave half of the pane to the console's own notices while those
 /// are new.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("fly-notices"), buffer);
@@ -65,7 +65,7 @@ fn rows_for_texts(state: &State, rows: usize) -> usize {
     }
 }
 
-/// A notice with its time, severity and vehicles, wrapped; if it is no error, at most so many lines.
+/// A notice with its time, severity and vehicles, wrapped; if it is not an error, in at most this many lines.
 pub fn lines<'a>(
     line: &NoticeLine,
     session: &FlightView,
@@ -97,7 +97,7 @@ pub fn lines<'a>(
 
 /// The text in at most this many lines, with its count.
 fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<String> {
-    // Once from each of the listed vehicles needs no count.
+    // A text that each of the listed vehicles has sent once needs no count.
     let once_each = line.count as usize <= line.vehicles.len().max(1);
     let count = if once_each {
         String::new()
@@ -108,7 +108,7 @@ fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<Strin
     let mut lines = wrap(&format!("{text}{count}"), width);
     let whole = line.notice.severity <= Severity::Error;
     if lines.len() > most && !whole {
-        // The count must survive the cut.
+        // The count must stay visible when the text is cut.
         let rest = lines.drain(most - 1..).collect::<Vec<_>>().join(" ");
         let uncounted = rest.strip_suffix(&count).unwrap_or(&rest);
         let last = clip(uncounted, width.saturating_sub(count.len()));

@@ -15,14 +15,14 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
-/// Columns that one column of help takes.
+/// The width of one column of the help.
 const HELP_COLUMN: u16 = 74;
 
 /// Columns of a question, with its frame, and those of the frame.
 const CONFIRM_WIDTH: u16 = 64;
 const CONFIRM_FRAME: u16 = 4;
 
-/// Draws an overlay; those with a text cursor have files of their own.
+/// Draws an overlay; those with a text cursor are in separate files.
 pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buffer) {
     match overlay {
         Overlay::Confirm(question) => draw_confirm(state, question, panel, buffer),
@@ -67,7 +67,7 @@ fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mu
     }
 }
 
-/// The part of the answer typed, and the effect of other keys.
+/// The typed part of the answer, and the effect of other keys.
 fn typed_line(state: &State, question: &Confirm, panel: Panel<'_>) -> Line<'static> {
     if question.is_cancelled() {
         let text = panel.text(&text!(
@@ -83,7 +83,7 @@ fn typed_line(state: &State, question: &Confirm, panel: Panel<'_>) -> Line<'stat
     ])
 }
 
-/// A single key shows no text field: it takes effect at once.
+/// The typed part of an answer; an answer of a single key has no text field, because it takes effect at once.
 fn typed_so_far(question: &Confirm) -> String {
     if question.wants_one_key() {
         String::new()
@@ -180,7 +180,7 @@ mod tests {
 
     use super::*;
 
-    /// The content of the box, in one line.
+    /// The content of the box, on one line.
     fn shown(question: &Text, reason: &Text, language: Language) -> String {
         let look = Look {
             locale: Arc::new(Locale::new(language)),
@@ -204,7 +204,7 @@ mod tests {
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Any question with any reason: any message can be either.
+    /// Tests every question with every reason, since any message can be either.
     #[test]
     fn no_question_is_cut_on_a_small_screen() {
         for language in Language::ALL {

@@ -19,18 +19,18 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, mission, put, row_of, wrap};
 
-/// The most rows of the box: frame, completions, message, line.
+/// The maximum number of rows of the box: frame, completions, message, line.
 const HEIGHT: u16 = 13;
 /// Rows and columns of its frame, with the margins inside it.
 const FRAME_ROWS: usize = 2;
 const FRAME: usize = 4;
-/// Below this height of the screen the box covers the mission pane; rows of the lesson's step in it.
+/// Below this height of the screen, the box covers the mission pane; then the rows of the lesson's step in the box.
 const LOW: u16 = 36;
 const LESSON_ROWS: usize = 2;
 /// Rows of a fault, and of a verb's usage.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
-/// The most columns of a faulty word in its fault.
+/// The maximum number of columns of a faulty word in its fault.
 const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
@@ -42,8 +42,8 @@ struct Above<'a> {
     said: Vec<Line<'static>>,
 }
 
-/// Draws the box above the footer, as high as its content, and returns the position of the terminal's cursor. The line
-/// is its last row, so that it stays in place.
+/// Draws the box above the footer, with the height of its content, and returns the position of the terminal's cursor.
+/// The line is the box's last row, so that it stays in place.
 pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let above = Above::of(state, palette, panel);
     let place = at_the_bottom(panel.area, (FRAME_ROWS + 1 + above.rows()) as u16);
@@ -59,7 +59,7 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
     let fault = palette.fault();
     let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(rest), buffer);
     if let Some(fault) = fault {
-        // On the frame: a row that comes and goes would move the line.
+        // The message is on the frame, because a row that comes and goes would move the line.
         let frame = Rect {
             y: place.bottom().saturating_sub(1),
             height: 1,
@@ -96,7 +96,7 @@ impl<'a> Above<'a> {
         self.lesson.len() + self.choices.len() + self.said.len()
     }
 
-    /// Draws it and returns the rest below it.
+    /// Draws the content and returns the rest below it.
     fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         let mut rest = panel.area;
         for line in &self.lesson {
@@ -141,21 +141,21 @@ fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'st
         .collect()
 }
 
-/// The fault, the verb's usage, and what Enter would do.
+/// The fault, the verb's usage, and the effect of Enter.
 fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> Vec<Line<'static>> {
     let fault = palette.fault().map(|fault| {
         let said = match &fault.help {
             Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
             None => look.text(&fault.message),
         };
-        // A word of many lines would leave no room for its fault.
+        // A word that takes many lines would leave no room for its fault.
         let (_, wrong, _) = parts(palette.input().value(), Some(fault));
         match clip(wrong, LONGEST_WORD) {
             whole if whole == wrong => said,
             cut => said.replace(wrong, &cut),
         }
     });
-    // The grammar does not help a faulty line without a verb.
+    // The grammar does not help with a faulty line without a verb.
     let hint = match palette.hint() {
         Some(hint) => Some(look.text(hint)),
         None => fault.is_none().then(|| look.text(grammar)),
@@ -223,7 +223,7 @@ fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'
     }
 }
 
-/// Carets under the faulty word, a mark without colour.
+/// Draws carets under the faulty word, which are visible without colour.
 fn draw_carets(
     line: &str,
     fault: &Diagnostic,
@@ -248,10 +248,10 @@ struct ChoiceRow<'a> {
     is_chosen: bool,
 }
 
-/// The completions, in at most so many rows.
+/// The completions, in at most this many rows.
 fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> Vec<ChoiceRow<'a>> {
     let choices = palette.completions();
-    // The chosen one is the last row once the list scrolls.
+    // Once the list scrolls, the chosen one is in the last row.
     let first = palette
         .chosen()
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
@@ -266,7 +266,7 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
             rows.map(|line| ChoiceRow { line, is_chosen }).collect()
         })
         .collect();
-    // Each in full if there is room for all, otherwise one line each.
+    // Each completion is shown in full if there is room for all, otherwise on one line.
     if blocks.iter().map(Vec::len).sum::<usize>() > rows {
         for block in &mut blocks {
             block.truncate(1);

@@ -29,8 +29,8 @@ use layout::Shown;
 /// Columns before the first cell: the cursor's mark and that of the selection.
 const MARKS: u16 = 2;
 
-/// Rows that the table would like to have: a rule, the titles, and a row for each vehicle, or what there is to know
-/// while there is none. A filter leaves the table as large as it was.
+/// The preferred rows of the table: a rule, the titles, and a row for each vehicle, or the lines shown while there is
+/// none. A filter does not change the size of the table.
 pub fn height(state: &State, look: &Look, width: u16) -> usize {
     let rows = match state.session().vehicles().len() {
         0 => waiting_lines(state, look, width).len(),
@@ -39,7 +39,7 @@ pub fn height(state: &State, look: &Look, width: u16) -> usize {
     rows + 2
 }
 
-/// What is shown before a vehicle is heard: the state of the links.
+/// The lines shown before a vehicle is heard: the state of the links.
 fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> {
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];
@@ -78,7 +78,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let session = state.session();
     let fly = state.rooms().fly();
     let rows = usize::from(panel.area.height.saturating_sub(2));
-    // The cursor stays in the middle while the list scrolls under it.
+    // The cursor stays in the centre while the list scrolls.
     let first = fly
         .row_of(session.cursor())
         .saturating_sub(rows / 2)
@@ -123,7 +123,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .mark_list(first, fly.rows().len(), true, buffer);
 }
 
-/// What the rule above the table says: how many are shown, in which order, and who is selected.
+/// The title of the table: the number of vehicles shown, their order, and the selection.
 fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
     let session = state.session();
     let fly = state.rooms().fly();
@@ -155,7 +155,7 @@ fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
     parts.join("  ")
 }
 
-/// How many are selected, which groups that are, and who.
+/// The selection as text: the number of vehicles, their groups, and their numbers.
 fn selected(state: &State, look: &Look) -> String {
     let session = state.session();
     let selection = session.selection();
@@ -181,7 +181,7 @@ fn selected(state: &State, look: &Look) -> String {
     })
 }
 
-/// How many selected vehicles the filter hides.
+/// The number of selected vehicles that the filter hides.
 fn hidden(state: &State, selection: &Selection) -> usize {
     let fly = state.rooms().fly();
     if fly.filter_text().is_empty() {

@@ -1,4 +1,4 @@
-//! What the vehicle under the cursor says, the most needed lines first.
+//! The telemetry of the vehicle under the cursor, the most important lines first.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -23,10 +23,10 @@ use values::{Reading, readings};
 const LABEL_WIDTH: usize = 9;
 /// Columns of a gauge.
 const GAUGE: usize = 8;
-/// The most alerts shown here; the rest wait until these are over.
+/// The maximum number of alerts shown here; the others follow when these end.
 const MOST_ALERTS: usize = 3;
 
-/// Rows that the pane would like to have.
+/// The preferred rows of the pane.
 pub fn height(state: &State, look: &Look, width: u16, detail: Detail) -> u16 {
     let Some(vehicle) = state.session().under_cursor() else {
         return 1;
@@ -36,7 +36,7 @@ pub fn height(state: &State, look: &Look, width: u16, detail: Detail) -> u16 {
     (1 + alerts + usize::from(vehicle.link.lost) + lines.len()) as u16
 }
 
-/// That what is shown of a vehicle is not of now, if its link is lost.
+/// A line that marks the values as old, if the vehicle's link is lost.
 pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<'static>> {
     let link = vehicle.link;
     let silent = state
@@ -47,7 +47,7 @@ pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<
         .then(|| Line::styled(look.text(&text), look.style(Role::Danger)))
 }
 
-/// Draws as many lines as fit; a vehicle in trouble says so first, in full.
+/// Draws as many lines as fit; a vehicle's alerts come first, in full.
 pub fn draw(state: &State, panel: Panel<'_>, detail: Detail, buffer: &mut Buffer) {
     let Some(vehicle) = state.session().under_cursor() else {
         panel.titled(&panel.say("telemetry-title"), buffer);
@@ -75,7 +75,7 @@ pub fn draw(state: &State, panel: Panel<'_>, detail: Detail, buffer: &mut Buffer
     }
 }
 
-/// What is not of now is muted.
+/// A reading as a line; old values are muted.
 fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
     let label = aligned(&look.say(reading.label), LABEL_WIDTH, false);
     let mut spans = vec![Span::styled(label, look.style(Role::Muted))];
@@ -93,7 +93,7 @@ fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
     Line::from(spans)
 }
 
-/// What is wrong with it and since when, the worst first.
+/// The vehicle's alerts with their durations, the worst first.
 fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> Vec<Line<'static>> {
     let session = state.session();
     let mut alerts: Vec<&Standing> = session.alarms().of(vehicle.id).collect();

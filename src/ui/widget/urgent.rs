@@ -1,5 +1,5 @@
-//! What cannot wait: alerts of the mission with the time that is left for them, and vehicles that are hardly heard.
-//! It has the whole width, so that no word of it is cut off.
+//! Urgent lines: alerts of the mission with the time left for them, and vehicles with a very weak link. They take the
+//! whole width, so that no word is cut off.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -15,22 +15,22 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, row_of};
 
-/// A vehicle that is heard with a smaller margin may soon not be heard at all.
+/// A vehicle with a smaller link margin may soon be out of contact.
 const WEAK_DB: f64 = 6.0;
-/// Rows that it takes at most.
+/// The maximum number of rows.
 const MOST: usize = 4;
 
-/// Rows that it takes: none while nothing presses.
+/// The number of rows; 0 while nothing is urgent.
 pub fn height(state: &State) -> u16 {
     lines(state).len() as u16
 }
 
-/// Draws it, the most urgent first.
+/// Draws the lines, the most urgent first.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (text, role)) in lines(state).into_iter().enumerate() {
         let here = row_of(panel.area, row as u16);
         let words = clip(&panel.text(&text), usize::from(panel.area.width));
-        // Where it lies over something else, nothing of that is to be read between its words.
+        // The rows are cleared, so that no content below them is visible between the words.
         buffer.set_stringn(
             here.x,
             here.y,
@@ -57,7 +57,7 @@ fn lines(state: &State) -> Vec<(Text, Role)> {
     lines
 }
 
-/// How much there is to do, where the trainee is asked that now.
+/// The question about the workload, if it is open now.
 pub fn workload_question(state: &State) -> Option<Text> {
     let answer = Meaning::words("workload ");
     let key = state.keymap().key(answer, Place::In(Room::Fly));

@@ -1,7 +1,7 @@
 //! Equipment: electronics, radios, sensors, loads.
 //!
 //! Masses, powers and prices are those of typical parts of late 2025. Prices above 500 credits grow more slowly than
-//! real ones, with the power 0.55, so that the dearest sensor can be earned.
+//! real ones, with the power 0.55, so that a trainee can earn the most expensive sensor.
 
 use crate::workshop::part::Spec::{Autopilot, Load, Navigation, Payload};
 use crate::workshop::part::{Part, PowerModule, Radio, Spec};
@@ -41,8 +41,8 @@ parts! {
 }
 
 parts! {
-    /// Sensors, droppers and loads. The sprayer's tank lasts for 15 seconds: a kilogram of liquid beside a pump with
-    /// its hose.
+    /// Sensors, droppers and loads. The sprayer's tank lasts for 15 seconds: its mass includes a kilogram of liquid and
+    /// a pump with a hose.
     pub(super) static PAYLOADS: [Spec; 21]
         [id; spec; power_w, mass_g, credits];
         ["s_rgb";    Payload;  3.0,   60.0,  120];

@@ -14,10 +14,10 @@ use crate::workshop::part::PartSlot;
 
 /// The version of the format.
 const SCHEMA: i64 = 1;
-/// The most letters of a name.
+/// The maximum number of letters of a name.
 const LONGEST_NAME: usize = 40;
 
-/// Every fault of an invalid design file, with its place.
+/// Every fault of an invalid design file, with its position.
 pub type DesignError = Vec<Diagnostic>;
 
 #[derive(Deserialize)]
@@ -61,7 +61,7 @@ impl Design {
     /// Reads a design file.
     ///
     /// # Errors
-    /// Every fault with its place: a syntax error, an unknown schema, a part that does not exist or belongs into
+    /// Every fault with its position: a syntax error, an unknown schema, a part that does not exist or belongs in
     /// another slot, more parts than a slot takes.
     pub fn from_toml(source: &str) -> Result<Self, DesignError> {
         let file: File =

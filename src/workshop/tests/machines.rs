@@ -1,4 +1,4 @@
-//! The formulas, compared with real machines.
+//! The formulas, compared with real drones.
 
 use crate::workshop::Air;
 use crate::workshop::design::Drive;
@@ -6,14 +6,14 @@ use crate::workshop::drive::VOLTAGE_SHARE;
 use crate::workshop::pack::Pack;
 use crate::workshop::part::{Battery, Chemistry, Esc, Frame, Motor, Propeller};
 
-/// A machine on the market, with figures from its maker or its users.
+/// A drone on the market, with figures from its maker or its users.
 struct Known {
     name: &'static str,
     mass_kg: f64,
     motors: u8,
     propeller: (f64, f64, f64),
     motor: (f64, f64, f64),
-    /// Cells, ampere hours, C, ohms of a cell (0: by the rule).
+    /// The battery: cells, ampere hours, C rating.
     battery: (u8, f64, f64),
     electronics_w: f64,
     /// The share of the charge used in the stated time, and the minutes.
@@ -21,8 +21,8 @@ struct Known {
     minutes: (f64, f64),
 }
 
-/// Machines with stated times: the F450's by users, the X500's by its maker in two public notes, the others' by their
-/// makers. Motors without data sheets are estimated, so these rows test the method.
+/// Drones with stated times: those of the F450 by users, of the X500 by its maker in two public notes, of the others by
+/// their makers. Motors without data sheets are estimated, so these rows test the method.
 const KNOWN: [Known; 6] = [
     Known {
         name: "F450 with a gimbal",

@@ -4,7 +4,7 @@ use super::*;
 
 pub struct Worked {
     name: &'static str,
-    /// The ids of its parts.
+    /// The ids of the design's parts.
     parts: &'static str,
     mass_g: f64,
     credits: u32,

@@ -316,7 +316,7 @@ fn profiles_are_chosen_made_and_left() {
             Trainee::Guest
         ]
     );
-    // The present choice is under the cursor, and selecting it changes nothing.
+    // The current choice is under the cursor, and selecting it changes nothing.
     console.press("u").press("enter");
     assert!(console.effects.is_empty() && console.state().overlay().is_none());
     console.press("u").press("j").press("enter");

@@ -33,7 +33,7 @@ pub fn instance(vehicle: u16, stage: SitlStage) -> Instance {
     }
 }
 
-/// A process that has ended by itself.
+/// A process that has ended on its own.
 pub fn crashed(vehicle: u16) -> Instance {
     let output = [
         "Starting sketch 'ArduCopter'",

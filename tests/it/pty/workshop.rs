@@ -21,7 +21,7 @@ const PARTS: [(&str, &str); 9] = [
     ("r_sik915", "telemetry 868/915 MHz, 100 mW:"),
 ];
 
-/// The keys from the present part down to another one of the list; moves the cursor of a bench in the same way.
+/// The keys from the current part down to another one of the list; moves the cursor of a bench in the same way.
 fn way(bench: &mut Bench, part: &str) -> String {
     let mut all = bench.candidates().iter();
     let at = all.position(|candidate| candidate.part.id == part);

@@ -18,7 +18,7 @@ use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
 
 /// How long it waits for bytes before it steps its world.
 const ROUND: Duration = Duration::from_millis(5);
-/// The most lost time (of a stopped process or a busy machine) that is caught up at once.
+/// The maximum lost time (of a stopped process or a busy machine) that is caught up at once.
 const CATCH_UP: Duration = Duration::from_millis(250);
 /// What [`Behaviour::FloodsItsOutput`] prints at once; 20 times a second, a megabyte a second.
 const FLOOD_LEN: usize = 50_000;
@@ -280,7 +280,7 @@ fn start(home: &str) -> Start {
     }
 }
 
-/// The real one panics at an absolute path, and a panicked SITL hangs for ever.
+/// The real one panics at an absolute path, and a panicked SITL hangs forever.
 fn airframe(path: &str) -> Airframe {
     let text = fs::read_to_string(path).ok();
     let text = text.filter(|_| Path::new(path).is_relative());

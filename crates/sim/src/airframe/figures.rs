@@ -28,7 +28,7 @@ pub(crate) struct Figures {
     pub(super) battery_capacity_ah: f64,
     /// `hoverThrOut`, 0 to 1.
     pub(super) hover_throttle: f64,
-    /// `propExpo`: how closely thrust follows the square of the command.
+    /// `propExpo`: the degree to which thrust follows the square of the command.
     pub(super) expo: f64,
     /// `refRotRate`, degrees per second.
     pub(super) rotation_rate_deg_s: f64,

@@ -38,8 +38,8 @@ fn the_default_hovers_like_a_sitl() {
     assert_eq!(empty.figures, airframe.figures);
 }
 
-/// At the reference speed and lean, thrust, weight and drag of any frame are in balance: that is what the reference
-/// flight means.
+/// At the reference speed and lean, thrust, weight and drag of any frame are in balance: this is the meaning of the
+/// reference flight.
 #[test]
 fn the_reference_flight_is_in_balance() {
     for airframe in [Airframe::default(), heavy()] {
@@ -191,7 +191,7 @@ fn fields_that_nobody_reads_are_warned_of() {
     );
 }
 
-/// Frame files with random values, as far as they load.
+/// Frame files with random values, if they can be loaded.
 pub(crate) fn any_frame() -> impl Strategy<Value = Airframe> {
     let part = 0.0..=1.0_f64;
     (

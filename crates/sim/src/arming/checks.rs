@@ -8,11 +8,11 @@ use crate::failsafe::{Failsafe, FailsafeRules};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 
-/// The interval of reports of the reasons against arming.
+/// The time between reports of the reasons against arming.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
 /// The delay of a report of new reasons, after the last report.
 pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
-/// The interval of the checks, in steps.
+/// The time between checks, in steps.
 pub(crate) const LOOK_STEPS: u64 = 100;
 /// The margin required between the lowest throttle of a calibrated remote control and `FS_THR_VALUE`.
 const THROTTLE_MARGIN_US: f64 = 10.0;
@@ -33,7 +33,7 @@ enum Check {
     Battery = 1 << 8,
 }
 
-/// The selected checks, and parameters that are checked themselves.
+/// The selected checks, and parameters whose own values are checked.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArmingRules {
     checks: u32,
@@ -59,7 +59,7 @@ impl ArmingRules {
         self.checks == 0
     }
 
-    /// Bit 0 means all.
+    /// Whether a check is selected; bit 0 selects all.
     fn has(&self, check: Check) -> bool {
         self.checks & (1 | check as u32) != 0
     }
@@ -85,7 +85,7 @@ pub(crate) struct ArmingChecks<'a> {
 }
 
 impl ArmingChecks<'_> {
-    /// The reasons against arming now; empty without any.
+    /// The reasons against arming now; empty if there are none.
     pub(crate) fn obstacles(&self) -> Vec<&'static str> {
         if self.rules.is_off() {
             return self.mandatory_obstacles();

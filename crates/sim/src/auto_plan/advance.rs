@@ -6,11 +6,11 @@ use super::{AutoPlan, FIRST, PlanAction, PlanState, PlanWait, sequence};
 use crate::task::{Route, Task};
 use crate::vehicle::Vehicle;
 
-/// The most items searched for a navigation command in one step.
+/// The maximum number of items searched for a navigation command in one step.
 const ITEMS_PER_STEP: usize = 255;
 
 impl AutoPlan {
-    /// Starts the mission, or resumes it, as `MIS_RESTART` says.
+    /// Starts the mission, or resumes it, according to `MIS_RESTART`.
     pub(super) fn start_or_resume(&mut self, vehicle: &mut Vehicle) {
         let resumes = std::mem::take(&mut self.resumes);
         if vehicle.tuning.flight.auto.restarts && !resumes {

@@ -5,17 +5,17 @@ use std::collections::BTreeMap;
 use crate::cmd;
 use crate::plan::Item;
 
-/// The most jumps in a row before the search gives up.
+/// The maximum number of jumps in a row before the search gives up.
 const JUMPS_IN_A_ROW: usize = 64;
 /// A repeat count without end.
 const FOR_EVER: i16 = -1;
-/// The most items before a takeoff.
+/// The maximum number of items before a takeoff.
 const BEFORE_TAKEOFF: u16 = 16;
 
-/// How often each jump (by its place in the list) has been taken.
+/// The number of times that each jump, by its index in the list, has been taken.
 pub(super) type Jumps = BTreeMap<u16, i16>;
 
-/// Whether the command navigates; others act or wait beside a navigation command.
+/// Whether the command navigates; others act or wait in parallel with a navigation command.
 pub(super) fn is_navigation(command: u16) -> bool {
     command <= cmd::NAV_LAST
         || matches!(
@@ -60,7 +60,7 @@ pub(super) fn next_counting(
     }
 }
 
-/// Like `next_counting`, without counting: to look ahead.
+/// Like `next_counting`, but without counting, to look ahead.
 pub(super) fn next_ahead(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16> {
     let mut at = from;
     let mut first_jump = None;
@@ -119,7 +119,7 @@ pub(super) fn takes_off_first(items: &[Item], from: u16, jumps: &Jumps) -> bool 
     false
 }
 
-/// The target of a jump, and how often it is taken; an unknown tag leads to item 0, which ends the search.
+/// The target of a jump, and how many times it is taken; an unknown tag leads to item 0, which ends the search.
 fn jump_of(items: &[Item], item: &Item) -> Option<(u16, i16)> {
     let (target, times) = (item.p[0] as u16, item.p[1] as i16);
     match item.command {
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(texts, ["Mission: 2 Jump 1/2", "Mission: 2 Jump 2/2"]);
     }
 
-    /// A real vehicle says "Jump 2/unlimited" to "Jump 64/unlimited" and gives up.
+    /// A real vehicle reports "Jump 2/unlimited" to "Jump 64/unlimited" and gives up.
     #[test]
     fn a_jump_to_itself_ends_after_64_rounds() {
         let list = [

@@ -14,7 +14,7 @@ use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::vehicle::Vehicle;
 use crate::yaw::YawDemand;
 use sortie_geo::LatLon;
-/// The least climb of a takeoff from the ground.
+/// The minimum climb of a takeoff from the ground.
 const LEAST_CLIMB_M: f64 = 1.0;
 /// The distance from its edge within which a circle begins at once.
 const AT_EDGE_M: f64 = 3.0;
@@ -105,7 +105,7 @@ impl AutoPlan {
         }
     }
 
-    /// Extends the route from the vehicle's position, or from the end of the present route.
+    /// Extends the route from the vehicle's position, or from the end of the current route.
     pub(super) fn fly_to(&mut self, vehicle: &mut Vehicle, goal_m: DVec3, wait: PlanWait) {
         vehicle.with_cockpit(|task, cockpit| {
             if !matches!(task, Task::Route(_)) {
@@ -170,7 +170,7 @@ impl AutoPlan {
         }
     }
 
-    /// Flies to the item's place at the present height and lands; without a place, lands at once.
+    /// Flies to the item's place at the current height and lands; without a place, lands at once.
     fn begin_landing(&mut self, vehicle: &mut Vehicle, item: &Item) {
         match item_place(vehicle, item) {
             Some(flat) => {

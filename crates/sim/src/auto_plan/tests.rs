@@ -54,7 +54,7 @@ impl Ground {
         work(auto_plan, vehicle);
     }
 
-    /// Stores a mission, home in front.
+    /// Stores a mission, with home as its first item.
     fn load(&mut self, items: &[Item]) {
         let mut list = vec![at(16, 0.0, 0.0, 0.0)];
         list.extend_from_slice(items);

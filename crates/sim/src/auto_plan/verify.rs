@@ -114,7 +114,7 @@ impl AutoPlan {
                 let climb = square_root(down_m - here_m.z, HEIGHT_GAIN_PER_S, limits.accel_z_m_s2);
                 *task = Task::Velocity {
                     wanted_m_s: DVec3::Z * climb.clamp(-limits.speed_up_m_s, limits.speed_down_m_s),
-                    // Renewed with every step.
+                    // The time limit is renewed in every step.
                     until: cockpit.now + Duration::from_secs(1),
                 };
                 true

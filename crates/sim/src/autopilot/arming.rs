@@ -41,7 +41,7 @@ impl Autopilot {
         true
     }
 
-    /// Disarms, in the air too.
+    /// Disarms, even in the air.
     pub(crate) fn disarm(&mut self) {
         if self.vehicle.disarm() {
             self.auto_plan.reset();

@@ -13,7 +13,7 @@ use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
 impl Autopilot {
-    /// Enters a mode, or reports why not. Entering the present mode changes nothing.
+    /// Enters a mode, or reports why not. Entering the current mode changes nothing.
     pub(crate) fn set_mode(&mut self, number: u8) -> bool {
         let Some(mode) = Mode::numbered(number) else {
             self.vehicle.say(

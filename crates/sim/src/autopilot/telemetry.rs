@@ -69,10 +69,10 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
-/// Cannot be requested: the vehicle sends it together with another message.
+/// The message that cannot be requested, because the vehicle sends it together with another one.
 const UNASKABLE: u32 = TERRAIN_REPORT;
 
-/// How a message is built: at any time, or only in some states.
+/// The builder of a message, which is sent at any time or only in some states.
 #[derive(Clone, Copy)]
 enum Builder {
     Always(fn(&Autopilot) -> MavMessage),
@@ -88,7 +88,7 @@ impl Builder {
     }
 }
 
-/// Message ids with their builders, in rising order.
+/// Message ids with their builders, in ascending order.
 const TABLE: &[(u32, Builder)] = &[
     (HEARTBEAT_DATA::ID, Always(health::heartbeat)),
     (SYS_STATUS_DATA::ID, Always(health::sys_status)),

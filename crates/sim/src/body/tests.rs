@@ -77,7 +77,7 @@ proptest! {
                 let was = body.velocity_m_s.length();
                 let drive = Drive { fault, ..drive(&airframe, &CALM) };
                 body.step(Demand::Acceleration(demand), &drive);
-                // A tumbling vehicle's motors move faster than its centre.
+                // The motors of a tumbling vehicle move faster than its centre.
                 let tumbling = body.upset.as_ref().map_or(0.0, |upset| upset.rates_rad_s.length());
                 let speed = was.max(body.velocity_m_s.length()) + 0.35 * tumbling;
                 let work = body.thrust_m_s2 * speed * STEP_S;

@@ -86,12 +86,12 @@ pub(super) struct Obstacles {
     solids: Vec<Solid>,
     /// Cells of the grid with the solid in each, sorted.
     cells: Vec<((i32, i32), usize)>,
-    /// Obstacles that cover too much ground.
+    /// Obstacles that cover too many cells, and are checked everywhere.
     everywhere: Vec<usize>,
 }
 
 impl Obstacles {
-    /// Leaves out obstacles without a size, and those whose place is not on the earth.
+    /// Sorts the obstacles into cells, without those that have no size or are not on the earth.
     pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle], reach_m: f64) -> Self {
         let mut all = Self::default();
         let Some(origin) = origin else {

@@ -31,7 +31,7 @@ const MODES: &[(i32, u8)] = &[
 ];
 const ARM_OR_DISARM: i32 = 153;
 const DISARM: i32 = 81;
-/// Functions that exist but change nothing in the simulation.
+/// Functions that exist but have no effect in the simulation.
 const WITHOUT_EFFECT: &[i32] = &[
     2, 3, 5, 7, 9, 10, 11, 13, 14, 15, 19, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 34, 35,
     36, 37, 38, 39, 40, 44, 45, 46, 57, 58, 60, 61, 62, 65, 66, 67, 75, 76, 78, 79, 80, 83, 84, 85,

@@ -25,7 +25,7 @@ const ALTITUDE_MAX_M: f64 = 83_000.0;
 const CUSTOM_MODE: i32 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits() as i32;
 const SAFETY_SWITCH: i32 =
     MavModeFlagDecodePosition::MAV_MODE_FLAG_DECODE_POSITION_SAFETY.bits() as i32;
-/// BRAKE by the pause button turns into LOITER after this.
+/// The time after which BRAKE by the pause button turns into LOITER.
 const PAUSE_BUTTON_BRAKE: Duration = Duration::from_millis(2500);
 
 pub(super) fn arm_or_disarm(
@@ -61,7 +61,7 @@ pub(super) fn set_mode(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
         return MavResult::MAV_RESULT_DENIED;
     };
     if base & CUSTOM_MODE != 0 {
-        // Fractions are cut off and -1 wraps to 255.
+        // Fractions are truncated, and -1 wraps to 255.
         return done(autopilot.set_mode(custom as u8));
     }
     if base == SAFETY_SWITCH && (custom == 0 || custom == 1) {
@@ -104,7 +104,7 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     done(take_off(autopilot, f64::from(command.z), navigates))
 }
 
-/// Solo's fly button: LOITER, or `ALT_HOLD` where that is impossible.
+/// Solo's fly button: LOITER, or `ALT_HOLD` if that is impossible.
 pub(super) fn fly_button(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     if !autopilot.set_mode(mode::LOITER) {
         autopilot.set_mode(mode::ALT_HOLD);
@@ -164,7 +164,7 @@ fn take_off(autopilot: &mut Autopilot, above_home_m: f64, navigates: bool) -> bo
     if !vehicle.safety.armed || !vehicle.safety.landed || !able || !sensible {
         return false;
     }
-    // AUTO entered from here on needs no raised throttle.
+    // From here on, AUTO can be entered without a raised throttle.
     autopilot.auto_plan.allow_lifting();
     let guided = vehicle.flight.mode.number == mode::GUIDED;
     let height_m = if !guided && vehicle.sticks().throttle_is_low() {

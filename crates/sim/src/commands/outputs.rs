@@ -13,7 +13,7 @@ use crate::workbench::MotorTest;
 /// `SERVOn_FUNCTION` of outputs that a command may drive: none, RC input through, sprayer, gripper.
 const FREE_FUNCTIONS: &[i32] = &[0, 1, 22, 23, 28];
 const RC_THROUGH: std::ops::RangeInclusive<i32> = 51..=66;
-/// Outputs with and without pins.
+/// The numbers of the outputs, with and without pins.
 const SERVOS: std::ops::RangeInclusive<i32> = 1..=16;
 const BACK_SERVOS: std::ops::RangeInclusive<i32> = 17..=32;
 const PARACHUTE_DISABLE: i32 = ParachuteAction::PARACHUTE_DISABLE as i32;
@@ -32,7 +32,7 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
             .parameters
             .value(&format!("SERVO{channel}_FUNCTION")) as i32
     } else if BACK_SERVOS.contains(&channel) {
-        // General-purpose inputs and outputs.
+        // A general-purpose input or output.
         -1
     } else {
         return MavResult::MAV_RESULT_FAILED;

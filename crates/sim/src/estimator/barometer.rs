@@ -9,7 +9,7 @@ use crate::kinematics::STEP_S;
 const FOLLOWS_S: f64 = 4.0;
 /// The greatest difference that passes the innovation test (10 m gave a ratio of 0.96).
 const GATE_M: f64 = 10.4;
-/// Without an acceptable height for this long, the estimate jumps to the barometer or reports the loss.
+/// How long there may be no acceptable height before the estimate jumps to the barometer or reports the loss.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The barometer in use and its effects.

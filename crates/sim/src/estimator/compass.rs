@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::faults::Faults;
 
-/// A compass that fails or contradicts for this long is replaced by another one.
+/// A compass that fails or contradicts the estimate for this long is replaced by another one.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// The time after its last reading when a compass counts as unhealthy.
 const UNHEALTHY_AFTER: Duration = Duration::from_millis(500);

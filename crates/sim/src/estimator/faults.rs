@@ -22,7 +22,7 @@ pub(crate) struct GpsFault {
     /// The error of its altitude, in metres up.
     pub(crate) altitude_offset_m: f64,
     pub(crate) altitude_noise_m: f64,
-    /// No position before this time since boot.
+    /// The time since boot before which there is no position.
     pub(crate) lock_after: Duration,
     pub(crate) period: Duration,
     pub(crate) lag: Duration,
@@ -44,9 +44,9 @@ pub(crate) struct BarometerFault {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum RadioFault {
     Fine,
-    /// No pulses.
+    /// The receiver sends no pulses.
     Silent,
-    /// A throttle of 950 us, the receiver's sign of a lost transmitter.
+    /// The receiver sends a throttle of 950 us, its sign of a lost transmitter.
     Low,
 }
 
@@ -93,7 +93,7 @@ impl Faults {
         };
         faults.any = faults.gps.is_faulty()
             || faults.barometers.iter().any(BarometerFault::is_faulty)
-            // The second one always has a little noise, which counts if the first is disabled.
+            // The second barometer always has a little noise, which counts if the first is disabled.
             || faults.barometers[0].noise_m != 0.0
             || faults.compasses_failed.contains(&true)
             || faults.compass_errors_mgauss.iter().any(|off| *off > 1.0)
@@ -120,7 +120,7 @@ impl GpsFault {
         let lag_ms = all.value("SIM_GPS_LAG_MS").clamp(0.0, 1000.0);
         Self {
             disabled: all.value("SIM_GPS_DISABLE") != 0.0,
-            // Only 1 jams.
+            // Only the value 1 jams.
             jammed: (all.value("SIM_GPS_JAM") - 1.0).abs() < 0.5,
             glitch,
             satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,

@@ -117,7 +117,7 @@ impl Receiver {
         fix
     }
 
-    /// After a silence the fix comes and goes, and position and speed jump.
+    /// Jams the receiver: after a silence the fix comes and goes, and position and speed jump.
     fn jam(&mut self, now: Duration, fix: &mut Fix) {
         let since = *self.jammed_since.get_or_insert(now);
         let (least, most) = JAM_SILENCE_S;

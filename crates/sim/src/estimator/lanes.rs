@@ -12,11 +12,11 @@ use crate::texts;
 /// The time to detect a stuck accelerometer, and its share in the velocity until then.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
 const STUCK_SHARE: f64 = 0.5;
-/// The time constant with which its effect decays: the vehicle is displaced by 1.4 m in all.
+/// The time constant with which its effect decays: the vehicle is displaced by 1.4 m in total.
 const CALM_S: f64 = 0.6;
 
 impl Estimator {
-    /// A stuck accelerometer misleads its core until the other one takes over.
+    /// Models a stuck accelerometer, which misleads its core until the other core takes over.
     pub(super) fn watch_lanes(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
         let stuck = &around.faults.accelerometers_stuck_m_s2;
         let other_works = stuck[1 - self.lane] == 0.0;
@@ -34,7 +34,7 @@ impl Estimator {
         }
     }
 
-    /// The effect of a stuck accelerometer on the velocity decays.
+    /// Lets the effect of a stuck accelerometer on the velocity decay.
     fn calm_down(&mut self) {
         self.shake_m_s *= 1.0 - STEP_S / CALM_S;
         if self.shake_m_s.length_squared() < NEGLIGIBLE_M {

@@ -11,7 +11,7 @@ use crate::reaction::Reaction;
 
 /// The number of bad checks (at 10 Hz) that trigger the failsafe, and of good ones that end it.
 const LOOKS: u8 = 10;
-/// The least interval of the text `EKF variance`.
+/// The minimum time between two texts `EKF variance`.
 const WARNED_EVERY: Duration = Duration::from_secs(30);
 
 /// The state of the EKF check.
@@ -111,7 +111,8 @@ impl EkfWatch {
     }
 }
 
-/// Two of compass, velocity and position beyond the threshold, or the velocity beyond twice the threshold.
+/// Whether two of compass, velocity and position are beyond the threshold, or the velocity is beyond twice the
+/// threshold.
 fn is_over(estimator: &Estimator, threshold: f64) -> bool {
     let ratios = estimator.ratios();
     let mut over = u8::from(ratios.compass >= threshold);

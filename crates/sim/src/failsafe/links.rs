@@ -110,7 +110,7 @@ impl Failsafe {
         }
     }
 
-    /// Whether [`Failsafe::watch_radio`] has to be called: not while the remote control works.
+    /// Whether [`Failsafe::watch_radio`] has to be called: it is not needed while the remote control works.
     pub(crate) fn doubts_radio(&self, fault: RadioFault) -> bool {
         fault != RadioFault::Fine || self.links.radio_lost || self.links.radio_bad_since.is_some()
     }

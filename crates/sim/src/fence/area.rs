@@ -31,7 +31,7 @@ pub(crate) struct Fence {
     areas: Vec<FenceArea<LatLon>>,
 }
 
-/// The fault of an invalid fence, in the vehicle's words.
+/// The fault of an invalid fence, shown in the vehicle's own words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub(crate) enum FenceError {
     /// A polygon that claims fewer than three corners.
@@ -122,7 +122,7 @@ impl Fence {
         }
     }
 
-    /// Takes a corner; returns the polygon if more corners belong to it.
+    /// Adds a corner; returns the polygon if more corners belong to it.
     fn corner(
         &mut self,
         unfinished: Option<Unfinished>,

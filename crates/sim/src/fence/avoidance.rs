@@ -18,8 +18,7 @@ const ACCEL_MAX_M_S2: f64 = 1.0;
 const BACKING_SHARE: f64 = 0.4;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
-/// The vehicle looks ahead by its stopping distance, the margin and this much more, when it is to stop instead of to
-/// slide.
+/// When the vehicle must stop instead of slide, it looks ahead by its stopping distance, the margin and this much more.
 const LOOK_AHEAD_M: f64 = 0.02;
 /// After a pause of this length the limited velocity starts again from the wanted one.
 const MEMORY: Duration = Duration::from_millis(200);
@@ -30,11 +29,11 @@ const ACTIVE: Duration = Duration::from_millis(500);
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AvoidanceRules {
     at_fence: bool,
-    /// Stop in front of a fence instead of sliding along it.
+    /// Whether to stop in front of a fence instead of sliding along it.
     stops: bool,
     back_speed_m_s: f64,
     back_climb_m_s: f64,
-    /// The strongest braking in metres per second squared; zero: any.
+    /// The strongest braking in metres per second squared; zero for any.
     accel_max_m_s2: f64,
 }
 
@@ -76,7 +75,7 @@ impl Limiter {
         self.last.is_some_and(|(at, _)| now < at + ACTIVE)
     }
 
-    /// The velocity that the vehicle may fly at instead of the wanted one.
+    /// Reduces a wanted velocity to the one that the vehicle may fly at.
     pub(super) fn limit(&mut self, wanted_m_s: DVec3, edges: &Edges<'_>, now: Duration) -> DVec3 {
         if !edges.rules.at_fence {
             return wanted_m_s;
@@ -230,7 +229,7 @@ impl Edges<'_> {
             };
             let distance_m = towards.length();
             if distance_m <= 1e-9 {
-                // On the edge itself there is no direction to limit.
+                // On the edge itself, there is no direction to limit.
                 return;
             }
             if self.rules.stops && distance_m <= self.margin_m {

@@ -91,7 +91,7 @@ fn status(ground: &Ground) -> Option<FENCE_STATUS_DATA> {
     })
 }
 
-/// The fence's bit in present, enabled and health.
+/// The fence's bit in the fields `present`, `enabled` and `health`.
 fn bits(ground: &Ground) -> [bool; 3] {
     let message = telemetry::message(1, &ground.world.slots[0].autopilot);
     let Some(MavMessage::SYS_STATUS(SYS_STATUS_DATA {
@@ -353,7 +353,7 @@ fn a_return_lands_at_the_rally_point_as_the_real_one_did() {
         let [north_m, east_m, _] = truth.position_ned_m;
         let off_m = maths::hypot(north_m - landed_at.0, east_m - landed_at.1);
         assert!(off_m < 0.3 && !truth.armed, "{truth:?}");
-        // The climb is to the altitude of the rally point, not to RTL_ALT; over home itself no climb is needed.
+        // The climb is to the altitude of the rally point, not to RTL_ALT; over home itself, no climb is needed.
         let least_m = if with_home > 0.0 { 10.0 } else { 18.0 };
         assert!((highest_m - least_m).abs() < 0.2, "{highest_m}");
     }

@@ -1,4 +1,4 @@
-//! The fences at work: switching, breaches, slowing down, reports.
+//! The fences in operation: switching, breaches, slowing down, reports.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use sortie_geo::LatLon;
 
 /// A vehicle this far outside lands where it is.
 const GIVE_UP_M: f64 = 100.0;
-/// The least interval of unrequested reports of a breach.
+/// The minimum time between unrequested reports of a breach.
 const TELL_EVERY: Duration = Duration::from_secs(1);
 
 /// The fence's state in `FENCE_STATUS`.
@@ -45,7 +45,7 @@ pub(crate) struct NewBreach {
 }
 
 impl Geofence {
-    /// Takes over the uploaded fence. The upload has checked it; an invalid list counts as no fence.
+    /// Stores the uploaded fence. The upload has checked it; an invalid list counts as no fence.
     pub(crate) fn take(&mut self, items: &[Item], from: LatLon) -> Result<(), FenceError> {
         let checked = Fence::check(items);
         let (fence, outcome) = match checked {
@@ -97,7 +97,8 @@ impl Geofence {
         Some(NewBreach { kinds, is_told })
     }
 
-    /// An armed vehicle's reaction to a breach; `stands` if it has landed, `idles` if a pilot holds its throttle down.
+    /// An armed vehicle's reaction to a breach; `stands` means that it has landed, `idles` that a pilot holds its
+    /// throttle down.
     pub(crate) fn reaction(
         &self,
         breach: NewBreach,
@@ -127,7 +128,7 @@ impl Geofence {
         ))
     }
 
-    /// Why the fence forbids arming now.
+    /// The reason why the fence forbids arming now.
     pub(crate) fn arming_obstacle(
         &self,
         rules: &FenceRules,

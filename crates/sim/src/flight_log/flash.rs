@@ -1,6 +1,6 @@
 //! A flight log in `ArduPilot`'s binary format: self-describing records of fixed length.
 //!
-//! Samples are kept in a compact form; the file is made from them when a ground station reads it.
+//! Samples are kept in a compact form; the file is generated from them when a ground station reads it.
 
 use mavlink::dialects::ardupilotmega::GpsFixType;
 

@@ -11,7 +11,7 @@ pub enum AliasSense {
 
 use AliasSense::{Opposite, Same};
 
-/// `ArduPilot` 4.7's name, 4.6's, and how the values correspond.
+/// The names in `ArduPilot` 4.7 and 4.6, and how the values correspond.
 const ALIASES: &[(&str, &str, AliasSense)] = &[
     ("SIM_ACC1_FAIL", "SIM_ACCEL1_FAIL", Same),
     ("SIM_ACC2_FAIL", "SIM_ACCEL2_FAIL", Same),
@@ -41,8 +41,8 @@ const ALIASES: &[(&str, &str, AliasSense)] = &[
     ("SIM_GPS2_ENABLE", "SIM_GPS2_DISABLE", Opposite),
 ];
 
-/// 4.7's name of a parameter, 4.6's of the same, and how the values go together; `None` if it is no name of 4.7's.
-/// Upper and lower case are the same.
+/// The names of a parameter in 4.7 and 4.6, and how the values correspond; `None` if the name is not one of 4.7.
+/// Case does not matter.
 pub(crate) fn older(name: &str) -> Option<(&'static str, &'static str, AliasSense)> {
     let mut all = ALIASES.iter().copied();
     all.find(|(newer, _, _)| newer.eq_ignore_ascii_case(name))

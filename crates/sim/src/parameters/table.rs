@@ -1,7 +1,7 @@
 //! The parameters the simulated vehicle has, in the order in which it lists them.
 //!
 //! Names, types and values are those of an `ArduCopter` 4.6 SITL with its default parameters for copters, read from it
-//! over `MAVLink`. Those that `tuning` and its parts read shape the vehicle's behaviour; the others are only stored
+//! over `MAVLink`. Those that `tuning` and its parts read affect the vehicle's behaviour; the others are only stored
 //! and listed, because ground stations look for them.
 
 use std::sync::LazyLock;
@@ -37,7 +37,7 @@ impl ParameterTable {
         Self { rows, by_name }
     }
 
-    /// The index of a parameter; upper and lower case are the same.
+    /// The index of a parameter; case does not matter.
     pub(super) fn place(&self, name: &str) -> Option<usize> {
         let wanted = name.to_ascii_uppercase();
         let found = self

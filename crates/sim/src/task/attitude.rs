@@ -17,7 +17,7 @@ const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 pub(crate) enum Lift {
     /// A climb rate, metres per second upwards.
     Climb(f64),
-    /// A share of the full thrust, if `GUID_OPTIONS` says so.
+    /// A share of the full thrust, if `GUID_OPTIONS` selects that.
     Thrust(f64),
 }
 
@@ -29,7 +29,7 @@ pub(crate) struct Attitude {
     pub(crate) lean_rad: DVec2,
     pub(crate) rates_rad_s: DVec2,
     pub(crate) lift: Lift,
-    /// After this the vehicle levels and holds its height, without braking.
+    /// The time after which the vehicle levels and holds its height, without braking.
     pub(crate) until: Duration,
 }
 

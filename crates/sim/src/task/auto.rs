@@ -36,7 +36,7 @@ pub(crate) struct AutoRules {
     pub(crate) continues_after_landing: bool,
     /// `AUTO_OPTIONS` bit 0: arming in AUTO.
     pub(crate) may_arm: bool,
-    /// `AUTO_OPTIONS` bit 1: takeoffs need no throttle.
+    /// `AUTO_OPTIONS` bit 1: takeoffs do not need a raised throttle.
     pub(crate) lifts_unasked: bool,
 }
 
@@ -52,7 +52,7 @@ impl AutoRules {
             radius_m: (all.value("WPNAV_RADIUS") * 0.01).clamp(0.05, 1000.0),
             corner_accel_m_s2: if corner > 0.0 { corner } else { 2.0 * accel },
             jerk_m_s3: jerk,
-            // Half of what the time constant of the attitude allows.
+            // Half of the snap that the time constant of the attitude allows.
             snap_m_s4: 0.5 * jerk * std::f64::consts::PI / (2.0 * smoothing_s),
             restarts: all.value("MIS_RESTART") as i32 == 1,
             continues_after_landing: bit("MIS_OPTIONS", 4),
@@ -113,7 +113,7 @@ impl Track {
     }
 }
 
-/// The limits along a direction, within both the horizontal and the vertical ones.
+/// The limits along a direction that stay within both the horizontal and the vertical ones.
 fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
     let (flat, steep) = (direction.truncate().length(), direction.z.abs());
     let along = |horizontal: f64, vertical: f64| {
@@ -140,7 +140,7 @@ fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
     }
 }
 
-/// A route of straight legs. While one leg is flown, the one before may still be ending and the one after may have
+/// A route of straight legs. While one leg is flown, the previous one may still be ending, and the next one may have
 /// begun.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Route {
@@ -153,7 +153,7 @@ pub(crate) struct Route {
     planned_for: Limits,
     /// Slows the path down for a vehicle that cannot keep up.
     keeping_up: f64,
-    /// The share of the speed that a pause leaves, and how fast it changes.
+    /// The share of the speed that remains during a pause, and how fast it changes.
     pace: f64,
     pace_per_s: f64,
     pub(crate) paused: bool,
@@ -187,7 +187,7 @@ impl Route {
         self.this.to_m
     }
 
-    /// Continues to a point; an unfinished leg is given up first.
+    /// Continues to a point; an unfinished leg is abandoned first.
     pub(crate) fn go_to(&mut self, goal_m: DVec3, cockpit: &mut Cockpit<'_>) {
         if !self.reached {
             *self = Self::standing(cockpit);
@@ -304,7 +304,7 @@ impl Route {
         }
     }
 
-    /// Advances the legs; returns whether this one is over.
+    /// Advances the legs; returns whether the current one is over.
     fn advance(&mut self, dt_s: f64, cockpit: &Cockpit<'_>) -> bool {
         if let Some(before) = &mut self.before {
             before.advance(dt_s);

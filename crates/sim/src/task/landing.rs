@@ -13,7 +13,7 @@ const MOTORS_OFF_AFTER: Duration = Duration::from_millis(700);
 pub(crate) struct Landing {
     /// When the vehicle touched the ground.
     pub(crate) touched: Option<Duration>,
-    /// The descent begins at this time.
+    /// The time at which the descent begins.
     pub(crate) waits_until: Option<Duration>,
 }
 

@@ -17,7 +17,7 @@ use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
 use sortie_geo::maths;
 
-/// The loss of thrust of climbing rotors to the air through them, per metre per second.
+/// The loss of thrust of climbing rotors because of the air through them, per metre per second.
 const INFLOW_PER_S: f64 = 0.27;
 /// The pilot's lean follows the stick with this lag in LOITER (`ATC_INPUT_TC`).
 const STICK_LAG_S: f64 = 0.15;
@@ -67,7 +67,7 @@ pub(crate) struct Pilot {
     drift_brake: f64,
     /// ACRO: forward and right lean in radians.
     angles_rad: DVec2,
-    /// Since when the throttle stick has asked a vehicle on the ground to climb.
+    /// Since when the throttle stick has commanded a vehicle on the ground to climb.
     spooling_since: Option<Duration>,
 }
 
@@ -89,7 +89,7 @@ impl Pilot {
         }
     }
 
-    /// Whether a vehicle on the ground leaves it now: its motors spool up first.
+    /// Whether a vehicle on the ground lifts off now; its motors spool up first.
     fn lifts(&mut self, climb_m_s: f64, now: Duration) -> bool {
         if climb_m_s <= 0.0 {
             self.spooling_since = None;
@@ -116,7 +116,7 @@ impl Pilot {
     }
 }
 
-/// Forward and right lean demanded by the sticks, as accelerations, with a largest lean.
+/// Forward and right lean demanded by the sticks, as accelerations, with a maximum lean.
 fn leaning(cockpit: &Cockpit<'_>, lean_max_rad: f64) -> DVec2 {
     let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
     let channels = &cockpit.sticks.channels_us;
@@ -146,7 +146,7 @@ fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)
 }
 
-/// The velocity to which the sticks move a vehicle that lands by itself; zero if a parameter forbids it.
+/// The velocity to which the sticks move a vehicle that lands on its own; zero if a parameter forbids it.
 pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
     if !cockpit.tuning.pilot.moves_landing {
         return DVec2::ZERO;

@@ -7,12 +7,13 @@ use glam::{DVec2, DVec3};
 use super::{Act, Cockpit, Landing, Route};
 use crate::control::FlatMotion;
 
-/// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a leg of its
-/// own in the real vehicle.
+/// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a separate
+/// leg on the real vehicle.
 const PLAN_TIME: Duration = Duration::from_millis(700);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
-/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and so is the stopping point.
+/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and the same applies to the
+/// stopping point.
 const HOME_REACHED_M: f64 = 2.0;
 /// A return is never lower than this (`RTL_ALT_MIN`).
 const LEAST_HEIGHT_M: f64 = 2.0;
@@ -34,7 +35,7 @@ enum Stage {
         down_m: f64,
     },
     Land(Landing),
-    /// Back along the breadcrumbs.
+    /// Flies back along the breadcrumbs.
     Retrace(Box<Route>),
 }
 
@@ -52,7 +53,7 @@ pub(crate) struct Returning {
 
 impl Returning {
     /// Chooses the destination (home or a rally point) and the height: `RTL_ALT` above home, limited by the cone and
-    /// the fence, never below the present height.
+    /// the fence, never below the current height.
     pub(crate) fn new(cockpit: &Cockpit<'_>) -> Self {
         let tuning = cockpit.tuning;
         let (here, home) = (cockpit.body.position_m, cockpit.home_m);
@@ -186,7 +187,7 @@ impl Returning {
         }
     }
 
-    /// Over home: land, or come down to `RTL_ALT_FINAL` and stay.
+    /// The stage over home: landing, or a descent to `RTL_ALT_FINAL` and a stay there.
     fn end(cockpit: &Cockpit<'_>) -> Stage {
         let stay_m = cockpit.tuning.return_final_altitude_m;
         if stay_m > 0.0 {

@@ -9,7 +9,7 @@ use super::{Act, Cockpit};
 /// The times from the command until the vehicle counts as taking off, and until it leaves the ground.
 const SPOOLED: Duration = Duration::from_millis(1100);
 const LIFTS: Duration = Duration::from_millis(1600);
-/// The climb rate at the beginning of the path: the thrust overshoots while the vehicle still stands.
+/// The climb rate at the beginning of the path: the thrust overshoots while the vehicle is still on the ground.
 const FIRST_CLIMB_M_S: f64 = 0.5;
 /// The takeoff is over within this distance of its goal.
 const REACHED_M: f64 = 0.05;
@@ -25,7 +25,7 @@ pub(crate) struct Takeoff {
 }
 
 impl Takeoff {
-    /// Straight up to a height (metres above the start) from where the vehicle stands.
+    /// Straight up to a height (metres above the start) from the vehicle's position.
     pub(crate) fn new(from_m: DVec3, height_m: f64, now: Duration) -> Self {
         Self {
             since: now,

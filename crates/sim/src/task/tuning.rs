@@ -1,4 +1,4 @@
-//! The parameters that shape flying, in SI units.
+//! The parameters that affect flight, in SI units.
 
 use std::time::Duration;
 

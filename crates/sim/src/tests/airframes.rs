@@ -1,4 +1,4 @@
-//! Motors that fail, batteries that empty, frames of other sizes, wind: against figures measured on a SITL of the
+//! Failing motors, emptying batteries, frames of other sizes, wind: compared with figures measured on a SITL of the
 //! same version with the same frame.
 
 use std::sync::Arc;
@@ -30,7 +30,7 @@ fn body(ground: &mut Ground) -> &mut body::Body {
     &mut ground.world.slots[0].autopilot.vehicle.plant.body
 }
 
-/// The largest distance from the present position within a time.
+/// The largest distance from the current position within a time.
 fn excursion(ground: &mut Ground, seconds: f64) -> f64 {
     let from = DVec3::from_array(ground.truth().position_ned_m);
     let mut most: f64 = 0.0;
@@ -110,7 +110,7 @@ fn a_hexacopter_survives_the_loss_of_a_motor() {
         ground.step();
         lowest = lowest.min(-ground.truth().position_ned_m[2]);
     }
-    // The real one sank to 17.9 m, reported the loss after 3.2 s and returned to its height.
+    // The real vehicle sank to 17.9 m, reported the loss after 3.2 s and returned to its height.
     close("lowest", lowest, 17.9, 0.15);
     close("height", -ground.truth().position_ned_m[2], 25.0, 0.02);
     assert!(said(&ground, "Potential Thrust Loss (2)"));

@@ -17,7 +17,7 @@ fn says(ground: &Ground, words: &str) -> bool {
     ground.texts().iter().any(|text| text.starts_with(words))
 }
 
-/// Hovers until a charge has been drawn, at most 600 s: longer than a battery lasts.
+/// Hovers until a charge has been drawn, for at most 600 s, which is longer than a battery lasts.
 fn hover_until_drawn(ground: &mut Ground, mah: f64) {
     ground.until(600.0, |truth| truth.battery_consumed_mah > mah);
 }

@@ -8,7 +8,7 @@ use sortie_geo::maths;
 
 /// The tolerance against measured times: telemetry at 10 Hz, GPS samples and heartbeats.
 const TOLERANCE_S: f64 = 0.35;
-/// 0.001 degrees of latitude.
+/// 0.001 degrees of latitude, in metres.
 const GLITCH_M: f64 = 111.3;
 
 fn hovering(height_m: f32) -> Timeline {

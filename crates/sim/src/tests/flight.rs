@@ -1,11 +1,11 @@
-//! Flights against the figures that were measured on the real vehicle.
+//! Flights compared with figures that were measured on the real vehicle.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 
 use super::*;
 use sortie_geo::maths;
 
-/// `got` within `share` of the measured figure.
+/// Checks that `got` is within `share` of the measured figure.
 pub(super) fn close(what: &str, got: f64, measured: f64, share: f64) {
     println!("{what}: {got:.2}, measured {measured:.2}");
     assert!(
@@ -21,7 +21,7 @@ fn height(truth: &Truth) -> f64 {
 #[test]
 fn a_takeoff_takes_as_long_as_the_real_one() {
     let mut ground = Ground::armed();
-    // Earlier after arming, a takeoff would wait.
+    // Sooner after arming, a takeoff would wait.
     ground.run(3.0);
     ground.takeoff(20.0);
     let mut elapsed = 0.0;

@@ -27,12 +27,12 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// Connected to a SITL's default quadcopter in a world that has just begun.
+    /// A ground station connected to a SITL's default quadcopter in a world that has just begun.
     pub(crate) fn new() -> Self {
         Self::flying(Airframe::shared_default())
     }
 
-    /// Connected to a vehicle with an airframe.
+    /// A ground station connected to a vehicle with this airframe.
     pub(crate) fn flying(airframe: Arc<Airframe>) -> Self {
         Self::in_world(&WorldConfig {
             airframes: vec![airframe],
@@ -40,7 +40,7 @@ impl Ground {
         })
     }
 
-    /// Connected to the first vehicle of a world that has just begun.
+    /// A ground station connected to the first vehicle of a world that has just begun.
     pub(crate) fn in_world(config: &WorldConfig) -> Self {
         let mut world = World::new(config);
         let port = world.connect(0);
@@ -53,7 +53,7 @@ impl Ground {
         }
     }
 
-    /// Ready, in GUIDED and armed.
+    /// A ground station whose vehicle is ready, in GUIDED and armed.
     pub(crate) fn armed() -> Self {
         let mut ground = Self::new();
         ground.arm();
@@ -73,12 +73,12 @@ impl Ground {
         );
     }
 
-    /// Hovering at a height.
+    /// A ground station whose vehicle hovers at a height.
     pub(crate) fn hovering(height_m: f32) -> Self {
         Self::new().hover(height_m)
     }
 
-    /// Armed, taken off and at rest at a height.
+    /// Arms, takes off and comes to rest at a height.
     pub(crate) fn hover(self, height_m: f32) -> Self {
         let mut ground = self;
         ground.arm();
@@ -210,7 +210,7 @@ impl Ground {
         }));
     }
 
-    /// Centred sticks with a throttle.
+    /// Sends centred sticks with this throttle.
     pub(crate) fn sticks(&mut self, throttle_us: u16) {
         self.say(MavMessage::RC_CHANNELS_OVERRIDE(
             RC_CHANNELS_OVERRIDE_DATA {

@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{self, MavCmd, MavMessage, MavResult};
 
 use super::*;
 
-/// Results of `REQUEST_MESSAGE`: these are sent; others are accepted without being sent; the rest fail. From a sweep
-/// of an `ArduCopter` 4.6 SITL.
+/// The results of `REQUEST_MESSAGE`: these messages are sent, others are accepted without being sent, and the rest
+/// fail. From a sweep of an `ArduCopter` 4.6 SITL.
 const COMING: &[u32] = &[
     0, 1, 2, 24, 26, 27, 29, 30, 31, 32, 33, 36, 42, 46, 49, 62, 65, 74, 83, 108, 116, 125, 129,
     133, 137, 147, 148, 152, 163, 164, 165, 168, 178, 193, 235, 241, 242, 245, 286, 376, 11030,
@@ -53,7 +53,7 @@ fn all_streams_at_4_hz_are_as_many_messages_as_the_real_ones() {
     let before = ground.heard.len();
     ground.run(10.0);
     let per_s = (ground.heard.len() - before) as f64 / 10.0;
-    // 107.7 with LOCAL_POSITION_NED and WIND at 3 of 4 turns, because the position came late.
+    // 107.7 with LOCAL_POSITION_NED and WIND at 3 of 4 turns, because the position arrived late.
     assert!((106.5..111.0).contains(&per_s), "{per_s}");
 }
 

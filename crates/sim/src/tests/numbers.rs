@@ -1,4 +1,4 @@
-//! With any parameter, airframe and mode, numbers stay finite, and no vehicle sinks into the ground, flies by energy
+//! Whatever the parameters, airframe and mode, numbers stay finite. No vehicle sinks into the ground, flies with energy
 //! that its motors did not give, or charges its battery.
 
 use std::sync::Arc;
@@ -119,7 +119,7 @@ fn energy(body: &Body) -> f64 {
     0.5 * body.velocity_m_s.length_squared() + GRAVITY_M_S2 * body.height_m()
 }
 
-/// The most work that the motors can do in a step, per mass, between two states.
+/// The maximum work that the motors can do in a step, per mass, between two states.
 fn most_work(before: &Body, after: &Body) -> f64 {
     let tumbling = after
         .upset
@@ -163,7 +163,7 @@ proptest! {
         ground.takeoff(8.0);
         ground.run(8.0);
         for (mode, sticks, (name, value)) in legs {
-            // The wind may carry a vehicle: its energy is then not the motors' alone.
+            // The wind may carry a vehicle: then its energy does not come from the motors alone.
             if !name.starts_with("SIM_WIND") {
                 ground.set(name, value);
             }

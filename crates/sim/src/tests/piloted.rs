@@ -1,4 +1,4 @@
-//! Flights by stick, against figures measured with `RC_CHANNELS_OVERRIDE` on an `ArduCopter` 4.6 SITL.
+//! Flights by stick, compared with figures measured with `RC_CHANNELS_OVERRIDE` on an `ArduCopter` 4.6 SITL.
 
 use mavlink::dialects::ardupilotmega::{
     AttitudeTargetTypemask, MANUAL_CONTROL_DATA, MavCmd, MavMessage, MavResult,

@@ -27,7 +27,7 @@ fn count(ids: &[u32], id: u32) -> usize {
     ids.iter().filter(|own| **own == id).count()
 }
 
-/// A ground station on serial 0 that has asked for `ATTITUDE` at 10 Hz.
+/// A ground station on serial 0 that has requested `ATTITUDE` at 10 Hz.
 fn streaming() -> Ground {
     let mut ground = Ground::new();
     ground.run(2.0);

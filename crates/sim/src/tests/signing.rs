@@ -29,7 +29,7 @@ impl Bench {
         }
     }
 
-    /// With the key set at [`NOW`].
+    /// A vehicle with the key set at [`NOW`].
     fn signing() -> Self {
         let mut bench = Self::new();
         let port = bench.world.connect(0);
@@ -129,7 +129,7 @@ fn serial_0_accepts_everything_and_the_others_only_what_is_signed_rightly() {
         // A new link that is more than a minute behind the vehicle's clock.
         (Some((KEY, 50, later - 61 * SECOND)), false),
         (Some((KEY, 50, later - 30 * SECOND)), true),
-        // A timestamp an hour ahead is accepted and moves the vehicle's clock, so that new senders with the present
+        // A timestamp an hour ahead is accepted and moves the vehicle's clock, so that new senders with the current
         // time are refused.
         (Some((KEY, 52, later + 3600 * SECOND)), true),
         (Some((KEY, 2, later + 3)), true),

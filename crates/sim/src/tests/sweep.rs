@@ -1,4 +1,4 @@
-//! Every command that an `ArduCopter` 4.6 SITL was sent, with what it answered (0 accepted, 1 temporarily rejected,
+//! Every command that was sent to an `ArduCopter` 4.6 SITL, with its answer (0 accepted, 1 temporarily rejected,
 //! 2 denied, 3 unsupported, 4 failed). Measured in November 2026 with every parameter zero unless given.
 
 use mavlink::dialects::ardupilotmega::{MavMessage, STATUSTEXT_DATA};
@@ -19,7 +19,8 @@ fn ask(ground: &mut Ground, number: u16, first: &[f32]) -> (u8, Vec<String>) {
     answer(ground, &Outgoing::Raw { id: 76, payload }, number)
 }
 
-/// The same as `COMMAND_INT` with a frame and a place (degrees times 1e7 or whole numbers) and height.
+/// The result of a command sent as `COMMAND_INT`, with a frame, a place (degrees times 1e7 or whole numbers) and a
+/// height.
 fn ask_int(
     ground: &mut Ground,
     number: u16,

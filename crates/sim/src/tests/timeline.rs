@@ -12,7 +12,7 @@ const JUDGED: u32 = !0x0550_0000;
 /// A vehicle under observation. Each line is a change: of a text, a mode, an estimator flag, a GPS fix.
 pub(crate) struct Timeline {
     pub(crate) ground: Ground,
-    /// Seconds since the last [`Timeline::mark`], and what changed.
+    /// Seconds since the last [`Timeline::mark`], and the change.
     pub(crate) lines: Vec<(f64, String)>,
     /// Whether the ground station sends heartbeats.
     pub(crate) beats: bool,
@@ -96,7 +96,7 @@ impl Timeline {
         self.seen = self.ground.heard.len();
     }
 
-    /// Every line of a table must come, in this order, within the tolerance in seconds.
+    /// Checks that every line of a table appears, in this order, within the tolerance in seconds.
     pub(crate) fn must_say(&self, tolerance_s: f64, table: &[(f64, &str)]) {
         let mut from = 0;
         for (at_s, line) in table {
@@ -110,7 +110,7 @@ impl Timeline {
         }
     }
 
-    /// None of these must have come.
+    /// Checks that none of these lines has appeared.
     pub(crate) fn must_not_say(&self, forbidden: &[&str]) {
         for (t, line) in &self.lines {
             let bad = forbidden.iter().any(|text| line.contains(text));

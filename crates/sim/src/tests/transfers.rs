@@ -339,7 +339,7 @@ proptest! {
             ground.step();
         }
         ground.run(0.1);
-        // It still answers.
+        // The vehicle still answers.
         let first = ground.heard.len();
         ground.say(MavMessage::AUTOPILOT_VERSION_REQUEST(
             AUTOPILOT_VERSION_REQUEST_DATA::default(),

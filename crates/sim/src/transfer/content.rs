@@ -23,7 +23,7 @@ const SYSTEM: [(&str, usize); 11] = [
 const STORAGE_FILE: &str = "storage.bin";
 const STORAGE_BYTES: usize = 16_384;
 
-/// Where a path leads.
+/// The place that a path leads to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum FilePlace {
     System(String),
@@ -63,7 +63,7 @@ pub(super) enum FileContent {
 }
 
 impl FileContent {
-    /// Opens a file; returns its reported length too. An error is an error number of the operating system.
+    /// Opens a file; also returns its reported length. An error is an error number of the operating system.
     pub(super) fn open(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<(Self, usize), u8> {
         let bytes = match FilePlace::of(path) {
             FilePlace::System(name) => return system(vehicle, &name),
@@ -155,7 +155,7 @@ pub(super) fn writable(path: &str) -> Result<String, u8> {
     }
 }
 
-/// The check sum of a file as `MAVLink` FTP has it: CRC-32 without the inversions of zip.
+/// The checksum of a file as `MAVLink` FTP defines it: CRC-32 without the inversions of zip.
 pub(super) fn crc32(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0, |crc: u32, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {

@@ -1,5 +1,5 @@
 //! The room that a fence takes in the vehicle's storage, and its reported length.
-//! [`Fence::check`](crate::fence::Fence::check) judges whether it is valid.
+//! [`Fence::check`](crate::fence::Fence::check) checks whether it is valid.
 
 use crate::cmd;
 use crate::plan::Item;

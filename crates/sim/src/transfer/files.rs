@@ -23,11 +23,11 @@ use super::{Talk, plan_file};
 use crate::payload::Payload;
 
 const MESSAGE: u32 = FILE_TRANSFER_PROTOCOL_DATA::ID;
-/// The most requests that wait while a burst is under way; further ones are dropped.
+/// The maximum number of requests that wait while a burst is under way; further ones are dropped.
 const MOST_WAITING: usize = 5;
 /// A session without a request for this long makes room for another.
 const SESSION_TIMEOUT: Duration = Duration::from_secs(3);
-/// Messages of one burst at most, and how many of them leave in one step of 10 ms.
+/// The maximum number of messages in one burst, and the number sent in one step of 10 ms.
 const BURST: usize = 500;
 const BURST_PER_STEP: usize = 2;
 
@@ -43,7 +43,7 @@ struct Burst {
 pub(super) struct Files {
     disk: Disk,
     open: Option<(u8, Open)>,
-    /// The last answer, to be repeated when its request comes again.
+    /// The last answer, to be repeated if its request arrives again.
     last: Option<Reply>,
     waiting: VecDeque<FtpRequest>,
     burst: Option<Box<Burst>>,
@@ -51,7 +51,7 @@ pub(super) struct Files {
 }
 
 impl Files {
-    /// Whether nothing is left to be sent.
+    /// Whether nothing is left to send.
     pub(super) fn is_idle(&self) -> bool {
         self.burst.is_none() && self.waiting.is_empty()
     }
@@ -74,7 +74,7 @@ pub(super) fn is_part(id: u32) -> bool {
     id == MESSAGE
 }
 
-/// Answers a message of the protocol; `false` if it is none.
+/// Answers a message of the protocol; `false` if it is not one.
 pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     if id != MESSAGE {
         return false;
@@ -104,7 +104,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
         }
         return;
     }
-    // Answers go out by the link that the request came by.
+    // Answers are sent on the link on which the request arrived.
     let due = files.waiting.front().map(|request| request.from.link);
     if due == Some(talk.peer.link) {
         if let Some(request) = files.waiting.pop_front() {

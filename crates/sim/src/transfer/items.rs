@@ -1,5 +1,5 @@
-//! The stored form of an item: storage is small, and what does not fit is truncated or dropped, so that a download
-//! shows what will be flown.
+//! The stored form of an item: storage is small, and parts that do not fit are truncated or dropped, and a download
+//! shows the item as it will be flown.
 
 use std::ops::RangeInclusive;
 
@@ -21,9 +21,9 @@ const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 /// Numbers that the vehicle uses internally and refuses in items.
 const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
-/// How the seven parameters of each command are kept, one letter each: `.` not at all, `B` and `b` as unsigned and
-/// signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a yes or no, `L` as part of a place,
-/// and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
+/// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and `b` as an unsigned and
+/// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `L` as part of a place, and
+/// four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
 const COMMANDS: &[(u16, &[u8; 7])] = &[
     (cmd::NAV_WAYPOINT, b"H...LLL"),
     (cmd::NAV_LOITER_UNLIM, b"..s.LLL"),
@@ -215,7 +215,7 @@ fn check_numbers(item: &Item) -> Result<(), MavMissionResult> {
     Ok(())
 }
 
-/// The frame as a download names it: sea level, home, terrain.
+/// The frame as it appears in a download: sea level, home, terrain.
 fn height_frame(frame: u8) -> Result<u8, MavMissionResult> {
     HeightOrigin::of(frame)
         .map(HeightOrigin::frame)

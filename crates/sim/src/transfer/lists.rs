@@ -71,7 +71,7 @@ pub(super) fn is_part(id: u32) -> bool {
     requests || matches!(id, PARTIAL | ITEM | ITEM_INT | COUNT | ACK)
 }
 
-/// Answers a message of the protocol; `false` if it is none.
+/// Answers a message of the protocol; `false` if it is not one.
 pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     // The offsets of the receiver's system id and of the list's number.
     let (to, list) = match id {
@@ -107,7 +107,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     true
 }
 
-/// Requests a missing item again, and gives up in the end.
+/// Requests a missing item again, and eventually gives up.
 pub(super) fn step(talk: &mut Talk<'_>) {
     let now = talk.autopilot.vehicle.uptime();
     for kind in ListKind::ALL {

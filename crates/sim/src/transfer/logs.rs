@@ -46,7 +46,7 @@ struct Sending {
 }
 
 impl LogDownload {
-    /// Whether nothing is left to be sent.
+    /// Whether nothing is left to send.
     pub(super) fn is_idle(&self) -> bool {
         self.sending.is_none()
     }
@@ -80,7 +80,7 @@ pub(super) fn is_part(id: u32) -> bool {
     matches!(id, REQUEST_LIST | REQUEST_DATA | ERASE | REQUEST_END)
 }
 
-/// Answers a message of the protocol; `false` if it is none.
+/// Answers a message of the protocol; `false` if it is not one.
 pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     let to = match id {
         REQUEST_LIST => 4,
@@ -146,7 +146,7 @@ impl Talk<'_> {
         let vehicle = &self.autopilot.vehicle;
         let kept = vehicle.log.kept();
         let count = kept.len() as u16;
-        // Logs are numbered by their place here, as in the real vehicle's list.
+        // Logs are numbered by their index here, as in the real vehicle's list.
         let (first, last) = if count == 0 {
             (0, 0)
         } else {

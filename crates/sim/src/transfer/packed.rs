@@ -1,9 +1,10 @@
 //! Parameters as a file: `@PARAM/param.pck`.
 //!
-//! A header of three 16-bit numbers (magic, parameters in the file, parameters in all), then per parameter: type in
-//! the low and flags in the high half of a byte; letters shared with the name before in the low and further letters
-//! less one in the high half of a byte; the further letters; the value; its default, if the flag says so. Zeros before
-//! a parameter keep a value within one block of the size that the file is read in.
+//! A header of three 16-bit numbers (magic, parameters in the file, total parameters), then per parameter: a byte with
+//! the type in its low half and flags in its high half; a byte with the number of letters shared with the previous name
+//! in its low half, and the number of further letters less one in its high half; the further letters; the value; its
+//! default, if the flag is set. Zeros before a parameter keep a value within one block of the size in which the file is
+//! read.
 
 use crate::parameters::{Kind, Parameter, Parameters};
 
@@ -36,7 +37,7 @@ pub(super) fn estimated_len(parameters: &Parameters) -> usize {
 }
 
 impl PackRequest {
-    /// Reads `start`, `count` and `withdefaults` out of a name; `None` if one is invalid.
+    /// Reads `start`, `count` and `withdefaults` from a name; `None` if one is invalid.
     pub(super) fn read(name: &str) -> Option<Self> {
         let mut wanted = Self::default();
         let query = name.split_once('?').map_or("", |(_, query)| query);
@@ -44,7 +45,7 @@ impl PackRequest {
             let Some((key, value)) = part.split_once('=') else {
                 continue;
             };
-            // As C reads numbers: the digits in front, or nothing at all.
+            // Numbers are read as in C: the leading digits, or nothing at all.
             let digits = value.len() - value.trim_start_matches(|c: char| c.is_ascii_digit()).len();
             let value: usize = value[..digits].parse().unwrap_or(0);
             match key {

@@ -1,7 +1,7 @@
 //! A list as a file: `@MISSION/mission.dat`, `fence.dat` and `rally.dat`.
 //!
-//! A header of five 16-bit numbers (magic, list, options, first item, items), then each item as `MISSION_ITEM_INT`
-//! lays it out.
+//! A header of five 16-bit numbers (magic, list, options, first item, items), then each item in the layout of
+//! `MISSION_ITEM_INT`.
 
 use super::items;
 use super::lists::{self, item_at, laid_out, leads_somewhere, whole_place};
@@ -45,7 +45,7 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     writer.done()
 }
 
-/// Takes a file that a ground station wrote; `false` if it is incomplete or invalid.
+/// Stores a file that a ground station wrote; `false` if it is incomplete or invalid.
 pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bool {
     let number = |at: usize| {
         let bytes = file.get(at..at + 2).and_then(|two| two.try_into().ok());

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-/// The most bytes of all files together.
+/// The maximum number of bytes of all files together.
 const MOST_BYTES: usize = 128 * 1024;
-/// The most files and folders together.
+/// The maximum number of files and folders together.
 const MOST_NODES: usize = 256;
 /// Error numbers of the operating system that the vehicle passes on.
 pub(super) const NO_SUCH_FILE: u8 = 2;

@@ -159,7 +159,7 @@ impl FlightState {
         self.takeoff_m = Some(goal_m);
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
-            // In AUTO, the mission continues by itself.
+            // In AUTO, the mission continues on its own.
             mode::AUTO => return,
             _ => Task::Piloted,
         };

@@ -71,7 +71,7 @@ impl Plant {
         self.airframe.power_w(self.body.thrust_m_s2)
     }
 
-    /// A motor's pulse in microseconds: the least while the motors stand still.
+    /// A motor's pulse in microseconds: the minimum while the motors stand still.
     pub(crate) fn motor_pulse_us(&self, motor: usize) -> u16 {
         if self.body.throttle <= 0.0 {
             return 1000;

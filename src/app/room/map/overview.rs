@@ -7,15 +7,15 @@ use crate::geo::{Extent, LatLon};
 
 /// The margin added on a side when something leaves the frame, as a share of its size.
 const GROWTH: f64 = 0.4;
-/// The least such margin, in metres.
+/// The minimum of that margin, in metres.
 const LEAST_MARGIN_M: f64 = 10.0;
 /// The margin around everything, as a share of its size.
 const EDGE: f64 = 0.03;
-/// The least length of the frame's longer side.
+/// The minimum length of the frame's longer side.
 const LEAST_SIZE_M: f64 = 50.0;
 /// The frame shrinks when everything fits into this share of it.
 const LOOSE: f64 = 0.5;
-/// The interval of that check.
+/// The time between checks for shrinking.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
 /// Positions farther away than this are ignored: a wrong position, or another country.
 const FARTHEST_M: f64 = 100_000.0;
@@ -41,7 +41,7 @@ impl Overview {
             Some(frame) => {
                 let mut grown = *frame;
                 grown.include(place);
-                // Add only enough that the next metres do not extend it again.
+                // Add enough that the next few metres do not extend it again.
                 let mut beyond = Extent::at(place);
                 let size_m = grown.size_m();
                 let margin_m = (size_m[0].max(size_m[1]) * GROWTH).max(LEAST_MARGIN_M);

@@ -135,7 +135,7 @@ pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
 
 /// A vehicle closer to its place than this covers it.
 const IN_PLACE_M: f64 = 3.0;
-/// The most vehicles whose plans are shown.
+/// The maximum number of vehicles whose plans are shown.
 const MOST_SHOWN: usize = 16;
 
 /// The vehicle under the cursor and the selected ones.

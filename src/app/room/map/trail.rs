@@ -2,11 +2,11 @@
 
 use crate::geo::LatLon;
 
-/// The most points of a trail.
+/// The maximum number of points of a trail.
 const MOST_POINTS: usize = 256;
 /// The initial distance between two points, in metres.
 const SPACING_M: f64 = 1.0;
-/// A longer step is no flight: the position was reset.
+/// A longer step is not a flight: the position was reset.
 const JUMP_M: f64 = 500.0;
 
 /// The path of one vehicle. A trail keeps its start: when it is full, every second point is dropped and the spacing

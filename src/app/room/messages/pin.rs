@@ -9,7 +9,7 @@ use crate::wire::Anatomy;
 
 /// The time span of a graph.
 pub const GRAPH_SPAN: Duration = Duration::from_secs(60);
-/// The most points of one graph: 60 seconds at 50 Hz.
+/// The maximum number of points of one graph: 60 seconds at 50 Hz.
 const MOST_POINTS: usize = 3000;
 /// A field that is drawn as a graph.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +30,7 @@ pub struct Pin {
     pub dropped: u64,
 }
 
-/// The least, the greatest and the newest value of the last minute.
+/// The minimum, the maximum and the newest value of the last minute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PinExtent {
     pub low: f64,
@@ -60,7 +60,7 @@ impl Pin {
         }
     }
 
-    /// `None` without any value.
+    /// `None` if there are no values.
     pub fn extent(&self) -> Option<PinExtent> {
         let (_, now) = self.points.back()?;
         let values = || self.points.iter().map(|(_, value)| *value);

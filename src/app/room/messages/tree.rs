@@ -8,7 +8,7 @@ use super::{LinkTraffic, Messages, Sort};
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, TallyKey, name_of};
 use crate::wire::SystemId;
 
-/// With more systems than this, they are closed by default.
+/// If there are more systems than this, they are closed by default.
 const FEW_SYSTEMS: usize = 3;
 
 /// A place in the tree.
@@ -179,7 +179,7 @@ impl Messages {
         systems
     }
 
-    /// Adds a line that can be closed, and returns whether it is open. Branches that a filter matches are always
+    /// Adds a line that can be closed, and returns whether it is open. Branches that match a filter are always
     /// shown.
     fn push(&self, branch: Branch, by_default: bool, lines: &mut Vec<Branch>) -> bool {
         let is_turned = self.turned.contains(&branch.node);

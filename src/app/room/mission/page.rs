@@ -22,15 +22,15 @@ mod rewards;
 mod tries;
 mod workload;
 
-/// The least width for two columns.
+/// The minimum width for two columns.
 const TWO_COLUMNS: u16 = 110;
 /// The greatest width of a line.
 const WIDEST: usize = 88;
-/// The most columns for the state of an objective; `POINTS` is the width of its points.
+/// The maximum number of columns for the state of an objective; `POINTS` is the width of its points.
 const DETAIL: usize = 24;
 const POINTS: usize = 7;
 
-/// The lines of one column, or of two where the screen is wide enough. There is none without a mission.
+/// The lines of one column, or of two where the screen is wide enough. Empty without a mission.
 pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
     let Some(mission) = shown(state) else {
         return Vec::new();
@@ -64,7 +64,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     }
 }
 
-/// What a mission asks for: objectives, rules and scoring, in lines of at most so many columns.
+/// The objectives, rules and scoring of a mission, in lines of at most `width` columns.
 pub fn tasks(state: &State, mission: &Listing, locale: &Locale, width: u16) -> Vec<PageLine> {
     let mut page = Page {
         state,

@@ -7,8 +7,8 @@ use crate::app::state::ParameterSetting;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
 use crate::vehicle::VehicleId;
 
-/// The most commands under way. A command that waits behind others may miss its deadline before it is sent, so fewer
-/// are sent where answers are slow.
+/// The maximum number of commands under way. A command that waits behind others may miss its deadline before it is
+/// sent, so fewer are sent where answers are slow.
 const MOST_UNDER_WAY: usize = 8;
 
 /// The values being set.
@@ -57,7 +57,7 @@ impl Batch {
         self.under_way.push((entry, setting));
     }
 
-    /// Notes that a value could not be sent because its vehicles are gone.
+    /// Counts a value that could not be sent because its vehicles are gone.
     pub fn not_sent(&mut self, setting: &ParameterSetting) {
         self.failed += setting.vehicles.len();
     }

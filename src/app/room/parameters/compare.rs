@@ -36,7 +36,7 @@ pub enum Other {
 }
 
 impl Comparison {
-    /// A comparison before any choice by the user.
+    /// A comparison without any choices by the user yet.
     pub fn new(with: Other) -> Self {
         Self {
             lists_extra: matches!(with, Other::Vehicle(_)),
@@ -46,8 +46,8 @@ impl Comparison {
         }
     }
 
-    /// Whether a value would be set: by default, what differs and is not specific to the vehicle. Parameters that the
-    /// vehicle lacks are never set by default.
+    /// Whether a value would be set. By default, values that differ and are not specific to the vehicle are marked.
+    /// Parameters that the vehicle lacks are never marked by default.
     pub fn is_marked(&self, name: &str, finding: ParameterFinding) -> bool {
         let by_itself = match finding {
             ParameterFinding::Changed(..) => !is_the_vehicles_own(name),
@@ -63,7 +63,7 @@ impl Comparison {
 pub enum Marks {
     /// The one of the row under the cursor.
     UnderCursor,
-    /// The ones not marked yet, so that all are.
+    /// Those not marked yet, so that all are marked.
     Unmarked,
     /// All that are shown.
     All,

@@ -11,9 +11,9 @@ use crate::language::{self, VerbRow};
 use crate::parameters::Fetching;
 use crate::vehicle::VehicleId;
 
-/// The most lists downloaded at a time: vehicles may share a slow radio.
+/// The maximum number of lists downloaded at a time: vehicles may share a slow radio.
 const AT_ONCE: usize = 4;
-/// A vehicle that has not started by then is asked again.
+/// A vehicle that has not started to send its list within this time is asked again.
 const BEGIN_WITHIN: Duration = Duration::from_secs(5);
 
 /// Requests the lists that are needed and missing; called at every tick, since it depends on the screen.

@@ -13,7 +13,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The most edits kept; beyond that, all are dropped except from the ledger.
+/// The maximum number of edits kept; beyond that, all are dropped except from the ledger.
 const EDITS_KEPT: usize = 50_000;
 
 /// A value commanded for a vehicle.
@@ -27,7 +27,7 @@ pub struct Edit {
 /// The line that sets a new value for a parameter of some vehicles.
 ///
 /// # Errors
-/// It is no number, or none that the parameter's type could hold.
+/// The text is not a number, or not one that the parameter's type can hold.
 pub fn entered(
     state: &State,
     name: &str,
@@ -51,7 +51,7 @@ pub fn entered(
 /// The line that sets a value on some vehicles.
 pub fn setting_line(setting: &ParameterSetting) -> String {
     let value = setting.value;
-    // The shortest notation of a large whole number may be another whole number.
+    // The shortest notation of a large whole number may stand for another whole number.
     let written = if value.fract() == 0.0 {
         f64::from(value).to_string()
     } else {
@@ -90,7 +90,7 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
 }
 
 /// Reports the outcome of a parameter command on the last line of the room once every vehicle has answered: the first
-/// failure, if any. Of a batch, only the end is reported.
+/// failure, if any. For a batch, only the end is reported.
 pub fn tell(state: &mut State, entry: EntryId) {
     let batch = state.rooms.parameters.batch.as_ref();
     let is_of_batch = batch.is_some_and(|batch| batch.has(entry));

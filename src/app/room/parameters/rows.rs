@@ -116,7 +116,7 @@ fn difference<'a>(
         }
     };
     let is_coming = coming(state, vehicle, with).is_some();
-    // What one side lacks may still arrive.
+    // A parameter that one side lacks may still arrive.
     let is_sure = |finding| !is_coming || matches!(finding, ParameterFinding::Changed(..));
     let pair = |difference: ParameterDifference<'a>| (difference.name, difference.finding);
     let pairs = found.into_iter().map(pair);

@@ -195,7 +195,7 @@ fn put_in(state: &mut State) {
     if !room.bench.put_in(air()) {
         return state.say(Severity::Notice, text!("bench-no-more"));
     }
-    // A filled slot with room for one is done, like a required one that was empty; others may take more.
+    // A slot for a single part is complete once filled, and so is a required one that was empty; others may take more.
     if slot.room() == 1 || (was_empty && slot.is_required()) {
         room.pane = Pane::Slots;
         if was_empty {

@@ -7,7 +7,7 @@ use crate::workshop::{
     Air, Design, DesignFinding, FindingSeverity, Part, PartSlot, Sheet, parts_for,
 };
 
-/// The most changes that can be undone.
+/// The maximum number of changes that can be undone.
 const MOST_UNDONE: usize = 200;
 
 /// A design being edited.
@@ -49,9 +49,9 @@ pub struct Candidate {
     pub part: &'static Part,
     /// How many of it are already in the slot.
     pub on_board: usize,
-    /// The design's figures with it; for a part on board, the present ones.
+    /// The design's figures with this part; for a part on board, the current ones.
     pub sheet: Sheet,
-    /// Why it does not fit: the fault that the design would have in this slot, or a new one elsewhere.
+    /// Why it does not fit: the fault that the design would have in this slot, or a new fault in another one.
     pub misfit: Option<Text>,
 }
 
@@ -118,7 +118,7 @@ impl Bench {
         rows(&self.design)
     }
 
-    /// The index of the cursor among them.
+    /// The index of the cursor among the slot rows.
     pub fn row(&self) -> usize {
         self.row
     }
@@ -175,13 +175,13 @@ impl Bench {
         self.part = self.candidates.get(at).map(|candidate| candidate.part.id);
     }
 
-    /// Installs the part under the cursor. False if that changes nothing.
+    /// Installs the part under the cursor. Returns false if that changes nothing.
     pub fn put_in(&mut self, air: Air) -> bool {
         let changed = self.candidate().map(|it| self.design.with(it.part));
         changed.is_some_and(|changed| self.change(changed, air))
     }
 
-    /// Removes one piece of a part. False if there is none.
+    /// Removes one piece of a part. Returns false if there is none.
     pub fn take_out(&mut self, part: &Part, air: Air) -> bool {
         self.change(self.design.without(part), air)
     }

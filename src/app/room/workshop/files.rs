@@ -175,7 +175,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design with a name: an own one before a built-in one.
+/// The design with a name: one of the trainee's own before a built-in one.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)
@@ -190,7 +190,7 @@ fn is_taken(state: &State, name: &str) -> bool {
     own(state, name).is_some()
 }
 
-/// Whether two names are the same for profiles, which ignore case.
+/// Whether two names count as the same in a profile, which ignores case.
 fn same(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
 }

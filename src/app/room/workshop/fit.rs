@@ -11,7 +11,7 @@ use crate::workshop::Design;
 /// A design compared with a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// The needs of some seats, compared; seats with equal needs share an entry.
+    /// The needs of some seats, compared; seats with the same needs share an entry.
     pub groups: Vec<(Vec<VehicleId>, Vec<Stand>)>,
     mission: String,
     design: Design,

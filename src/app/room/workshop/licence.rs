@@ -13,7 +13,7 @@ use crate::workshop::{Design, Part};
 /// Whether the trainee may use a part.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Licence {
-    /// Yes; without a career, every part.
+    /// The trainee may use it; without a career, every part.
     Held,
     /// After paying this many credits.
     ForSale(u32),

@@ -18,7 +18,7 @@ pub struct Stored<'a> {
     pub is_own: bool,
 }
 
-/// All designs, own ones first.
+/// All designs, the trainee's own first.
 pub fn stored(state: &State) -> Vec<Stored<'_>> {
     let own_designs = state.career.iter().flat_map(|career| &career.designs);
     let own = own_designs.map(|design| Stored {
@@ -82,7 +82,7 @@ pub(super) fn begin(state: &mut State) {
     open(state, Design::new(name));
 }
 
-/// On the list, compares with the design under the cursor; elsewhere, toggles the list to choose from.
+/// On the list, compares with the design under the cursor; elsewhere, opens or closes the list.
 pub(super) fn compare_or_choose(state: &mut State) {
     let room = &mut state.rooms.workshop;
     match room.page {

@@ -21,7 +21,7 @@ impl Career {
         self.course.next(&self.standing, self.day)
     }
 
-    /// The mission to show next: if a drill is next, its mission.
+    /// The mission to show next; for a drill, the mission that it belongs to.
     pub fn next_mission(&self) -> Option<&str> {
         let (_, offer) = self.next()?;
         let id = offer.drill_of.as_deref();

@@ -36,7 +36,7 @@ fn those_who_pass_each_other_between_two_looks_are_seen_to_meet() {
         before: BTreeMap::from([(1, before[0]), (2, before[1])]),
     };
     let closest_m = |before: [Place; 2], now: [Place; 2]| airspace(before).closest_m([1, 2], now);
-    // Head on, 2 m a look each; one above the other; apart; and standing still.
+    // Head on, each 2 m per step; one above the other; apart; and standing still.
     for (before, now, expected) in [
         (
             [[-2.0, 0.0, 20.0], [2.0, 0.0, 20.0]],

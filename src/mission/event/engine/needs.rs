@@ -1,4 +1,4 @@
-//! The present threats as settings of each vehicle's simulator and link.
+//! The current threats as settings of each vehicle's simulator and link.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,7 +16,7 @@ use crate::vehicle::VehicleId;
 /// A vehicle under a zone's effect must move this far away from it before the effect ends.
 const HYSTERESIS_M: f64 = 5.0;
 
-/// Which vehicles are under the effect of which zones, by the zone's index in the file.
+/// The zones that affect each vehicle, by the zone's index in the file.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Gnss(BTreeMap<VehicleId, BTreeSet<usize>>);
 
@@ -37,7 +37,7 @@ impl Gnss {
 }
 
 impl Engine {
-    /// Demands the present state of simulators and links.
+    /// Demands the state that simulators and links should have now.
     pub(super) fn demand(&mut self, mission: &Mission, weather: &Weather, sight: &Sight<'_>) {
         for craft in sight.crafts {
             let mut wishes = Wishes::default();
@@ -52,7 +52,7 @@ impl Engine {
         }
     }
 
-    /// What zones do to a vehicle's satellite navigation.
+    /// Applies the effect of zones on a vehicle's satellite navigation.
     fn navigation(&mut self, mission: &Mission, craft: &Craft, wishes: &mut Wishes) {
         let zones = self.zones.iter().zip(&self.active).enumerate();
         for (index, (zone, _)) in zones.filter(|(_, (_, active))| **active) {
@@ -68,7 +68,7 @@ impl Engine {
                     }
                 }
                 ZoneKind::GnssGlitch { offset_m } => {
-                    // It seems to be elsewhere by the size of the deception.
+                    // The vehicle's reported position is off by the size of the deception.
                     let leave_m = HYSTERESIS_M + maths::hypot(offset_m[0], offset_m[1]);
                     if self.gnss.holds(craft, index, zone, leave_m) {
                         wishes.mislead(offset_m, mission.origin.at);

@@ -21,7 +21,7 @@ pub(super) struct Schedule {
 struct EventWatch {
     /// The time at which it is due.
     due: Option<Duration>,
-    /// Whether its condition held at the last look.
+    /// Whether its condition held at the last evaluation.
     held: bool,
     over: bool,
     /// Whether an instructor triggered it, so that its probability does not matter.
@@ -49,7 +49,7 @@ impl Schedule {
         &self.fired
     }
 
-    /// Which conditions hold. The streams of chance from `stream` on are those of the events.
+    /// Which conditions hold. The events use the random streams from `stream` on.
     pub fn holding(&self, mission: &Mission, scope: &Scope<'_>, stream: u64) -> Vec<bool> {
         let events = mission.events.iter().zip(&self.watches).zip(stream..);
         let holds = events.map(|((event, watch), stream)| {
@@ -66,7 +66,7 @@ impl Schedule {
         holds.collect()
     }
 
-    /// Makes each event due whose condition begins to hold.
+    /// Makes an event due when its condition begins to hold.
     pub fn note(&mut self, holding: &[bool], now: Duration) {
         for (watch, &holds) in self.watches.iter_mut().zip(holding) {
             if holds && !watch.held {
@@ -76,7 +76,7 @@ impl Schedule {
         }
     }
 
-    /// Whether an event happens now: it is due, and its probability lets it.
+    /// Whether an event happens now: it is due, and the random draw allows it.
     pub fn happens(
         &mut self,
         index: usize,

@@ -1,4 +1,4 @@
-//! The arguments of an expression's functions: how each kind is read.
+//! The arguments of an expression's functions: how each kind is parsed.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ const LEVELS: [(&str, AlertLevel); 3] = [
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::mission) struct ExpressionNames<'a> {
     pub zones: &'a [Zone],
-    /// Ids of objectives, hazards, events, and movers.
+    /// The ids of objectives; then those of hazards, events and movers.
     pub objectives: &'a [String],
     pub hazards: &'a [String],
     pub events: &'a [String],
@@ -99,7 +99,7 @@ impl Argument {
         }
     }
 
-    /// What a name means as this argument.
+    /// The value of a name as this argument.
     fn named(
         self,
         name: &str,

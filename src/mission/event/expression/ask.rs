@@ -156,7 +156,7 @@ fn modes(given: &[Given]) -> Option<Vec<String>> {
     }
 }
 
-/// Reads what follows a function's name, and returns it with the type of its result.
+/// Reads the arguments after a function's name; returns the query with the type of its result.
 pub(super) fn read(
     reader: &mut Reader<'_>,
     name: &str,

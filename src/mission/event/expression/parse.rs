@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 /// The greatest nesting depth of parentheses and signs.
 const DEEPEST: usize = 32;
 
-/// A part with its type and its place.
+/// A part with its type and its position.
 pub(super) struct Part {
     pub node: ExpressionNode,
     pub is: Type,
@@ -102,7 +102,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// A part whose operators bind at least as tightly as `level`.
+    /// Reads a part whose operators bind at least as tightly as `level`.
     fn level(&mut self, level: usize) -> Read {
         let Some(&(operators, operand, result)) = LEVELS.get(level) else {
             return self.unary();
@@ -213,7 +213,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The next token, whatever it is.
+    /// Consumes the next token of any kind.
     pub fn next(&mut self, wanted: &str) -> Result<Placed, Diagnostic> {
         let found = self.tokens.get(self.at).cloned();
         self.at += 1;

@@ -1,4 +1,4 @@
-//! Values of conditions; no input makes the parser panic.
+//! Tests of conditions: their values, and that no input makes the parser panic.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;

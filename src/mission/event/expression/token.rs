@@ -16,7 +16,7 @@ pub(super) enum ExpressionToken {
     Sign(&'static str),
 }
 
-/// The signs; a longer one precedes those that are its prefix.
+/// The signs; a longer one comes before its prefixes.
 const SIGNS: [&str; 17] = [
     "<=", ">=", "==", "!=", "<", ">", "=", "+", "-", "*", "/", "(", ")", "[", "]", ",", ".",
 ];
@@ -45,7 +45,7 @@ pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
     Ok(tokens)
 }
 
-/// The first token of the rest, and its length in bytes.
+/// The first token of the remaining text, and its length in bytes.
 fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, String)> {
     let length_of = |part: fn(char) -> bool| {
         let end = rest.find(|c| !part(c));

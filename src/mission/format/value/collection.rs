@@ -17,7 +17,7 @@ pub(in crate::mission) struct ListValue<V> {
     most: usize,
 }
 
-/// A list with the least and the greatest count.
+/// A list with the minimum and the maximum count.
 pub(in crate::mission) const fn list<V>(of: V, least: usize, most: usize) -> ListValue<V> {
     ListValue { of, least, most }
 }
@@ -62,7 +62,7 @@ pub(in crate::mission) struct MapValue<V> {
     of: V,
 }
 
-/// A map with names of the author's choice; `names` says what they name.
+/// A map with names that the author chooses; `names` describes what they name.
 pub(in crate::mission) const fn map<V>(names: &'static str, of: V) -> MapValue<V> {
     MapValue { names, of }
 }

@@ -122,7 +122,7 @@ impl FileValue for WholeValue {
     }
 }
 
-/// A unit after its number.
+/// A unit with the space that separates it from its number.
 pub(in crate::mission::format) fn spaced(unit: &str) -> String {
     match unit {
         "" => String::new(),
@@ -133,7 +133,7 @@ pub(in crate::mission::format) fn spaced(unit: &str) -> String {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct FlagValue;
 
-/// A yes or no, written `true` or `false`.
+/// A flag, written `true` or `false`.
 pub(in crate::mission) const fn flag() -> FlagValue {
     FlagValue
 }

@@ -51,7 +51,7 @@ pub(in crate::mission::format) const fn id() -> TextValue {
     )
 }
 
-/// The id of a sensor. Only the reader knows whether the fleet carries it.
+/// The id of a sensor. The reader checks whether the fleet carries it.
 pub(in crate::mission::format) const fn sensor_id() -> TextValue {
     TextValue {
         form: "sensor",
@@ -117,7 +117,7 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
             let message = format!("unknown value `{word}`, {}", expected(&known));
             let fault = Diagnostic::new(place, message);
             draft.faults.push(match word.len() {
-                // One-letter words are all equally close.
+                // One-letter words are all equally similar.
                 0 | 1 => fault,
                 _ => fault.with_nearest(&word, known),
             });
@@ -138,7 +138,7 @@ pub(in crate::mission) struct NamedValue<T> {
     find: fn(&str) -> Option<T>,
 }
 
-/// A value by its name: all names, and the function that finds it.
+/// A value by its name, with the list of all names and the function that finds the value.
 pub(in crate::mission) const fn named<T>(
     what: &'static str,
     names: fn() -> Vec<&'static str>,

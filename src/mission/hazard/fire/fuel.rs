@@ -14,20 +14,21 @@ pub(crate) enum Fuel {
     Bare,
 }
 
-/// How a fuel burns.
+/// The burning properties of a fuel.
 struct Burning {
     /// Speed of a front in calm air, in m/s.
     calm_m_s: f64,
     /// The share of the wind's speed that is added to the front's.
     of_wind: f64,
-    /// How long it burns after the front has passed, in seconds.
+    /// How long the fuel burns after the front has passed, in seconds.
     stays_s: f64,
     /// Smoke particles, in g/s per square metre.
     smoke_g_s_m2: f64,
 }
 
-/// Estimates, to be replaced by a fire expert's. The tenth of the wind's speed is the rule of thumb of Cruz and
-/// Alexander (2019), which is for fuels in the open; shrubs are sheltered, and litter lies under trees.
+/// Estimates, to be replaced by those of a fire expert. The factor 0.1 of the wind's speed is the rule of thumb of Cruz
+/// and Alexander (2019) for fuels in the open. Shrubs are sheltered, and litter lies under trees, so their factors are
+/// lower.
 const GRASS: Burning = Burning {
     calm_m_s: 0.05,
     of_wind: 0.10,

@@ -1,8 +1,8 @@
 //! The ground as a grid of cells, and their state.
 //!
-//! A cell's front gains on each neighbour that can burn by the speed in that direction; the neighbour catches fire
-//! when the fastest front has covered the distance between their centres. So a front moves at the formula's speed
-//! along the axes; an independent chance per second for each neighbour would make it faster.
+//! The front of a cell advances on each neighbour that can burn, at the speed for that direction. The neighbour catches
+//! fire when the fastest front has covered the distance between their centres. A front therefore moves at the formula's
+//! speed along the axes; an independent chance per second for each neighbour would make it faster.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -17,7 +17,7 @@ use crate::mission::weather::Wind;
 pub(super) const STEP_S: f64 = 1.0;
 /// The unevenness of fuel: standard deviation of the logarithm of a cell's speed.
 const ROUGHNESS: f64 = 0.2;
-/// Embers of a burning cell that start a fire elsewhere, per second and m/s of wind.
+/// The number of embers from a burning cell that start a fire elsewhere, per second and m/s of wind.
 const EMBERS_PER_S: f64 = 2e-5;
 /// The distance that embers fly, in metres, and their spread to the side, in degrees.
 const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
@@ -38,7 +38,7 @@ const NEIGHBOURS: [(isize, isize); 8] = [
 /// The state of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum CellState {
-    /// Not burning; the front has covered this share of the way to it, 0 to 1.
+    /// Not burning; the front has covered this share of the distance to it, 0 to 1.
     Unburnt(f64),
     /// Burning, for this many seconds.
     Burning(f64),
@@ -51,7 +51,7 @@ pub(crate) enum CellState {
 pub(super) struct FireCell {
     pub fuel: Fuel,
     pub state: CellState,
-    /// The speed of a front here, as a multiple of the formula's.
+    /// The speed of a front in this cell, as a multiple of the formula's.
     pub pace: f64,
 }
 
@@ -106,7 +106,7 @@ impl FireGrid {
         ]
     }
 
-    /// How many cells there are.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.cells.len()
     }
@@ -129,7 +129,7 @@ impl FireGrid {
         (0..self.cells.len()).filter(|&index| self.burns(index))
     }
 
-    /// How many cells burn or have burnt.
+    /// The number of cells that burn or have burnt.
     pub fn burnt(&self) -> usize {
         let all = 0..self.cells.len();
         all.filter(|&index| self.has_burnt(index)).count()
@@ -183,7 +183,7 @@ impl FireGrid {
         }
     }
 
-    /// How much closer the fastest front comes to each cell in reach, as a share of the distance.
+    /// The advance of the fastest front on each cell in reach, as a share of the distance.
     fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
         let ways = NEIGHBOURS.map(|(column, row)| [column as f64, row as f64]);
         let shares =
@@ -212,7 +212,7 @@ impl FireGrid {
         (to_column < self.columns && to_row < self.rows).then(|| to_row * self.columns + to_column)
     }
 
-    /// Whether the cells on both sides of a diagonal stop a front: a diagonal road is a barrier too.
+    /// Whether the cells on both sides of a diagonal stop a front, so that a diagonal road is also a barrier.
     fn is_cut(&self, from: usize, column: isize, row: isize) -> bool {
         let holds = |index: Option<usize>| {
             let cell = index.map(|index| self.cells[index]);

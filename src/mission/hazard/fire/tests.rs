@@ -56,7 +56,7 @@ fn released(patches: &[FuelPatch], seed: u64) -> Box<dyn Field> {
     hazard(meadow(patches)).release(&windy(), ChaCha8Rng::seed_from_u64(seed))
 }
 
-/// Grass at 5 % water in 5 m/s: 0.05 + 0.1 * 5 = 0.55 m/s, and 0.27 of that against the wind.
+/// Grass with 5 % water in wind of 5 m/s: 0.05 + 0.1 * 5 = 0.55 m/s, and 0.27 of that against the wind.
 #[test]
 fn a_front_runs_with_the_wind_and_against_it_at_the_speeds_of_the_formula() {
     let mut grid = meadow(&[]);

@@ -76,7 +76,7 @@ fn what_passes_through_a_plane_across_the_wind_is_what_comes_out() {
     assert!((flow_ug_s / UG_PER_G - 1.0).abs() < 0.005, "{flow_ug_s}");
 }
 
-/// In calm air, by the formula, for class D at the height of the source and far above its image: 1e6 / ((2 pi)^1.5
+/// The formula for calm air, for class D at the height of the source and far above its image, gives 1e6 / ((2 pi)^1.5
 /// 0.113) / R2 = 5.62e5 / R2, and the image adds a little.
 #[test]
 fn in_calm_air_the_cloud_is_round_and_falls_with_the_square_of_the_distance() {

@@ -4,7 +4,7 @@ use super::CoverageGrid;
 use crate::mission::Point;
 use crate::mission::objective::GroundPatch;
 
-/// The most squares in a debrief.
+/// The maximum number of squares in a debrief.
 const MOST: usize = 400;
 /// The approximate number of squares on the map of a flight under way.
 const MOST_SWEPT: f64 = 1000.0;
@@ -38,7 +38,7 @@ pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
     marked.map(patch).collect()
 }
 
-/// Cells in blocks: each block is marked if at least half of its cells are swept, or are not.
+/// Cells in blocks: each block is marked if at least half of its cells are swept, or not swept, as requested.
 struct Blocks {
     corner: Point,
     side_m: f64,

@@ -23,7 +23,7 @@ pub(super) const SHOWN_WITHIN: Duration = Duration::from_millis(2500);
 pub(super) const LATE_AT_MOST: Duration = Duration::from_secs(30);
 /// The highest speed-up of a session.
 const FASTEST: f64 = 100.0;
-/// The interval at which sessions check their deadlines.
+/// The time between the sessions' checks of their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
 
 /// A difference between a record and its flight.
@@ -86,7 +86,7 @@ impl Reflight {
         })
     }
 
-    /// Flies on up to a step, which the log has to cover.
+    /// Flies on up to a step, which the log must cover.
     pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Divergence> {
         let last = self.lines.last().map_or(0, |line| line.s);
         let beyond = LATE_AT_MOST.as_nanos() / STEP.as_nanos();
@@ -112,7 +112,7 @@ impl Reflight {
         }
     }
 
-    /// Has enter what the log says for this moment.
+    /// Applies the inputs that the log has for this moment.
     fn enter(&mut self) -> Result<(), Divergence> {
         while let Some(line) = self.lines.get(self.next)
             && line.s == self.world.steps()
@@ -133,7 +133,7 @@ impl Reflight {
         Ok(())
     }
 
-    /// Reads from connections that were just made, and no longer from ended ones.
+    /// Starts to read from new connections, and stops reading from ended ones.
     fn connect(&mut self) {
         match self.lines[self.next].what {
             Entered::On(vehicle, connection, _) => {
@@ -180,7 +180,7 @@ impl Reflight {
     }
 }
 
-/// The telemetry of a repeated vehicle.
+/// The telemetry of a repeated vehicle, for comparison.
 pub(super) struct Witness {
     pub(super) session: Session,
     /// Its known states, each with the time from which it held.
@@ -257,7 +257,7 @@ impl Witness {
     }
 }
 
-/// Whether a command comes from the operator. A console also sends commands of its own, whose refusals are in no
+/// Whether a command comes from the operator. A console also sends its own commands, whose refusals are not in the
 /// ledger.
 fn is_order(command: MavCmd) -> bool {
     !matches!(

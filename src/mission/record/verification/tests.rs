@@ -50,8 +50,8 @@ fn assert_named(run: &str, inputs: &str, named: &str) {
     assert!(said.contains(named), "{said}");
 }
 
-/// Eight drones in wind, with a bad motor, a bad link and no satellite navigation: flown by another build of the
-/// program, and verified by this one.
+/// Eight drones in wind, with a bad motor, a bad link and no satellite navigation. Another build of the program
+/// recorded the flight, and this one verifies it.
 #[test]
 fn the_golden_record_is_verified() {
     assert_eq!(verified(RUN, INPUTS), Ok(()));
@@ -145,7 +145,7 @@ fn shortened_records_are_named() {
     assert_named(RUN, &end, "its end is missing");
 }
 
-/// Telemetry that is altered or removed shows: the repeated drones are elsewhere.
+/// Altered or removed telemetry is detected, because the repeated drones are elsewhere.
 #[test]
 fn moved_and_missing_telemetry_is_named() {
     let moved = with_line(RUN, &["\"t\":30000,", "\"at\":["], |line| {

@@ -35,7 +35,8 @@ fn chance(id: &str, class: ObjectClass, height_m: f64, speed_m_s: f64, light: Li
     look.map_or(0.0, |look| look.chance)
 }
 
-/// The probability that the night search's thermal camera tells a deer from a person; `None` where it does not see it.
+/// The probability that the thermal camera of the night search distinguishes a deer from a person; `None` if it does
+/// not\nsee the deer.
 fn told(height_m: f64, aside_m: f64) -> Option<f64> {
     let object = Object::new(ObjectClass::Animal, [0.0; 2]);
     let view = View {
@@ -57,7 +58,7 @@ fn only_a_look_from_near_and_above_tells_a_deer_from_a_person() {
 
 #[test]
 fn pictures_detect_persons_as_the_table_of_the_design_says() {
-    // Height, then P_inf and swath of s_th160, s_th320 and s_thdual.
+    // Each row: the height, then P_inf and the swath of s_th160, s_th320 and s_thdual.
     let table = [
         (20.0, [(1.00, 22.0), (1.00, 12.0), (1.00, 12.0)]),
         (40.0, [(0.92, 43.0), (1.00, 24.0), (1.00, 24.0)]),
@@ -103,7 +104,7 @@ fn one_pass_over_a_mine_has_the_probabilities_of_the_design() {
             assert!((found - best * still).abs() < 1e-12, "{id} {class:?}");
         }
     }
-    // Half at the limit of speed; 1/e of that one scale above the limit of height.
+    // Half at the limit of speed; 1/e of that at one scale above the limit of height.
     let half = chance("s_mag", MetalMine, 1.5, 4.0, Light::Day);
     assert!((half - 0.425).abs() < 1e-12);
     let high = chance("s_mag", MetalMine, 2.5, 4.0, Light::Day);

@@ -82,7 +82,7 @@ fn signs_that_come_all_the_time_do_not_flood_the_vehicle() {
         scene.announce(step, 0);
         scene.pass(ms(100));
     }
-    // An upload under way is waited for.
+    // The reader waits for an upload under way.
     let during = scene.asked_for(is_list);
     assert!(during <= 4, "{during}");
     scene.pass(Duration::from_secs(10));

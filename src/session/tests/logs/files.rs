@@ -1,4 +1,4 @@
-//! Logs that come as files, and what happens where that fails.
+//! Logs that are read as files, and the cases where that fails.
 
 use super::*;
 use crate::session::ftp::server::{Quirks, Sums};
@@ -58,7 +58,7 @@ fn files_go_on_where_log_messages_cease() {
         refuses_from: Some(50_000),
         ..Quirks::default()
     };
-    // Each row: the requests for log messages that are answered, how files behave, and what comes of it.
+    // Each row: the number of answered requests for log messages, the behaviour of files, and the outcome.
     for (answers, quirks, state) in [
         (0, Quirks::default(), RowState::Done),
         (0, half, RowState::TimedOut),
@@ -114,7 +114,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     let way = "by log messages, no check sum: no file of the listed size";
     assert_eq!(shelf.explanation(), format!("5.0 kB saved {way}: log2.bin"));
     assert!(shelf.kept(2) == log(5000, 2));
-    // A board has them elsewhere.
+    // A board stores them in another folder.
     let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
     let file = shelf.server.files.pop_first().expect("a log");
     shelf
@@ -177,7 +177,7 @@ fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// By whichever way: the bytes are those of the vehicle.
+    /// The received log is correct, whichever way it is read.
     #[test]
     fn a_file_survives_losses(
         seed in any::<u64>(),
@@ -196,7 +196,7 @@ proptest! {
         shelf.rate = rate;
         shelf.download(LogChoice::Last);
         shelf.until_over(Duration::from_secs(600));
-        // Where messages cease, files may have failed before.
+        // If messages stop, files may have failed before.
         let is_done = shelf.last_row().state == RowState::Done;
         prop_assert!(is_done || answers < usize::MAX);
         prop_assert!(!is_done || shelf.kept(1) == log(len, 7));

@@ -6,7 +6,7 @@ use crate::app::state::Instance;
 use crate::hangar;
 use crate::notice::sanitised;
 
-/// The least time over which processor use is measured.
+/// The minimum time over which processor use is measured.
 const USAGE_OVER: Duration = Duration::from_secs(2);
 /// The name of this program's own hangar.
 const OWN: &str = "here";
@@ -33,7 +33,7 @@ impl ProcessUsage {
     pub fn note(&mut self, cpu_ms: u64, now: Duration) -> Option<f32> {
         let over = now.saturating_sub(self.at);
         if cpu_ms < self.cpu_ms {
-            // It is another process.
+            // This is a new process.
             *self = Self::of(cpu_ms, now);
         } else if over >= USAGE_OVER {
             let spent_ms = (cpu_ms - self.cpu_ms) as f32;

@@ -9,7 +9,7 @@ use super::super::rescue::back_up;
 use super::{Profiles, anna, open, run};
 use crate::workshop::{Design, part};
 
-/// A folder with Anna's flights and a copy of them, closed; and the file.
+/// A folder with Anna's flights and a backup, with the database closed; and the file.
 fn folder_with_copy(flights: u32) -> (tempfile::TempDir, PathBuf) {
     let data = tempfile::tempdir().expect("a folder");
     let mut profiles = open(data.path());
@@ -178,7 +178,7 @@ fn an_empty_copy_is_none() {
 #[test]
 fn a_rescue_goes_on_after_one_that_was_killed() {
     let (data, file) = folder_with_copy(1);
-    // It had set the file aside, and its copy was not complete yet.
+    // The killed console had set the file aside, and its copy was not complete yet.
     fs::rename(&file, data.path().join("profiles.sqlite.damaged-then")).expect("renamed");
     let rest = vec![0x55; 1024 * 1024];
     fs::write(data.path().join("profiles.sqlite.restored"), rest).expect("writable");

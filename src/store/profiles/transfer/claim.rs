@@ -1,6 +1,6 @@
-//! Checks of an imported profile. A file proves nothing by itself: of each flight only its report counts, for missions
-//! of this course and in the order in which they were flown. Claims that the report does not support are left out or
-//! count as practice, and all entries are marked as imported.
+//! Checks of an imported profile. A file proves nothing on its own. Of each flight, only its report counts, for
+//! missions of this course and in the order in which they were flown. Claims that the report does not support are left
+//! out or count as practice, and all entries are marked as imported.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,8 @@ use crate::text::Text;
 use crate::workshop::Design;
 
 impl ProfileFile {
-    /// The profile reduced to what its reports support, and remarks on what that leaves out or turns into practice.
+    /// The profile reduced to the claims that its reports support, and remarks on those that are left out or become
+    /// practice.
     #[must_use]
     pub fn borne_out(self) -> (Self, Vec<Text>) {
         let missions = course_missions();
@@ -169,7 +170,7 @@ impl Claims<'_> {
     }
 }
 
-/// The mission with the trainee's own drones, if it was flown with any; `None` where they could not fly it.
+/// The mission with the trainee's own drones, if it was flown with any; `None` if they could not fly it.
 fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
     let fleet = run.airframes.iter().map(|it| Design::from_toml(it).ok());
     let fleet: Vec<Design> = fleet.collect::<Option<_>>()?;
@@ -177,7 +178,7 @@ fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
     mission.with_fleet(fleet).ok()
 }
 
-/// The flight as practice, which earns nothing. Its own drones that were lost stay lost.
+/// The flight as practice, which earns nothing. The trainee's own drones that were lost stay lost.
 fn practice(claimed: &CareerFlight, run: &RunDocument) -> CareerFlight {
     let report = &run.report;
     CareerFlight {
@@ -197,7 +198,7 @@ fn day(run: &RunDocument) -> i64 {
     moment(&run.ended).map_or(0, day_of)
 }
 
-/// What in a report is impossible for a flight of the mission, in English.
+/// A part of a report that is impossible for a flight of the mission, in English.
 fn unlike(mission: &Mission, report: &Report) -> Option<String> {
     if report.medal > mission.scoring.medals.won(report.score, true) {
         return Some(format!("no such medal for {} points", report.score));

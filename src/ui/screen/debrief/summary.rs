@@ -18,7 +18,7 @@ use crate::ui::widget::{aligned, clip, clock, put, width};
 
 /// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
-/// Cells of the bar of the score, and of those of its components.
+/// The length in cells of the bar of the score, and of the bars of its components.
 const SCORE_BAR: usize = 24;
 const BAR: usize = 14;
 /// Columns of a component's name.
@@ -53,7 +53,7 @@ fn title(report: &Report, panel: Panel<'_>) -> Line<'static> {
     Line::styled(clip(&words, panel.width()), panel.style(Role::Title))
 }
 
-/// `PASSED  ★★★ GOLD  ████████·· 887 / 1000  A`.
+/// The outcome, such as `PASSED  ★★★ GOLD  ████████·· 887 / 1000  A`.
 fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
     let role = if report.passed {
         Role::Ok

@@ -23,14 +23,14 @@ use crate::ui::widget::{aligned, below, clip, columns, put, reflow, row_of, uppe
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
 /// Commands to give once the drones are in the air.
 const FIRST_FLIGHT: [&str; 2] = ["all goto by n 50", "all rtl"];
-/// The least lines of the text, whatever else is shown.
+/// The minimum number of lines of the text, whatever else is shown.
 const LEAST_TEXT: usize = 7;
 
-/// A key and what it does.
+/// A key, and its effect.
 type KeyHint = (String, String);
 
-/// Draws the text with the keys below it. What the mission means to the career stands beside it with what it asks for, or
-/// between text and keys where there is no room beside.
+/// Draws the text with the keys below it. The facts of the career and the objectives are shown beside the text or,
+/// without room there, between text and keys.
 pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer: &mut Buffer) {
     let Some(item) = items(state).get(state.rooms().home().cursor()).copied() else {
         return;
@@ -63,7 +63,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer
     draw_text(&about(state, item, panel.look), &below_text, inner, buffer);
 }
 
-/// Draws the objectives and rules of a mission that can be started, as far as there is room.
+/// Draws the objectives and rules of a mission that can be started, if there is room.
 fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buffer) {
     let HomeItem::Mission(at) = item else { return };
     if state.session().activity().is_some() {
@@ -78,7 +78,7 @@ fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buff
     panel.mark_scroll(0, lines.len(), buffer);
 }
 
-/// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,
+/// Draws the text and the groups of lines below it, with blank lines between. If there is not enough room,
 /// the text is cut, then the groups before the last: the mission room shows everything.
 fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height);
@@ -106,8 +106,8 @@ fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buff
     draw_lines(last, below(area, (row + 1).min(bottom)), buffer);
 }
 
-/// As many lines as fit, with a mark at the cut: after a whole sentence, unless that would cost more than a third of
-/// them.
+/// As many lines as fit, with a mark at the cut: after a whole sentence, unless that would lose more than a third of
+/// the lines.
 fn cut_after_sentence(mut lines: Vec<String>, room: usize) -> Vec<String> {
     if lines.len() <= room {
         return lines;
@@ -129,7 +129,7 @@ fn cut_after_sentence(mut lines: Vec<String>, room: usize) -> Vec<String> {
     lines
 }
 
-/// Draws lines, with a mark at the end of the last one where not all fit.
+/// Draws lines, with a mark at the end of the last one if not all fit.
 fn draw_lines(lines: &[Line<'_>], area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height);
     let is_cut = lines.len() > rows;

@@ -16,7 +16,7 @@ use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 
 /// Headings of the missions by difficulty.
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
-/// The most items with blank lines between groups.
+/// The maximum number of items for which groups are separated by blank lines.
 const FEW: usize = 12;
 /// Columns before a name, and of the best score after it.
 const MARKS: usize = 2;
@@ -162,7 +162,7 @@ fn item_line(
         _ => (None, None),
     };
     let mark = sign.map_or(' ', Sign::symbol);
-    // The sign means the same as its word: a name is worth more.
+    // The sign means the same as its word, so the name takes precedence over the word.
     let word = sign.and_then(|sign| sign.word(look));
     let word = word.filter(|word| 3 + width(word) + width(text) <= columns);
     let best = score.or(word).unwrap_or_default();
@@ -186,7 +186,7 @@ fn recorded_best(state: &State, mission: &str) -> Option<String> {
     Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
 
-/// The lines of the list: items with their number, headings and blanks without.
+/// The lines of the list: items with their number, headings and blank lines without one.
 fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
     let items = items(state);
@@ -208,7 +208,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
             _ => None,
         };
         if let Some(heading) = heading {
-            // In a long list, items are worth more than blank lines.
+            // In a long list, items take precedence over blank lines.
             if at > 0 && items.len() <= FEW {
                 lines.push((None, String::new()));
             }

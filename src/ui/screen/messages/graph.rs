@@ -25,7 +25,7 @@ pub(super) fn height(room: &Messages, available: u16) -> u16 {
         .min(available)
 }
 
-/// Draws as many as fit, the newest first.
+/// Draws as many graphs as fit, the newest first.
 pub(super) fn draw(room: &Messages, panel: Panel<'_>, buffer: &mut Buffer) {
     let fitting = (panel.area.height / LEAST).max(1);
     let shown = room.pins().len().min(fitting.into());
@@ -83,7 +83,7 @@ fn draw_pin(pin: &Pin, panel: Panel<'_>, buffer: &mut Buffer) {
     curve::draw(&curve, panel.look.symbols, plot, buffer);
 }
 
-/// The newest, the least and the greatest value drawn, with so many digits.
+/// The newest, the minimum and the maximum value drawn, with this many decimals.
 fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     let mut figures = look.text(&text!(
         "messages-extent",
@@ -99,7 +99,7 @@ fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     figures
 }
 
-/// The last value in each column's time span; without one, the last known.
+/// The last value in each column's time span; if there is none, the last known value.
 fn columns(pin: &Pin, count: usize) -> Vec<Option<f64>> {
     let mut columns = vec![None; count];
     for (at, value) in &pin.points {

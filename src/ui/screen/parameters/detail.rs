@@ -16,7 +16,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
 use crate::vehicle::VehicleId;
 
-/// The most lines; vehicles with the same value and outcome share one.
+/// The maximum number of lines; vehicles with the same value and outcome share one.
 const MOST_LINES: usize = 12;
 
 /// The lines: vehicles, their value, the outcome of the newest value commanded, and the reason.

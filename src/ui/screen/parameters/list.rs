@@ -14,11 +14,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of};
 use crate::vehicle::VehicleId;
 
-/// Columns of a name: as many as its field has on the wire.
+/// Columns of a name: the length of its field on the wire.
 const NAME: usize = 16;
 /// Columns of a value.
 const VALUE: usize = 13;
-/// Columns of an edit's outcome, where more columns follow.
+/// Columns of an edit's outcome, if more columns follow.
 const STATE: usize = 24;
 /// Columns of a type.
 const KIND: usize = 6;
@@ -127,7 +127,7 @@ fn line_of<'a>(
     Line::from(spans)
 }
 
-/// Columns before those of other vehicles.
+/// The columns used before those of other vehicles.
 fn columns_used(is_compared: bool) -> usize {
     let marks = if is_compared { 6 } else { 2 };
     marks + NAME + 1 + VALUE + 1 + KIND + 1 + VALUE + 1 + STATE

@@ -115,7 +115,7 @@ fn bar(received: usize, count: usize, look: &Look) -> [Span<'static>; 3] {
     ]
 }
 
-/// The filters of the list, and activities under way.
+/// The filters of the list, and the activities under way.
 fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
     let room = state.rooms().parameters();
     let mut remarks = Vec::new();

@@ -15,9 +15,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
 use crate::ui::widget::{aligned, below, put, row_of, stars, upper, width};
 
-/// The least rows of the chart, with its title and its axis.
+/// The minimum rows of the chart, with its title and its axis.
 const CHART: u16 = 12;
-/// The most columns of a mission's name, and the least of the rest of its line.
+/// The maximum columns of a mission's name, and the minimum for the rest of its line.
 const NAME: usize = 30;
 const FIGURES: usize = 36;
 /// The score of a perfect flight.
@@ -102,7 +102,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
     draw_bars(&chart, Panel::new(look, inner), buffer);
 }
 
-/// The points that medals need.
+/// The points that medals require.
 fn medal_lines(medals: Medals) -> Vec<(f64, Medal)> {
     vec![
         (f64::from(medals.gold), Medal::Gold),
@@ -111,7 +111,7 @@ fn medal_lines(medals: Medals) -> Vec<(f64, Medal)> {
     ]
 }
 
-/// A flight's bar with its score below, and a sign if it was not passed or did not count.
+/// The bar of a flight with its score below, and a sign if it was not passed or did not count.
 fn bar(one: &Try, style: ratatui::style::Style) -> Bar {
     let sign = match (one.passed, one.stake) {
         (false, _) => "x",

@@ -132,7 +132,7 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
     }
 }
 
-/// What a skill still needs for mastery.
+/// The requirements that a skill still lacks for mastery, as text.
 fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
     let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
     let lacks = known.lacks(day).into_iter().map(Lack::text).collect();
@@ -140,7 +140,7 @@ fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
     (known.mastery(day) == Mastery::Learning).then_some(needs)
 }
 
-/// ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
+/// A change as a line, such as ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
 fn moved_line(subject: &Subject<'_>, moved: &SkillMove, room: usize) -> Line<'static> {
     let look = subject.look;
     let percent = |share: f64| (share * 100.0).round() as i64;

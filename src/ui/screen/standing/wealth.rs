@@ -15,10 +15,10 @@ use crate::ui::widget::{below, columns, put, upper};
 
 /// Columns of the figures beside a curve.
 const FIGURES: u16 = 10;
-/// The least width with the curves side by side.
+/// The minimum width for curves side by side.
 const WIDE: u16 = 120;
 
-/// Draws both curves, below each other or side by side.
+/// Draws both curves, one below the other or side by side.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let wealth = subject.career.growth.wealth();

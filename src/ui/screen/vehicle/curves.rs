@@ -19,14 +19,14 @@ const LABEL: usize = 12;
 const NUMBER: usize = 7;
 const UNIT: usize = 4;
 
-/// How the curve of a channel is shown.
+/// The display of a channel's curve.
 #[derive(Clone, Copy)]
 struct Axis {
     /// The id of its name.
     name: &'static str,
     unit: &'static str,
     decimals: usize,
-    /// The least range of the curve's axis, so that noise stays flat.
+    /// The minimum range of the curve's axis, so that noise looks flat.
     least_span: f32,
 }
 
@@ -66,7 +66,7 @@ impl Axis {
 struct Curve {
     axis: Axis,
     now: Option<f32>,
-    /// Oldest first, one per sample; they end now.
+    /// The readings up to now, oldest first, one per sample.
     readings: Vec<Option<f32>>,
     /// The number of samples that the whole span holds.
     samples: usize,
@@ -90,13 +90,13 @@ pub(super) fn height(subject: &Subject<'_>, rows: u16) -> u16 {
     rows * (Channel::ALL.len() + of_log) as u16 + 1
 }
 
-/// The log that was joined to the recording for this vehicle, in a replay.
+/// In a replay, the log that was joined to the recording for this vehicle.
 fn log<'a>(subject: &Subject<'a>) -> Option<(&'a ReplayView, &'a LogCurves)> {
     let replay = subject.state.replay()?;
     Some((replay, replay.log_curves.get(&subject.vehicle.id)?))
 }
 
-/// Those of the telemetry, then those of the vehicle's log.
+/// The curves of the telemetry, then those of the vehicle's log.
 fn curves(subject: &Subject<'_>) -> Vec<Curve> {
     let state = subject.state;
     let window = state.rooms().vehicle().window();
@@ -127,7 +127,7 @@ fn curves(subject: &Subject<'_>) -> Vec<Curve> {
     heard.into_iter().chain(logged).collect()
 }
 
-/// Draws every channel with its present value, its curve, and its extremes within the span.
+/// Draws every channel with its current value, its curve, and its extremes within the span.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let window = state.rooms().vehicle().window();

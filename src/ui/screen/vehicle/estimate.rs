@@ -18,7 +18,7 @@ const VALUE: usize = 19;
 /// Columns of a number before its bar, and of the bar.
 const NUMBER: usize = 6;
 const BAR: usize = VALUE - NUMBER - 1;
-/// The value of a full bar: the limit and a quarter more.
+/// The value of a full bar: 25 % above the limit.
 const FULL_VARIANCE: f32 = 1.0;
 const FULL_VIBRATION: f32 = 75.0;
 

@@ -48,8 +48,8 @@ impl View {
 
     /// What is visible at a point `right` and `up` of the centre; lines are `dot` thick.
     ///
-    /// The vehicle turns clockwise when it rolls to the right, so the world turns the other way: up points to the left
-    /// of the indicator, and the horizon rises to the right.
+    /// When the vehicle rolls to the right, it turns clockwise, so the view turns counterclockwise: up points to the
+    /// left of the indicator, and the horizon rises to the right.
     fn at(&self, right: f64, up: f64, dot: f64) -> Seen {
         let (sine, cosine) = self.roll;
         let elevation_deg = self.pitch_deg + self.degrees_per_row * (cosine * up - sine * right);
@@ -134,7 +134,8 @@ fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Ro
     (symbol, role)
 }
 
-/// Lines in full; the ground as every fourth dot, which distinguishes it from the sky without colour.
+/// A cell in braille. Lines are drawn in full; the ground has every fourth dot, which distinguishes it from the sky
+/// without colour.
 fn braille(seen: [[Seen; 4]; 2]) -> char {
     let mut bits = 0;
     for (column, dots) in seen.iter().enumerate() {
@@ -193,7 +194,7 @@ mod tests {
 
     #[test]
     fn the_ground_is_where_it_belongs() {
-        // Roll, pitch, and a point right and up of the middle.
+        // Each row: roll, pitch, and a point to the right of and above the centre.
         for ((roll, pitch), (right, up), expected) in [
             ((0.0, 0.0), (0.0, -1.0), Seen::Ground),
             ((0.0, 0.0), (3.0, 0.7), Seen::Sky),
@@ -204,7 +205,7 @@ mod tests {
             // Right wing down: the ground is on the right.
             ((30.0, 0.0), (4.0, 0.0), Seen::Ground),
             ((30.0, 0.0), (-4.0, 0.0), Seen::Sky),
-            // On its back: the ground is above.
+            // Upside down: the ground is above.
             ((180.0, 0.0), (3.0, 1.0), Seen::Ground),
             ((0.0, 0.0), (0.0, 2.5), Seen::Rung),
         ] {

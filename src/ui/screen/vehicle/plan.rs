@@ -108,7 +108,7 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
     let skipped = plan.items.len() - items.len();
     let current = usize::from(vehicle.plan.current).checked_sub(skipped);
     let rows = usize::from(area.height);
-    // One finished item stays above the current one, to show where the vehicle comes from.
+    // One finished item stays above the current one, to show where the vehicle is coming from.
     let first = current
         .unwrap_or(0)
         .saturating_sub(1)
@@ -134,7 +134,7 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
     }
 }
 
-/// Number, name and height.
+/// An item as text: number, name and height.
 fn described(item: &PlanItem) -> String {
     let name = command_name(item.command).map_or_else(
         || item.command.to_string(),
@@ -162,7 +162,7 @@ fn described(item: &PlanItem) -> String {
     )
 }
 
-/// Metres from the previous item, or from the vehicle for the current one.
+/// The distance in metres from the previous item, or for the current one from the vehicle.
 fn way_m(vehicle: &Vehicle, items: &[PlanItem], at: usize, is_current: bool) -> Option<f64> {
     let to = items[at].at_point.filter(|_| items[at].is_waypoint())?;
     let from: LatLon = if is_current {

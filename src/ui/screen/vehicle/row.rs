@@ -12,7 +12,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
 use crate::vehicle::Grade;
 
-/// Columns of a label, the blank after it included.
+/// Columns of a label, including the space after it.
 pub const LABEL: usize = 12;
 /// The text for an unknown value.
 pub const UNKNOWN: &str = "-";
@@ -32,7 +32,7 @@ pub fn filled(text: &str, width: usize) -> String {
     text + &" ".repeat(missing)
 }
 
-/// Writes a line into the middle of the first row of an area.
+/// Writes a line centred into the first row of an area.
 pub fn centred(buffer: &mut Buffer, area: Rect, line: &Line<'_>) {
     let width = (line.width() as u16).min(area.width);
     let middle = Rect {

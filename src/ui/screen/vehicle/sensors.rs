@@ -11,7 +11,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{columns, put};
 use crate::vehicle::Health;
 
-/// Least columns of one entry.
+/// The minimum columns of one entry.
 const ENTRY: u16 = 25;
 /// The names of the `MAV_SYS_STATUS_SENSOR` bits, from bit 0, as message ids.
 const STATE: usize = 5;
@@ -101,7 +101,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The sensors fitted or in use with their condition, most serious first.
+/// The sensors that are fitted or in use, with their condition, most serious first.
 fn fitted(health: &Health) -> Vec<(Condition, &'static str)> {
     let mut entries: Vec<_> = NAMES
         .into_iter()

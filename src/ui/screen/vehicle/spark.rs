@@ -6,11 +6,11 @@ use ratatui::layout::Size;
 
 use crate::config::Symbols;
 
-/// Levels of one row, from nothing to full.
+/// The levels of one row, from empty to full.
 const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 const LETTERS: [char; 9] = [' ', '_', '.', '-', '-', '=', '+', '*', '#'];
 
-/// What a column shows of several readings.
+/// How a column combines several readings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Merge {
     Mean,
@@ -20,7 +20,7 @@ pub enum Merge {
 
 /// A curve to draw.
 pub struct Spark<'a> {
-    /// Oldest first; they end now. Gaps stay blank.
+    /// The readings up to now, oldest first. Gaps stay blank.
     pub readings: &'a [Option<f32>],
     /// The capacity of the span, so that a shorter curve starts inside it.
     pub samples: usize,
@@ -66,7 +66,7 @@ fn step(value: f32, range: &RangeInclusive<f32>, steps: usize) -> usize {
     1 + (share * (steps - 1) as f32).round() as usize
 }
 
-/// One value per column, of the readings that fall into it.
+/// One value per column, combined from the readings in it.
 fn columns(spark: &Spark<'_>, width: usize) -> Vec<Option<f32>> {
     let (readings, samples) = (spark.readings, spark.samples);
     let missing = samples.saturating_sub(readings.len());

@@ -18,7 +18,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::{Battery, LandedState, Vehicle};
 
-/// Closer than this, in metres, no direction is shown.
+/// No direction is shown for points closer than this, in metres.
 const HERE_M: f64 = 1.0;
 /// The label of the alert, and the rows that it may take.
 const WARNING: &str = "vehicle-ready";
@@ -35,7 +35,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let mut row = 0;
     for (id, value, role) in entries(subject) {
         let label = look.say(id);
-        // Only the alert is long and has no columns.
+        // Only the alert can be long; it has no columns.
         let parts = if id == WARNING {
             wrap(&value, width)
         } else {
@@ -98,7 +98,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
 fn ready(subject: &Subject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
     if let Some(alert) = subject.state.session().alert(vehicle, subject.state.now()) {
-        // All reasons against arming, if that is the alert.
+        // If the alert is about arming, it lists all reasons.
         let text = if alert.kind == AlertKind::Prearm && !vehicle.prearm.is_empty() {
             vehicle.prearm.join("; ")
         } else {
@@ -197,7 +197,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
             up = up
         ))
     });
-    // ArduPilot reports a target place or a target speed; with a place, the speed is no target.
+    // ArduPilot reports a target place or a target speed; if there is a place, the speed is not a target.
     let aimed_at = velocity.filter(|_| way.is_none());
     let parts: Vec<String> = [way, height, aimed_at].into_iter().flatten().collect();
     if parts.is_empty() {
@@ -207,7 +207,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
     }
 }
 
-/// How long it has been armed, or was in its last flight.
+/// How long it has been armed, or was armed in its last flight.
 fn flight(subject: &Subject<'_>) -> Entry {
     let history = subject.state.session().histories().of(subject.vehicle.id);
     let time = history.map(History::armed_for).filter(|it| !it.is_zero());
@@ -254,7 +254,7 @@ fn link(subject: &Subject<'_>) -> Entry {
 
 fn wind(vehicle: &Vehicle, look: &Look) -> String {
     vehicle.wind.map_or(UNKNOWN.to_owned(), |wind| {
-        // An autopilot without a wind estimate reports no wind from the north.
+        // An autopilot without a wind estimate reports a speed of 0 and the direction north.
         if wind.speed_m_s == 0.0 && wind.from_deg == 0.0 {
             return look.say("vehicle-wind-unknown");
         }

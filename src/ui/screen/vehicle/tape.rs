@@ -13,7 +13,7 @@ const STEP_DEG: i32 = 3;
 /// The spacing of numbers and of strokes, in degrees.
 const NUMBER_EVERY_DEG: i32 = 30;
 const STROKE_EVERY_DEG: i32 = 15;
-/// Points of the compass, as on every compass card.
+/// The points of the compass, with the letters of compass cards in every language.
 const POINTS: [(i32, &str); 4] = [(0, "N"), (90, "E"), (180, "S"), (270, "W")];
 
 /// Draws three rows: numbers, strokes, and the heading under its mark.
@@ -46,7 +46,7 @@ pub fn draw(heading_deg: f32, panel: Panel<'_>, buffer: &mut Buffer) {
     );
 }
 
-/// A heading as it is written: three figures, 000 to 359.
+/// A heading as three digits, 000 to 359.
 pub fn shown_deg(heading_deg: f32) -> String {
     format!("{:03}", (heading_deg.round() as i32).rem_euclid(360))
 }
@@ -83,7 +83,7 @@ fn label(degrees: i32) -> String {
     point.map_or_else(|| degrees.to_string(), |(_, name)| (*name).to_owned())
 }
 
-/// Writes a label centred at a column, or nothing if it does not fit.
+/// Writes a label centred at a column, unless it does not fit.
 fn write_at(row: &mut [char], column: usize, label: &str) {
     let Some(start) = column.checked_sub(label.len() / 2) else {
         return;

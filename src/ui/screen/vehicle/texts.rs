@@ -14,7 +14,7 @@ use crate::vehicle::Severity;
 /// Columns of the time before a text.
 const TIME: usize = 6;
 
-/// Draws the last texts, newest below.
+/// Draws the last texts, the newest at the bottom.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let inner = Panel::new(look, area).titled(&look.say("vehicle-texts"), buffer);

@@ -15,7 +15,7 @@ use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
 /// Columns of the figures beside the curve.
 const LABELS: u16 = 7;
-/// The least rows of the curve.
+/// The minimum number of rows of the curve.
 const LEAST: u16 = 3;
 
 /// Draws the chosen curve.

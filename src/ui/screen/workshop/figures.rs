@@ -49,7 +49,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Name, value, and the change to another sheet.
+/// A line with name, value, and the change to another sheet.
 fn line(measure: Measure, now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Line<'static> {
     let before = measure.of(now);
     let after = then.map(|sheet| measure.of(sheet));

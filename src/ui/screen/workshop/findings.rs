@@ -14,7 +14,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::columns;
 use crate::workshop::{DesignFinding, FindingKind, FindingSeverity};
 
-/// Draws a sentence for each, faults first.
+/// Draws a sentence for each finding, faults first.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     if panel.area.height < 2 {
         return;

@@ -19,7 +19,7 @@ const PRICE: usize = 10;
 /// Columns of the list beside the mission's needs.
 const LIST: u16 = 70;
 
-/// Draws the seats, and beside or below them what the mission needs.
+/// Draws the seats, and the mission's needs beside or below them.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let chosen = crate::app::room::workshop::mission(state);
     let all = chosen.map_or_else(Vec::new, |mission| seats(state, mission));

@@ -15,12 +15,12 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
-/// Columns of a part's price, or of why it is locked.
+/// Columns of a part's price, or of the reason why it is locked.
 const LICENCE: usize = 8;
-/// Columns of a change; more where there is room for the name of the measure.
+/// Columns of a change, and of a wider one with the name of the measure.
 const CHANGE: usize = 8;
 const WIDE_CHANGE: usize = 12;
-/// The least columns of a name, and those of an uncut one.
+/// The minimum columns of a name, and those of a name that is not cut.
 const NAME: usize = 16;
 const LONG_NAME: usize = 34;
 /// Rows of the details of the part under the cursor.
@@ -206,7 +206,7 @@ fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     }
 }
 
-/// Whether a part may be used, in a word.
+/// Whether a part may be used, as a single word.
 fn short(licence: &Licence, look: &Look) -> (String, Role) {
     match licence {
         Licence::Held => (String::new(), Role::Muted),

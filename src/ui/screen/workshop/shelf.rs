@@ -1,4 +1,4 @@
-//! All designs, own ones first.
+//! All designs, the trainee's own first.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;

@@ -16,7 +16,7 @@ use crate::workshop::{Design, FindingSeverity, PartSlot};
 /// Columns of a slot's name.
 const NAME: usize = 12;
 const WIDE_NAME: usize = 18;
-/// The least columns to show mass and price too.
+/// The minimum columns for showing mass and price as well.
 const ROOMY: usize = 50;
 /// Columns of mass and price.
 const MASS: usize = 8;
@@ -136,7 +136,7 @@ impl Row<'_> {
         (words, Role::Text)
     }
 
-    /// Mass in grams and price of all pieces.
+    /// The mass in grams and the price of all pieces.
     fn whole(&self, design: &Design) -> Option<(f64, u32)> {
         let part = self.there.part?;
         let pieces = self.pieces(design);

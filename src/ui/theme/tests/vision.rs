@@ -1,4 +1,4 @@
-//! Legibility of themes: contrast, and states that stay distinct for every kind of colour vision.
+//! Tests of the legibility of themes: contrast, and states that are distinct for every kind of colour vision.
 
 use ratatui::style::{Color, Style};
 
@@ -7,7 +7,7 @@ use crate::geo::maths;
 
 type Rgb = [f64; 3];
 
-/// What people without one kind of cone see, in linear RGB. G. M. Machado, M. M. Oliveira, L. A. F. Fernandes,
+/// The view of people without one kind of cone, in linear RGB. G. M. Machado, M. M. Oliveira, L. A. F. Fernandes,
 /// "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE Transactions on Visualization
 /// and Computer Graphics 15 (6), 2009, the matrices of severity 1.0.
 const VISIONS: [(&str, [Rgb; 3]); 4] = [
@@ -41,10 +41,10 @@ const VISIONS: [(&str, [Rgb; 3]); 4] = [
     ),
 ];
 
-/// The least distance in CIE 1976 L*a*b* between two states. 2.3 is just noticeable side by side; words on a
+/// The minimum distance in CIE 1976 L*a*b* between two states. 2.3 is just noticeable side by side; words on a
 /// screen are small, thin and apart.
 const LEAST_DISTANCE: f64 = 20.0;
-/// The least contrast of text: WCAG 2.2, success criterion 1.4.3.
+/// The minimum contrast of text: WCAG 2.2, success criterion 1.4.3.
 const LEAST_CONTRAST: f64 = 4.5;
 
 /// Red, green and blue of a colour, linear, 0 to 1 (IEC 61966-2-1).
@@ -113,7 +113,7 @@ fn themes() -> impl Iterator<Item = Theme> {
         .map(|name| Theme::named(name).expect("embedded"))
 }
 
-/// The colours of a role; what it leaves out comes from ordinary text.
+/// The colours of a role; missing ones come from ordinary text.
 fn colours(theme: &Theme, role: Role) -> (Color, Color) {
     let Style { fg, bg, .. } = theme.style(Role::Text).patch(theme.style(role));
     (fg.expect("text has one"), bg.expect("text has one"))
@@ -175,7 +175,7 @@ fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision(
 fn text_has_enough_contrast_wherever_it_stands() {
     let mut faults = Vec::new();
     for theme in themes() {
-        // Lines between panes are no text.
+        // Lines between panes are not text.
         let texts = Role::ALL.iter().filter(|(_, role)| *role != Role::Border);
         for &(name, role) in texts {
             let (fg, bg) = colours(&theme, role);

@@ -25,11 +25,11 @@ pub struct Canvas {
     cells: Vec<(u8, Role)>,
 }
 
-/// The pattern of a line: lines of different meaning differ also without colour.
+/// The pattern of a line: lines of different meaning can be distinguished without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stroke {
     pub role: Role,
-    /// So many dots are drawn.
+    /// The number of dots that are drawn, before a gap.
     pub on: u32,
     pub of: u32,
 }
@@ -54,7 +54,7 @@ impl Stroke {
         Self { role, on: 1, of: 3 }
     }
 
-    /// A line of single dots far from each other.
+    /// A line of single dots far apart.
     pub const fn sparse(role: Role) -> Self {
         Self { role, on: 1, of: 5 }
     }
@@ -81,7 +81,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a line between two dots, as far as it lies on the canvas.
+    /// Draws a line between two dots, clipped to the canvas.
     pub fn line(&mut self, from: Dot, to: Dot, stroke: Stroke) {
         let Some([from, to]) = self.clipped(from, to) else {
             return;
@@ -97,7 +97,7 @@ impl Canvas {
         }
     }
 
-    /// Draws one dot, if it lies on the canvas.
+    /// Draws one dot, if it is on the canvas.
     pub fn dot(&mut self, Dot { x, y }: Dot, role: Role) {
         if x < 0.0 || y < 0.0 {
             return;

@@ -1,5 +1,5 @@
-//! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed, also without
-//! colours.
+//! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed, so that colours are
+//! not needed.
 
 use super::fire;
 use super::labels::Label;
@@ -16,7 +16,7 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];
 
-/// The labels of contacts and reports. A report of a contact has its name.
+/// The labels of contacts and reports. A report of a contact has the contact's name.
 pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     let Some(progress) = state.session().mission() else {
         return Vec::new();
@@ -34,7 +34,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     }
     let nearest = nearest(state, progress, view);
     let is_near = |contact: &ShownContact| nearest.contains(&Some(contact.name.as_str()));
-    // Later ones take precedence where there is no room for all.
+    // Later ones take precedence if there is no room for all.
     let mut contacts: Vec<&ShownContact> = progress.contacts.iter().collect();
     contacts.sort_by_key(|contact| (is_near(contact), contact.trust));
     for contact in contacts {
@@ -57,8 +57,8 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     labels
 }
 
-/// Whether a contact keeps its name on the map even if it is not among the nearest: one seen by several sensors. Fires
-/// have no names.
+/// Whether a contact keeps its name on the map even if it is not among the nearest: a contact seen by several sensors
+/// does. Fires have no names.
 fn is_named(contact: &ShownContact) -> bool {
     contact.trust > Trust::Seen && !fire::is_fire(contact)
 }

@@ -18,15 +18,15 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// The width of the burning area around a contact, in metres: about what a thermal camera sees as one fire.
+/// The width of the burning area around a contact, in metres: about the size that a thermal camera sees as one fire.
 const FLAMES_M: f64 = 20.0;
 
 /// The strength of fire in a cell of the map, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum FireLevel {
-    /// Part of it has burnt.
+    /// Part of the cell has burnt.
     Scorched,
-    /// All of it has burnt, or burns.
+    /// All of the cell has burnt, or burns.
     Burnt,
     /// One kind of sensor sees flames.
     Flames,
@@ -54,7 +54,7 @@ impl FireLevel {
         }
     }
 
-    /// The message for its meaning.
+    /// The message that explains it.
     const fn about(self) -> &'static str {
         match self {
             Self::Scorched => "map-fire-scorched",

@@ -19,7 +19,7 @@ use crate::ui::theme::Role;
 
 /// The cells of a survey.
 const CELL: Stroke = Stroke::dotted(Role::Muted);
-/// From the mark to the cursor.
+/// The ruler, from its start to the cursor.
 pub const RULER: Stroke = Stroke::dotted(Role::Key);
 
 /// The stroke of a kind of line.
@@ -38,7 +38,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
     }
 }
 
-/// The sign before an area's name, so that its kind shows without colours too.
+/// The sign before an area's name, so that its kind is visible without colours.
 pub const fn sign(kind: SketchKind) -> &'static str {
     match kind {
         SketchKind::NoFly => "x ",
@@ -77,7 +77,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
 }
 
-/// The cells that vehicles will cover with their signs, brackets and numbers.
+/// The cells that the vehicles' signs, brackets and numbers will cover.
 fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<MapCell> {
     let vehicles = state.session().vehicles().values();
     let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
@@ -145,7 +145,7 @@ pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke:
     }
 }
 
-/// Homes and named places; in one cell only the first.
+/// Homes and named places; only the first one in a cell.
 fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Label>) {
     let session = state.session();
     let mut homes: Vec<(u16, u16)> = session
@@ -166,7 +166,7 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
     let next = next_place(state);
     let places = session.places().iter();
     let named = places.filter(|(name, _)| !drawn.contains(name.as_str()) && *name != NEXT_PLACE);
-    // Later ones take precedence where there is no room for all.
+    // Later ones take precedence if there is no room for all.
     let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(**place) == next);
     for (name, &place) in others.into_iter().chain(coming) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
@@ -202,7 +202,7 @@ pub const fn next_sign(symbols: Symbols) -> &'static str {
     }
 }
 
-/// People, aircraft and drones of others, with the distance to keep from them.
+/// Draws people, aircraft and other operators' drones, with the distance to keep from them.
 fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     let movers = state
         .session()

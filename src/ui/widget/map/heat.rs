@@ -1,4 +1,4 @@
-//! The sensors' readings, as shaded cells beneath everything else.
+//! The sensors' readings, as shaded cells below everything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -12,9 +12,9 @@ use crate::ui::theme::Role;
 
 /// Shades in ascending order.
 const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
-/// The same in ASCII, as digits.
+/// The shades in ASCII, as digits.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
-/// The most decimals needed to distinguish values.
+/// The maximum number of decimals needed to distinguish values.
 const MOST_DECIMALS: usize = 4;
 
 pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -33,13 +33,13 @@ pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut
     }
 }
 
-/// Draws the shades, each with the largest value that it stands for.
+/// Draws the shades, each with the largest value that it represents.
 pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
     let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
     let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
-    // Nine digits need only some of the numbers.
+    // With nine digits, only some get a number.
     let step = if shades.len() > SHADES.len() { 4 } else { 1 };
     let shown: Vec<(char, f64)> = (1..=shades.len())
         .step_by(step)
@@ -71,7 +71,7 @@ fn between(symbols: Symbols) -> char {
     }
 }
 
-/// The shades with their shares of the maximum, in percent; of many, a selection.
+/// The shades with their shares of the maximum, in percent; a selection if there are many.
 pub fn shares(symbols: Symbols) -> String {
     let shades = shades(symbols);
     let step = shades.len().div_ceil(SHADES.len());
@@ -90,7 +90,7 @@ fn shades(symbols: Symbols) -> &'static [char] {
     }
 }
 
-/// Ascending values with as few decimals as distinguish them.
+/// Ascending values, with the fewest decimals that distinguish them.
 fn figures(values: &[f64]) -> Vec<String> {
     let least = match values.last() {
         Some(most) if *most >= 100.0 => 0,
@@ -175,7 +175,7 @@ mod tests {
                 let cell = means[usize::from(row) * 60 + usize::from(column)];
                 prop_assert_eq!(cell, Some(3.0));
             }
-            // Only as many cells as a square of that size covers.
+            // A square of that size covers at most this many cells.
             let across = field.side_m() / view.zoom.metres_per_column() + 1.0;
             let most = across * (across / 2.0 + 1.0);
             let shaded = means.iter().flatten().count();

@@ -1,4 +1,4 @@
-//! Labels on the map. They are on top of everything else, which does not show through.
+//! Labels on the map. They are on top of everything else, and opaque.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +27,7 @@ impl Label {
         self.text.width() as u16
     }
 
-    /// Whether it is a sign, which would read as part of a word next to it.
+    /// Whether it is a sign, which could be read as part of a word next to it.
     fn is_sign(&self) -> bool {
         self.text.chars().all(|c| !c.is_alphanumeric())
     }
@@ -57,7 +57,7 @@ pub fn draw(
             buffer,
         );
     }
-    // Signs next to a word must not read as part of it.
+    // Signs next to a word must not look like part of it.
     let written: BTreeSet<MapCell> = labels.iter().flat_map(cells).collect();
     for label in &labels {
         for cell in beside(label).filter(|cell| !written.contains(cell)) {
@@ -81,7 +81,7 @@ fn beside(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
         .map(move |column| (column, row))
 }
 
-/// Writes a text from the first cell of a panel on, over whatever is there, replacing characters and styles. Returns
+/// Writes a text from the first cell of a panel on, replacing the characters and styles there. Returns
 /// the number of cells written.
 pub fn stamp(text: &str, style: Style, panel: Panel<'_>, buffer: &mut Buffer) -> u16 {
     let area = panel.area;
@@ -96,7 +96,7 @@ pub fn stamp(text: &str, style: Style, panel: Panel<'_>, buffer: &mut Buffer) ->
     end - area.x
 }
 
-/// Puts a line at the right end of the first row of a panel, over whatever is there.
+/// Writes a line at the right end of the first row of a panel, replacing the content there.
 pub fn stamp_right(line: &Line<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = (line.width() as u16).min(panel.area.width);
     let right = Rect {
@@ -120,7 +120,7 @@ pub fn blank(panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Blanks a cell of the map if its content would read as part of the word next to it.
+/// Blanks a cell of the map if its content could be read as part of the word next to it.
 pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
     let (column, row) = at;
     let area = panel.area;
@@ -133,8 +133,8 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
     }
 }
 
-/// The labels without those that would run into another one: later ones take precedence. If only a name has no room,
-/// its sign stays. Vehicles are drawn over everything: a label that they would cover partly is left out as well.
+/// The labels without those that would overlap another one: later ones take precedence. If only a name has no room, its
+/// sign stays. Vehicles are drawn over everything, so a label that they would partly cover is left out as well.
 fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();
@@ -142,7 +142,7 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
     for mut label in labels.into_iter().rev() {
         let (column, row) = label.cell;
         let width = label.width();
-        // Words need a blank on both sides; signs may be adjacent.
+        // Words need a space on both sides; signs may be adjacent.
         let margin = u16::from(width > 1);
         let mut around = column.saturating_sub(margin)..column + width + margin;
         let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(at, row)));

@@ -22,7 +22,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::put;
 use crate::vehicle::VehicleId;
 
-/// The most columns of the scale bar.
+/// The maximum number of columns of the scale bar.
 const LONGEST_BAR: u16 = 24;
 /// The vehicle whose colour the legend shows.
 const FIRST: VehicleId = 1;

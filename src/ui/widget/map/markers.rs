@@ -1,4 +1,4 @@
-//! The vehicles on the map: a sign, its number if there is room, and a count where several share a cell.
+//! The vehicles on the map: a sign, its number if there is room, and a count if several share a cell.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// Headings as arrows, clockwise from north.
 const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖'];
-/// The same for terminals with only four arrows.
+/// The arrows for terminals with only four.
 const FOUR_ARROWS: [char; 4] = ['↑', '→', '↓', '←'];
 const ASCII_ARROWS: [char; 4] = ['^', '>', 'v', '<'];
 
@@ -48,7 +48,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     let mut singles: Vec<&Marker> = Vec::new();
     for row in markers.chunk_by(|a, b| a.row == b.row) {
-        // The vehicle under the cursor divides its row.
+        // The vehicle under the cursor splits its row into two parts.
         let parts = chosen.iter().find(|it| it.marker.row == row[0].row);
         let (from, to) = parts.map_or((0, 0), |it| (it.from, it.end()));
         let (left, right) = row.split_at(row.partition_point(|it| it.column < from));
@@ -82,7 +82,7 @@ fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) 
     (markers, outside)
 }
 
-/// The vehicle under the cursor: always with its number, and with the number of vehicles that it hides.
+/// The vehicle under the cursor: always shown with its number, and with the number of vehicles that it hides.
 struct Chosen {
     marker: Marker,
     from: u16,
@@ -92,7 +92,7 @@ struct Chosen {
 impl Chosen {
     /// Removes the hidden vehicles from the others.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
-        // At the left edge the sign itself must keep its place.
+        // At the left edge, the sign itself must keep its column.
         let bracket = if marker.column == 0 { "" } else { "[" };
         let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
         let mut chosen = Self {
@@ -112,12 +112,12 @@ impl Chosen {
             if hidden == before {
                 return chosen;
             }
-            // The longer text may hide more of them.
+            // The longer text may hide more vehicles.
             chosen.text = format!("{bare}+{hidden}]");
         }
     }
 
-    /// The column after it.
+    /// The column after the text.
     fn end(&self) -> u16 {
         self.from + self.text.chars().count() as u16
     }
@@ -179,8 +179,8 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
     arrows[turn % arrows.len()]
 }
 
-/// Finds cells of a row with several vehicles, and writes a count there, including vehicles that the count covers. The
-/// others are left to be drawn singly.
+/// Finds cells of a row with several vehicles, and writes a count there, which includes vehicles that the count covers.
+/// The others are left to be drawn individually.
 fn gather<'a>(
     row: &'a [Marker],
     columns: Range<u16>,
@@ -252,7 +252,7 @@ impl<'a> Board<'a> {
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
-    /// Writes a vehicle's number beside its sign if there is room, otherwise at least its selection or alert mark.
+    /// Writes a vehicle's number beside its sign if there is room, otherwise only its selection or alert mark.
     fn name(&mut self, marker: &Marker, look: &Look) {
         let whole = format!("{}{}", marker.id, marker.marks);
         if !self.write_beside(marker, &whole, look) && !marker.marks.is_empty() {
@@ -278,7 +278,7 @@ impl<'a> Board<'a> {
         true
     }
 
-    /// A digit of the ground next to a number would read as part of it.
+    /// Blanks a digit of the ground next to a number, since it could be read as part of the number.
     fn part(&mut self, column: u16, row: u16) {
         if self.is_free(column, row, 1) {
             part(self.panel, (column, row), self.buffer);

@@ -14,9 +14,9 @@ use crate::mission::{AreaKind, Listing, is_pad};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// The margin around everything, as a share of it and in metres.
+/// The margin around everything, as a share of the extent, and in metres.
 const EDGE: (f64, f64) = (0.05, 10.0);
-/// The most places shown; more are the cells of a survey, whose area is drawn anyway.
+/// The maximum number of places shown; if there are more, they are the cells of a survey, whose area is drawn anyway.
 const MOST_PLACES: usize = 8;
 
 /// A word at a cell of the sketch.
@@ -54,7 +54,7 @@ pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
     true
 }
 
-/// The extent of the sketch; the fence counts only where there is nothing else.
+/// The extent of the sketch; the fence counts only if there is nothing else.
 fn extent(mission: &Listing) -> Option<Extent> {
     let inside = mission
         .areas
@@ -67,7 +67,7 @@ fn extent(mission: &Listing) -> Option<Extent> {
     within.filter(has_size).or_else(|| Extent::around(all))
 }
 
-/// The labels: pads first, then places, then areas; of overlapping ones the first stays.
+/// The labels: pads first, then places, then areas; if labels overlap, the first one stays.
 fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
     let word = |at: LatLon, text: String, role| {
         let cell = view.cell(at)?;

@@ -7,7 +7,7 @@ use super::labels::MapCell;
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, LatLon, Viewport};
 use crate::ui::panel::Panel;
 
-/// The cells whose centres are in a square of ground around a place; at least the cell of the place.
+/// The cells whose centres are in a square of ground around a place; at least the cell that contains the place.
 pub fn cells(
     view: &Viewport,
     middle: LatLon,
@@ -20,7 +20,7 @@ pub fn cells(
     down.flat_map(move |row| across.clone().map(move |column| (column, row)))
 }
 
-/// The cells of a row whose centres are within `half` of a dot; at least the cell of the dot.
+/// The cells of a row whose centres are within `half` of a dot; at least the cell that contains the dot.
 fn covered(dot: f64, half: f64, dots: f64, count: u16) -> std::ops::Range<u16> {
     let from = ((dot - half) / dots - 0.5).ceil();
     let to = ((dot + half) / dots - 0.5).ceil();
@@ -33,7 +33,7 @@ fn covered(dot: f64, half: f64, dots: f64, count: u16) -> std::ops::Range<u16> {
     within(from)..within(to)
 }
 
-/// The greatest part of a cell that a square of ground can cover.
+/// The maximum share of a cell that a square of ground can cover.
 pub fn share_of_cell(view: &Viewport, side_m: f64) -> f64 {
     let column_m = view.zoom.metres_per_column();
     let row_m = column_m * f64::from(DOTS_DOWN / DOTS_ACROSS);

@@ -1,4 +1,4 @@
-//! Searched or sampled ground, as a light shade beneath everything else.
+//! Searched or sampled ground, as a light shade below everything else.
 
 use std::collections::BTreeSet;
 

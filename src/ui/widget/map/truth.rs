@@ -1,4 +1,4 @@
-//! The truth of a flight, on a map of its own: what was there, what was found, and the tracks.
+//! The truth of a flight on a separate map: the objects, the finds and the tracks.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -17,11 +17,11 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, upper, wrap};
 
-/// The mission's origin: a report gives places only in metres from there.
+/// The mission's origin: a report gives places only in metres from the origin.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
 const GAP: Stroke = Stroke::dotted(Role::Warning);
 const FENCE: Stroke = Stroke::dashed(Role::Fence);
-/// The margin around everything, as a share of it and in metres.
+/// The margin around everything, as a share of the extent, and in metres.
 const EDGE: (f64, f64) = (0.04, 5.0);
 
 /// A sign with its meaning, readable without colours.
@@ -152,7 +152,7 @@ fn labels(truth: &TruthReport) -> Vec<SignAt> {
         .filter(|mark| !mark.right)
         .map(|mark| SignAt::new(FALSE, mark.at));
     let mut labels: Vec<SignAt> = pads.chain(gates).chain(objects).chain(wrong).collect();
-    // Missed objects are visible even where they share a cell.
+    // Missed objects stay visible even if they share a cell.
     labels.sort_by_key(|label| label.sign == MISSED);
     labels
 }
@@ -174,7 +174,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     let (right, bottom) = cell(east_m + half, north_m - half);
     let span = |from: f64, to: f64, count: u16| {
         let within = |at: f64| at.round().clamp(0.0, f64::from(count)) as u16;
-        // At least the cell of its centre.
+        // At least the cell that contains the centre.
         let middle = f64::midpoint(from, to).clamp(0.0, f64::from(count.saturating_sub(1))) as u16;
         within(from).min(middle)..within(to).max(middle + 1)
     };
@@ -220,7 +220,7 @@ fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> 
         .collect()
 }
 
-/// A piece of a line without a blank, where the legend would be wrapped.
+/// A sample of a line without spaces, at which the legend would be wrapped.
 fn sample(stroke: Stroke, look: &Look) -> String {
     let line = stroke.sample(look.symbols);
     line.split(' ').next().unwrap_or_default().to_owned()

@@ -11,11 +11,11 @@ use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// Above this size of a swarm, only targeted vehicles have trails and targets.
+/// In a swarm larger than this, only the vehicles that commands address have trails and targets.
 const MANY: usize = 64;
-/// Dots between two numbers on a trail, where trails have the same colour.
+/// Dots between two numbers on a trail, if trails have the same colour.
 const NUMBER_EVERY: f64 = 24.0;
-/// Dots after which a trail is followed no further outside a narrow view.
+/// The number of dots after which a trail outside a narrow view is no longer followed.
 const FAR: f64 = 10_000.0;
 
 /// The stroke of a vehicle's trail.
@@ -60,7 +60,7 @@ pub fn draw_trails(
             }));
         }
     }
-    // The first ones yield where there is no room for all.
+    // The first ones are dropped if there is no room for all.
     labels.splice(0..0, numbers);
 }
 
@@ -70,7 +70,7 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
         let Some((from, to)) = leg(vehicle) else {
             continue;
         };
-        // From the target, so that the dashes stay in place; to the vehicle's cell, not to the last metre.
+        // The line begins at the target, so that the dashes stay in place, and ends at the vehicle's cell.
         let here = view.cell(from).map_or(from, |(column, row)| {
             view.middle_of(i32::from(column), i32::from(row))
         });
@@ -119,7 +119,7 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
         .take(MANY)
 }
 
-/// Points along a trail at the distance of its numbers, from its start.
+/// Points along a trail from its start, spaced like its numbers.
 fn along(dots: &[Dot]) -> Vec<Dot> {
     let mut found = Vec::new();
     let mut left = NUMBER_EVERY / 2.0;

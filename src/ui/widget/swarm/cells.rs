@@ -1,4 +1,4 @@
-//! What stands in the cells of the swarm table.
+//! The content of the cells of the swarm table.
 
 use std::time::Duration;
 
@@ -15,10 +15,10 @@ use crate::ui::widget::gauge::{battery_role, link_role};
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
 use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 
-/// A text and how it looks.
+/// A text, and its role.
 pub type Cell = (String, Role);
 
-/// What may become of a command, where no figure belongs to it.
+/// The states of a command that are shown without a figure.
 const STATES: [RowState; 8] = [
     RowState::Queued,
     RowState::Sent,
@@ -30,7 +30,7 @@ const STATES: [RowState; 8] = [
     RowState::Overtaken,
 ];
 
-/// The words that many rows say, looked up once.
+/// Words that many rows contain, looked up once.
 pub struct Words {
     pub armed: String,
     pub ready: String,
@@ -46,7 +46,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// The words of a language.
+    /// Looks up the words in a language.
     pub fn new(look: &Look) -> Self {
         Self {
             armed: look.say("fly-armed"),
@@ -71,7 +71,7 @@ impl Words {
     }
 }
 
-/// What became of a command, in as few letters as a cell has.
+/// The state of a command, short enough for a cell.
 fn short(state: RowState) -> Text {
     match state {
         RowState::NoEffect => text!("fly-no-effect"),
@@ -80,7 +80,7 @@ fn short(state: RowState) -> Text {
     }
 }
 
-/// What a line is made from.
+/// The data of a row.
 pub struct Row<'a> {
     pub vehicle: &'a Vehicle,
     pub state: &'a State,
@@ -88,7 +88,7 @@ pub struct Row<'a> {
     pub selected: bool,
 }
 
-/// What a vehicle has in a column of a width.
+/// A vehicle's cell in a column of this width.
 pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
     let session = row.state.session();
     let number = |decimals: usize| {
@@ -135,7 +135,7 @@ fn id(row: &Row<'_>) -> Cell {
     (row.vehicle.id.to_string(), badge.role)
 }
 
-/// Its teams, in the colour of the first.
+/// The vehicle's teams, in the colour of the first.
 fn teams(row: &Row<'_>) -> Cell {
     let session = row.state.session();
     let names = session.groups_of(row.vehicle.id);
@@ -167,7 +167,7 @@ fn armed(row: &Row<'_>) -> Cell {
     }
 }
 
-/// Whether it lies broken, whatever its arming checks say.
+/// Whether the vehicle has crashed, whatever its arming checks report.
 fn has_crashed(row: &Row<'_>) -> bool {
     let mut alerts = row.state.session().alarms().of(row.vehicle.id);
     alerts.any(|one| one.alert.kind == AlertKind::Crash)
@@ -218,7 +218,7 @@ fn link(row: &Row<'_>) -> Cell {
     (format!("{}%", link.percent()), calm(link_role(link)))
 }
 
-/// In a table only what is not well has a colour.
+/// The role in a table, where only problems have a colour.
 fn calm(role: Role) -> Role {
     if role == Role::Ok { Role::Text } else { role }
 }
@@ -251,7 +251,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (text, role)
 }
 
-/// The worst alert and since when; a mark before it until it is acknowledged.
+/// The worst alert and its duration, with a mark before it until it is acknowledged.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let session = row.state.session();
     let Some(one) = session.alarms().worst(row.vehicle.id) else {
@@ -276,7 +276,7 @@ fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (format!("{mark}{text}"), role)
 }
 
-/// What an alert says and since when, in a width: the time is given up before the words.
+/// The text and the duration of an alert within a width; the duration is dropped before the text is cut.
 pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
     let what = look.text(&one.alert.text);
     let clock = short_clock(at);

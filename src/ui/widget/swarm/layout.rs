@@ -1,4 +1,4 @@
-//! Which columns the swarm table has, and how wide they are.
+//! The columns of the swarm table, and their widths.
 
 use super::cells::Words;
 use crate::app::State;
@@ -6,36 +6,36 @@ use crate::config::Column;
 use crate::ui::look::Look;
 use crate::ui::widget::width;
 
-/// A column as it is shown.
+/// A column as shown.
 pub struct Shown {
     pub column: Column,
     pub title: String,
     pub width: u16,
-    /// Numbers stand at the right.
+    /// Whether it is aligned to the right, as numbers are.
     pub right: bool,
 }
 
-/// How a column is shown.
+/// The layout of a column.
 struct Form {
     column: Column,
     title: &'static str,
-    /// Its width at least; that of alerts takes what is left too.
+    /// The minimum width; the column of alerts also gets the remaining width.
     width: u16,
     /// The columns with the smallest ranks are kept on narrow screens.
     rank: u8,
     right: bool,
 }
 
-/// Columns from this rank on are an extra: they only come once alerts have this much more room than they need.
+/// Columns from this rank on are shown only once alerts have this much more room than they need.
 const EXTRA_RANK: u8 = 14;
 const ALERT_EXTRA: u16 = 26;
-/// Before these, alerts have this much more, so that they are rarely cut.
+/// Before columns from this rank on, alerts get this much more room, so that they are rarely cut.
 const MORE_RANK: u8 = 8;
 const ALERT_MORE: u16 = 5;
-/// Columns of this rank are only shown where they are asked for.
+/// Columns of this rank are only shown on request.
 const ASKED: u8 = 100;
 
-/// In the order of display. Ranks say which go first when the screen is narrow.
+/// The columns in the order of display; ranks determine which ones are dropped on narrow screens.
 const FORMS: &[Form] = &[
     form(Column::Id, "column-id", 3, 0, true),
     form(Column::Name, "column-name", 7, 13, false),
@@ -49,7 +49,7 @@ const FORMS: &[Form] = &[
     form(Column::Gps, "column-gps", 8, 12, false),
     form(Column::Link, "column-link", 5, 9, true),
     form(Column::Home, "column-home", 6, 11, true),
-    // `takeoff timed out` fits.
+    // Wide enough for `takeoff timed out`.
     form(Column::Command, "column-command", 17, 6, false),
     form(Column::ToGo, "column-to-go", 7, 14, true),
     form(Column::Heading, "column-heading", 3, 15, true),
@@ -78,7 +78,7 @@ const fn form(column: Column, title: &'static str, width: u16, rank: u8, right: 
     }
 }
 
-/// The columns that fit into a width: those that the user has chosen, else by rank.
+/// The columns that fit into a width: those that the user has chosen, otherwise by rank.
 pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Shown> {
     let chosen = &state.config().table.columns;
     let (mut columns, left) = if chosen.is_empty() {
@@ -93,7 +93,7 @@ pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Show
     columns
 }
 
-/// Those that were asked for, as long as they fit, and the columns that are left.
+/// The chosen columns, as long as they fit, and the remaining width.
 fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let forms = chosen
         .iter()
@@ -102,7 +102,7 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
     let mut columns = Vec::new();
     for form in forms {
         let shown = form.shown(words, look);
-        // An alert is worth having in little room too.
+        // An alert is useful even with little room.
         let least = if form.column == Column::Alert {
             8
         } else {
@@ -180,7 +180,7 @@ mod tests {
             let mut setup = Setup::default();
             setup.config.table.columns = columns_chosen.to_vec();
             let app = App::new(setup);
-            // Words widen columns: where all fit, only the rules decide.
+            // Words can widen columns; at these widths all columns fit, so only the rules decide.
             for room in 400..402 {
                 let shown = || -> Vec<Column> {
                     let look = Look::default();

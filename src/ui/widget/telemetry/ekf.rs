@@ -4,7 +4,7 @@ use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{EkfFlags, Grade, Vehicle};
 
-/// All its ratios while they are good; else what is wrong, and the worst of them.
+/// All ratios while they are good; otherwise the fault, and the worst ratios.
 pub fn text(vehicle: &Vehicle) -> Text {
     let Some(ekf) = vehicle.ekf else {
         return Text::default();
@@ -33,7 +33,7 @@ pub fn text(vehicle: &Vehicle) -> Text {
     Text::joined("  ", vec![state, figures.join(" ").into()])
 }
 
-/// A ratio to compare: one that the filter cannot tell is the worst.
+/// A ratio for comparison: an unknown one counts as the worst.
 fn badness(ratio: f32) -> f32 {
     if ratio >= 0.0 { ratio } else { f32::INFINITY }
 }

@@ -1,4 +1,4 @@
-//! What the lines of the telemetry pane say.
+//! The content of the lines of the telemetry pane.
 
 use std::time::Duration;
 
@@ -13,13 +13,13 @@ use crate::vehicle::{LandedState, Vehicle};
 /// The level of detail of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Detail {
-    /// What is needed to fly.
+    /// The values needed for flying.
     Pilot,
-    /// What only an engineer reads too.
+    /// Additional values for engineers.
     Engineer,
 }
 
-/// A line: its label, a gauge where the value has one, and the value.
+/// A line: its label, a gauge if the value has one, and the value.
 pub struct Reading {
     pub label: &'static str,
     pub gauge: Option<Gauge>,
@@ -44,7 +44,7 @@ impl Reading {
     }
 }
 
-/// What a vehicle says, the most needed first. The room of the vehicle has all of it.
+/// A vehicle's values, the most important first. The vehicle room shows all of them.
 pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading> {
     let heard = Gauge {
         share: f64::from(vehicle.link.percent()) / 100.0,
@@ -142,7 +142,7 @@ fn speed(vehicle: &Vehicle) -> Text {
     }
 }
 
-/// The charge of the first battery beside what the way home takes of it.
+/// The charge of the first battery, with a mark at the share needed for the way home.
 fn charge(vehicle: &Vehicle) -> Option<Gauge> {
     let left = vehicle.battery()?.remaining_percent?;
     let needed = vehicle.way_home().map(|it| it.needed_percent / 100.0);
@@ -168,7 +168,7 @@ fn battery(vehicle: &Vehicle, detail: Detail) -> Text {
     packs.collect::<Vec<_>>().join(" | ").into()
 }
 
-/// How much of what is left the way home takes.
+/// The share of the remaining charge that the way home takes.
 fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
     let way_home = vehicle.way_home()?;
     Some(Gauge {
@@ -178,7 +178,7 @@ fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
     })
 }
 
-/// What the way home takes, and what there is: both in percent of the charge and in minutes.
+/// The need of the way home and the remaining charge, both in percent of the charge and in minutes.
 fn way_home(vehicle: &Vehicle) -> Text {
     let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
     vehicle.way_home().map_or_else(Text::default, |way_home| {
@@ -246,7 +246,7 @@ fn gps(vehicle: &Vehicle) -> Text {
 
 fn attitude(vehicle: &Vehicle) -> Text {
     vehicle.attitude.map_or_else(Text::default, |attitude| {
-        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        // Adding zero turns a rounded -0 into +0, so that the sign does not flicker.
         let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
         text!(
             "telemetry-roll-pitch",
@@ -272,7 +272,7 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     Text::joined("  ", parts.collect())
 }
 
-/// How often it has rebooted, if it has.
+/// The number of reboots, if any.
 fn reboots(vehicle: &Vehicle) -> String {
     let count = Some(vehicle.link.reboots).filter(|&count| count > 0);
     count.map_or(String::new(), |count| count.to_string())
@@ -325,7 +325,7 @@ fn channels(vehicle: &Vehicle) -> String {
         .map_or(String::new(), |rc| pulses(&rc.channels_us))
 }
 
-/// The first channels that carry something.
+/// The first channels in use.
 fn pulses(pulses_us: &[u16]) -> String {
     let used = pulses_us.iter().take(5).filter(|&&pulse| pulse > 0);
     used.map(u16::to_string).collect::<Vec<_>>().join(" ")

@@ -1,4 +1,4 @@
-//! Order and times of real flights.
+//! Missions compared with the order and times of real flights.
 
 use super::*;
 
@@ -121,7 +121,7 @@ fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     assert!(!ground.truth().armed);
 }
 
-/// The second mission of the same recording: armed on the ground AUTO waits, a jump, and the end in the air.
+/// The second mission of the same recording: AUTO waits while armed on the ground, a jump, and the end in the air.
 #[test]
 fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
     let mut ground = ready_with(&[
@@ -204,7 +204,8 @@ fn corners_are_cut_as_by_the_real_vehicle_and_a_landing_begins_the_mission_anew(
     assert!(!ground.truth().armed);
 }
 
-/// Flown by the same firmware on 21 November 2026. Splines are flown straight here, so their times are not compared.
+/// Flown by the same firmware on 21 November 2026. The simulator flies splines as straight lines, so their times are
+/// not compared.
 #[test]
 fn conditions_circles_and_stays_take_as_long_as_the_real_ones() {
     let mut ground = ready_with(&[

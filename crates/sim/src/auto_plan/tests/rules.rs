@@ -1,4 +1,4 @@
-//! Rules for starting, stopping, setting and refusing. Facts without a source are those of a flight of the same
+//! Rules for starting, stopping, setting and refusing. Facts without a source come from a flight of the same
 //! firmware on 21 November 2026.
 
 use super::*;
@@ -415,7 +415,7 @@ fn a_height_is_met_where_the_estimator_believes_it_to_be() {
     assert!((highest_m - 17.0).abs() < 1.5, "{highest_m}");
 }
 
-/// As a ground station's pilot may type it: the takeoff is accepted, and AUTO entered before the motors lift.
+/// A ground station's pilot may type this: the takeoff is accepted, and AUTO entered before the motors lift.
 #[test]
 fn auto_entered_after_a_commanded_takeoff_lifts_without_throttle() {
     let mut ground = ready_with(&short());

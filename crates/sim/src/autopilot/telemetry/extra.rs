@@ -189,7 +189,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
         xgyro: body.angle_rates_rad_s.0 as f32,
         ygyro: body.angle_rates_rad_s.1 as f32,
         zgyro: body.yaw_rate_deg_s.to_radians() as f32,
-        // The real vehicle sends degrees times 1e7 in these, too.
+        // The real vehicle also sends degrees times 1e7 in these fields.
         lat: lat_int as f32,
         lon: lon_int as f32,
         alt: here.altitude_amsl_m as f32,
@@ -202,7 +202,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Without terrain data, all blocks are still missing and the height is that above sea level.
+/// Without terrain data, all blocks are missing, and the height is that above sea level.
 pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
     let here = autopilot.vehicle.here();
     let (lat, lon) = here.at.to_e7();

@@ -23,7 +23,7 @@ fn a_vehicle_that_flies_at_a_corner_stays_inside_as_the_real_one_did() {
             "{seconds} s: {north_m}"
         );
     }
-    // Then it swung between 87.1 and 89.8.
+    // After that, the measured position varied between 87.1 and 89.8.
     let late = track[2200..].iter().map(|place| place[0]);
     let (least, most) = late.fold((f64::MAX, f64::MIN), |(a, b), n| (a.min(n), b.max(n)));
     println!("between {least:.2} and {most:.2}, measured 87.1 and 89.8");
@@ -71,7 +71,7 @@ fn a_climb_creeps_through_the_ceiling_and_brakes_there_as_the_real_one_did() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
     #[test]
-    // At higher speeds the real vehicle breaches the edge, too.
+    // At higher speeds, the real vehicle also breaches the edge.
     fn whatever_velocities_are_asked_a_vehicle_stays_inside(
         asked in proptest::collection::vec((-2.5f32..2.5, -2.5f32..2.5, 1usize..8), 5..15),
         stops: bool,

@@ -36,13 +36,13 @@ pub(super) struct Motion {
     pub(super) accel_m_s2: f64,
 }
 
-/// From rest to rest over a length.
+/// A motion from rest to rest over a length.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpeedCurve {
     length_m: f64,
     steps: Vec<CurveStep>,
     top_m_s: f64,
-    /// When the constant acceleration, all acceleration, and the cruise are over.
+    /// The times at which the constant acceleration, all acceleration, and the cruise end.
     pub(super) turn_in_s: f64,
     ramp_end_s: f64,
     pub(super) brake_s: f64,
@@ -128,7 +128,7 @@ impl Ramp {
 }
 
 impl CurveStep {
-    /// Adds the motion of this step, once it has begun.
+    /// Adds the motion of this step to a sum, once it has begun.
     fn add(&self, now_s: f64, sum: &mut Motion) {
         let t = now_s - self.at_s;
         if t <= 0.0 {
@@ -194,7 +194,7 @@ impl SpeedCurve {
         sum
     }
 
-    /// Changes the top speed on the way. A speed that no longer fits into the rest changes nothing.
+    /// Changes the top speed on the way. A speed that no longer fits into the remaining length has no effect.
     pub(super) fn change_speed(&mut self, now_s: f64, bounds: &CurveBounds) {
         let wanted_m_s = bounds.speed_m_s;
         if now_s >= self.brake_s || (wanted_m_s - self.top_m_s).abs() < SAME_SPEED_M_S {
@@ -259,7 +259,7 @@ impl SpeedCurve {
         self.ramp_end_s = now_s + block_s + first.rise_s;
     }
 
-    /// Appends the cruise that is left and the braking to rest.
+    /// Appends the remaining cruise and the braking to rest.
     fn cruise_and_brake(&mut self, top_m_s: f64, bounds: &CurveBounds) {
         let brake = Ramp::between(top_m_s, 0.0, bounds);
         let left_m = self.length_m - self.sum(self.ramp_end_s).way_m - brake.length_m();

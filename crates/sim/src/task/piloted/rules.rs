@@ -28,7 +28,7 @@ pub(crate) struct PilotRules {
     pub(super) turn_deg_s: f64,
     pub(super) acro_turn_deg_s: f64,
     pub(super) hover: f64,
-    /// Sticks move a vehicle that lands by itself.
+    /// Sticks move a vehicle that lands on its own.
     pub(crate) moves_landing: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The lists as the vehicle keeps them, and the effects of a change.
+//! The lists as the vehicle stores them, and the effects of a change.
 
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVERITY_WARNING};
 
@@ -59,7 +59,7 @@ pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
     item.command != cmd::DO_JUMP || (target != 0 && target < items)
 }
 
-/// The lengths of the lists are parameters too.
+/// Updates the parameters with the lengths of the lists.
 pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
     let length = autopilot.vehicle.plans.list(kind).len() as f32;
     let (name, total) = match kind {
@@ -70,7 +70,7 @@ pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
     autopilot.vehicle.store_parameter(name, total);
 }
 
-/// Item 0 of a mission: the present home.
+/// Item 0 of a mission: the current home.
 fn home(vehicle: &Vehicle) -> Item {
     let mut item = Item {
         command: cmd::NAV_WAYPOINT,

@@ -12,7 +12,7 @@ use crate::plan::Item;
 
 /// The time-out after which an item is requested again.
 const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
-/// An upload ends when no item has come for this long.
+/// An upload ends when no item has arrived for this long.
 const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
 
 #[derive(Debug, Clone)]
@@ -23,7 +23,7 @@ pub(super) struct Upload {
     last: u16,
     heard_at: Duration,
     asked_at: Duration,
-    /// The items of a fence so far: it takes effect as a whole.
+    /// The items of a fence so far: the fence takes effect as a whole.
     pub staged: Vec<Item>,
 }
 
@@ -75,7 +75,7 @@ impl Upload {
         self.next <= self.last
     }
 
-    /// The least number of items that the list will have.
+    /// The minimum number of items that the list will have.
     pub fn length(&self) -> usize {
         usize::from(self.last) + 1
     }

@@ -5,7 +5,7 @@ use crate::app::room::home::facts;
 use crate::text;
 
 impl Page<'_> {
-    /// Adds the mission's state in the career, before it is flown; nothing without a profile.
+    /// Adds the mission's state in the career before it is flown. Adds nothing without a profile.
     pub(super) fn career(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let facts = facts(self.state, self.mission);

@@ -6,7 +6,7 @@ use crate::mission::{AreaKind, FitListing};
 use crate::text;
 use crate::text::Text;
 
-/// Kinds of areas with the messages of the map's legend.
+/// Kinds of areas, each with its message from the map's legend.
 const AREAS: [(AreaKind, &str); 6] = [
     (AreaKind::Task, "map-legend-task"),
     (AreaKind::Geofence, "map-legend-fence"),

@@ -1,4 +1,4 @@
-//! The points to keep and to improve from the last review of the mission.
+//! What to do next time, and the points to keep and to improve, from the last review of the mission.
 
 use super::Page;
 use crate::app::room::page::Tone;
@@ -7,7 +7,7 @@ use crate::text;
 use crate::text::wrap;
 
 impl Page<'_> {
-    /// Adds those points before the flight.
+    /// Adds them before the flight.
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let review = self.state.reviews.get(&self.mission.id);

@@ -5,7 +5,7 @@ use crate::app::room::page::Tone;
 use crate::text;
 
 impl Page<'_> {
-    /// The curves of a recorded flight, with a mark at the moment shown: never while it is flown.
+    /// The curves of a recorded flight, with a mark at the moment shown; never during the flight itself.
     pub(super) fn workload(&mut self) {
         let Some(strips) = self
             .state
