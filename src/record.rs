@@ -23,10 +23,12 @@ use crate::text::Text;
 mod flight_log;
 mod inputs;
 mod line;
+mod mission_clock;
 
 pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint};
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};
+pub use mission_clock::MissionClock;
 
 /// The version of the journal's format.
 const VERSION: u32 = 1;
@@ -178,23 +180,6 @@ impl Journal {
             journal.lines.push(line);
         }
         Ok(journal)
-    }
-
-    /// The mission's clock at a time of the record.
-    pub fn mission_time(&self, at: Duration) -> Duration {
-        let lines = self.lines.iter().take_while(|line| line.at() <= at);
-        let times = lines.filter_map(|line| match &line.what {
-            Happening::Mission { ms } => Some(Duration::from_millis(*ms)),
-            Happening::Entry(_)
-            | Happening::Row(_)
-            | Happening::Notice(_)
-            | Happening::Loss(_)
-            | Happening::Paths(_)
-            | Happening::Speedup { .. }
-            | Happening::Bookmark { .. }
-            | Happening::End => None,
-        });
-        times.last().unwrap_or_default()
     }
 
     /// The bookmarks in it, oldest first.

@@ -1,5 +1,6 @@
 //! `sortie records`: the recorded flights.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -10,7 +11,9 @@ use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
+use crate::language::{parse_ranges, ranges};
 use crate::moment::Moment;
+use crate::record::MissionClock;
 use crate::replay::{ExportFormat, Replay, TlogSpan, export};
 use crate::review::{ReviewedFlight, markdown};
 use crate::store::{RecordFiles, Records, write};
@@ -82,13 +85,13 @@ enum RecordsCommand {
         after_help = "Examples:\n  sortie records join logs/v3-log12.bin\n  sortie records join flight.bin 4 --vehicle 3"
     )]
     Join(JoinArguments),
-    /// Deletes records; the flights counted in profiles stay.
-    #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
+    /// Deletes records; profiles keep the flights that count.
+    #[command(after_help = "Examples:\n  sortie records delete 3 5-7 --yes")]
     Delete {
-        /// The numbers in the list.
-        #[arg(required = true, value_name = "NUMBER")]
-        records: Vec<usize>,
-        /// Delete the records; without this, they are only counted.
+        /// The numbers in the list: `3`, `2-5` or `1,4-6`.
+        #[arg(required = true, value_name = "NUMBERS")]
+        records: Vec<String>,
+        /// Delete the records; without this option, they are only counted.
         #[arg(long)]
         yes: bool,
     },
@@ -147,15 +150,20 @@ struct ShownRecord {
 #[derive(Debug, Serialize)]
 struct ShownMoment {
     at_s: f64,
+    /// The mission's clock; absent without a mission.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mission_s: Option<f64>,
     kind: &'static str,
     vehicles: Vec<u16>,
     text: String,
 }
 
-impl From<&Moment> for ShownMoment {
-    fn from(moment: &Moment) -> Self {
+impl ShownMoment {
+    fn new(moment: &Moment, clock: &MissionClock) -> Self {
+        let mission = clock.mission_time(moment.at);
         Self {
             at_s: moment.at.as_secs_f64(),
+            mission_s: mission.map(|it| it.as_secs_f64()),
             kind: moment.kind.name(),
             vehicles: moment.vehicles.clone(),
             text: moment.text.to_string(),
@@ -168,11 +176,9 @@ pub(super) fn records(
     arguments: &RecordsArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let records = settings.records().ok_or_else(|| {
-        Failure::Failed(anyhow::anyhow!(
-            "there is no folder for records: give --data"
-        ))
-    })?;
+    let records = settings
+        .records()
+        .ok_or_else(|| Failure::Failed(anyhow::anyhow!("no folder for records: use --data")))?;
     let commands = RecordsCommands {
         locale: Locale::new(settings.language()),
         config: settings.config.clone(),
@@ -213,17 +219,7 @@ impl RecordsCommands {
 
     /// The record with a number in the list, or of a file.
     pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
-        match named.parse() {
-            Ok(number) => self.numbered_as(number),
-            Err(_) => Ok(RecordFiles::beside(Path::new(named))),
-        }
-    }
-
-    fn numbered_as(&self, wanted: usize) -> Result<RecordFiles, Failure> {
-        let found = self.numbered().find(|(number, _)| *number == wanted);
-        found
-            .map(|(_, files)| files)
-            .ok_or_else(|| self.invalid(&text!("records-no-number", number = wanted)))
+        Records::find(Some(&self.records), named).map_err(|fault| self.invalid(&fault))
     }
 
     fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
@@ -318,7 +314,8 @@ impl RecordsCommands {
     fn show(&self, named: &str, json: bool) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;
-        let moments = replay.moments();
+        let times = replay.film().clock();
+        let moments = replay.moments().iter();
         let number = self.numbered().find(|(_, it)| it.stem == files.stem);
         let record = self.listed(number.map_or(0, |(number, _)| number), &files);
         if json {
@@ -327,7 +324,7 @@ impl RecordsCommands {
                 frames: files.frames,
                 journal: files.journal,
                 run: files.run,
-                moments: moments.iter().map(ShownMoment::from).collect(),
+                moments: moments.map(|it| ShownMoment::new(it, times)).collect(),
             };
             say!("{}", serde_json::to_string_pretty(&shown)?)?;
             return Ok(());
@@ -336,19 +333,24 @@ impl RecordsCommands {
         for fault in replay.damage() {
             say!("{}", self.locale.text(&fault))?;
         }
-        for path in [&files.frames, &files.journal, &files.run, &files.inputs]
+        let review = files.review.is_file().then_some(&files.review);
+        let parts = [&files.frames, &files.journal, &files.run, &files.inputs];
+        for path in parts
             .into_iter()
             .flatten()
+            .chain(review)
+            .chain(&files.joined_paths())
         {
             say!("  {}", path.display())?;
         }
         say!("")?;
-        self.say_moments(moments)
+        self.say_moments(replay.moments(), times)
     }
 
-    fn say_moments(&self, moments: &[Moment]) -> Result<(), Failure> {
+    fn say_moments(&self, moments: &[Moment], times: &MissionClock) -> Result<(), Failure> {
         let columns = [
             (text!("records-at"), Side::Right),
+            (text!("records-mission-time"), Side::Right),
             (text!("records-kind"), Side::Left),
             (text!("records-vehicles"), Side::Left),
             (text!("records-what"), Side::Left),
@@ -357,8 +359,11 @@ impl RecordsCommands {
         for moment in moments {
             table.push(vec![
                 clock(moment.at),
+                times
+                    .mission_time(moment.at)
+                    .map_or_else(String::new, clock),
                 self.locale.text(&moment.kind.text()),
-                crate::language::ranges(moment.vehicles.iter().copied()),
+                ranges(moment.vehicles.iter().copied()),
                 self.locale.text(&moment.text),
             ]);
         }
@@ -369,13 +374,19 @@ impl RecordsCommands {
     fn export(&self, named: &str, format: Format, output: &Path) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;
-        match format.of_recording() {
+        let written = match format.of_recording() {
             Some(format) => export(replay.film(), replay.moments(), format, output),
-            None => write(output, &self.review(&replay), false).map_err(|error| (&error).into()),
-        }
-        .map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
+            None => write(output, &self.review(&replay), false)
+                .map(|()| None)
+                .map_err(|error| (&error).into()),
+        };
+        let warning =
+            written.map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
         let text = text!("export-done", path = output.display().to_string());
         say!("{}", self.locale.text(&text))?;
+        if let Some(warning) = warning {
+            tell!("{}", self.locale.text(&warning));
+        }
         Ok(())
     }
 
@@ -393,13 +404,24 @@ impl RecordsCommands {
             began: &utc_of(film.began_unix_us()),
             report: report.as_deref(),
             moments: replay.moments(),
+            clock: film.clock(),
         };
         markdown(replay.reviewed(), flight, &self.locale)
     }
 
-    fn delete(&self, numbers: &[usize], yes: bool) -> Result<(), Failure> {
-        let found: Result<Vec<RecordFiles>, Failure> =
-            numbers.iter().map(|&it| self.numbered_as(it)).collect();
+    fn delete(&self, listed: &[String], yes: bool) -> Result<(), Failure> {
+        let mut numbers = BTreeSet::new();
+        for ranges in listed {
+            let wrong = |_| self.invalid(&text!("records-not-numbers", word = ranges.as_str()));
+            numbers.extend(parse_ranges(ranges).map_err(wrong)?);
+        }
+        let found: Result<Vec<RecordFiles>, Failure> = numbers
+            .into_iter()
+            .map(|number| {
+                let found = self.records.numbered(usize::from(number));
+                found.map_err(|fault| self.invalid(&fault))
+            })
+            .collect();
         let found = found?;
         for files in &found {
             if files.is_written() {

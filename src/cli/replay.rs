@@ -1,6 +1,5 @@
 //! `sortie replay`: recorded flights in the console.
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -9,12 +8,14 @@ use super::settings::CliSettings;
 use super::{Failure, fly};
 use crate::replay::Film;
 use crate::shell::Opening;
+use crate::text::{Locale, Text};
 
 /// Options of `sortie replay`.
 #[derive(Debug, Args)]
 pub(super) struct ReplayArguments {
-    /// A record's file, or a tlog; by default the newest record.
-    file: Option<PathBuf>,
+    /// The record: its number in `sortie records list`, its name or file, or a tlog; by default the newest.
+    #[arg(default_value = "1")]
+    record: String,
 }
 
 /// Replays a recording.
@@ -22,19 +23,14 @@ pub(super) fn replay(
     arguments: &ReplayArguments,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let path = match &arguments.file {
-        Some(path) => path.clone(),
-        None => newest(&settings)?,
-    };
+    let locale = Locale::new(settings.language());
+    let invalid = |fault: Text| Failure::Invalid(format!("sortie: {}", locale.text(&fault)));
+    let files = settings.find_record(&arguments.record)?;
+    let path = files.frames().map_err(invalid)?;
     // Faults are reported before the screen opens.
-    Film::open(&path).map_err(|fault| Failure::Invalid(format!("sortie: {fault}")))?;
-    fly::open(fly::options(Opening::Replay(path), settings)?, false)
-}
-
-fn newest(settings: &CliSettings) -> Result<PathBuf, Failure> {
-    let newest = settings.records().and_then(|it| it.newest());
-    newest.ok_or_else(|| {
-        let text = "sortie: nothing is recorded yet: fly first, or give a file";
-        Failure::Invalid(text.to_owned())
-    })
+    Film::open(path).map_err(invalid)?;
+    fly::open(
+        fly::options(Opening::Replay(path.to_owned()), settings)?,
+        false,
+    )
 }

@@ -7,7 +7,6 @@ use clap::Args;
 use serde::Serialize;
 
 use super::Failure;
-use super::records::RecordsCommands;
 use super::settings::CliSettings;
 use crate::mission::record::{Divergence, Rescored, Stored, refly};
 use crate::notice::sanitised;
@@ -134,7 +133,7 @@ pub(super) fn verify(
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let files = find(&options.record, settings, &locale)?;
+    let files = settings.find_record(&options.record)?;
     let invalid = |fault: Text| {
         let named = Text::joined(": ", vec![files.stem.as_str().into(), fault]);
         Failure::Invalid(format!("sortie: {}", locale.text(&named)))
@@ -151,28 +150,6 @@ pub(super) fn verify(
         say!("{}", locale.text(&document.words))?;
     }
     Ok(document.exit_code())
-}
-
-fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFiles, Failure> {
-    if named.parse::<usize>().is_err() {
-        let path = Path::new(named);
-        if !path.is_file() {
-            let text = text!("verify-no-file", file = named);
-            return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
-        }
-        return Ok(RecordFiles::beside(path));
-    }
-    let records = settings.records().ok_or_else(|| {
-        Failure::Failed(anyhow::anyhow!(
-            "there is no folder for records: give --data, or a file"
-        ))
-    })?;
-    let commands = RecordsCommands {
-        records,
-        locale: *locale,
-        config: settings.config.clone(),
-    };
-    commands.find(named)
 }
 
 fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
@@ -212,7 +189,7 @@ fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDoc
         MissionFile::OtherRevision | MissionFile::Altered => false,
     };
     // The head names the mission apart from its text.
-    let is_named = head.mission == mission.id;
+    let is_named = head.mission == mission.id && head.revision == mission.rev;
     let document = if !is_known || !is_named {
         let hash = format!("{:016x}", crate::hash::fnv1a(head.source.as_bytes()));
         VerifyDocument {

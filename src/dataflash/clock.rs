@@ -10,7 +10,10 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavModeFlag};
 use serde::{Deserialize, Serialize};
 
-use super::LoggedFlight;
+use super::{Course, Disagreement, LoggedFlight};
+use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
 use crate::wire::{Content, Frame};
 
 /// If the boot time goes back by more than this, the autopilot has rebooted.
@@ -32,6 +35,7 @@ struct Boot {
     places: Vec<(u64, u64)>,
     /// When it booted, by its clock: microseconds since 1970 (UTC).
     booted_unix_us: Option<u64>,
+    course: Course,
 }
 
 /// The data of a record on a vehicle's clock.
@@ -65,6 +69,44 @@ pub struct Alignment {
     places: Vec<(u64, u64)>,
 }
 
+/// Why a log does not belong to a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Misfit {
+    /// They have no boot of the autopilot in common, or no part of it.
+    NoCommonTime,
+    /// At their common time, only one of them arms the vehicle.
+    OtherArming,
+    /// At their common time, the vehicle is in other modes or at another position.
+    OtherCourse(Disagreement),
+}
+
+/// How well a log matches one boot.
+struct BootFit {
+    alignment: Alignment,
+    /// The number of armings that they share.
+    armed: usize,
+    common_us: u64,
+}
+
+impl BootFit {
+    /// More shared armings and a longer common time fit better.
+    fn rank(&self) -> impl Ord + use<> {
+        (self.armed, self.common_us)
+    }
+}
+
+impl Misfit {
+    /// The reason as text.
+    pub fn text(self) -> Text {
+        match self {
+            Self::NoCommonTime => text!("log-no-common-time"),
+            Self::OtherArming => text!("log-other-arming"),
+            Self::OtherCourse(Disagreement::Mode) => text!("log-other-mode"),
+            Self::OtherCourse(Disagreement::Position) => text!("log-other-position"),
+        }
+    }
+}
+
 impl VehicleClock {
     /// Adds a frame of the vehicle's autopilot, received at a time of the record.
     pub fn hear(&mut self, frame: &Frame, at: Duration) {
@@ -82,6 +124,11 @@ impl VehicleClock {
                     self.armed_us.push(at_us);
                 }
                 self.is_armed = Some(armed);
+                if let Some(boot) = self.boots.last_mut()
+                    && let Some((boot_us, _)) = boot.places.last()
+                {
+                    boot.course.add_mode(*boot_us, data.custom_mode);
+                }
             }
             MavMessage::SYSTEM_TIME(data) => {
                 self.pass(data.time_boot_ms, at_us);
@@ -92,7 +139,14 @@ impl VehicleClock {
                 }
             }
             MavMessage::ATTITUDE(data) => self.pass(data.time_boot_ms, at_us),
-            MavMessage::GLOBAL_POSITION_INT(data) => self.pass(data.time_boot_ms, at_us),
+            MavMessage::GLOBAL_POSITION_INT(data) => {
+                self.pass(data.time_boot_ms, at_us);
+                if let Some(boot) = self.boots.last_mut() {
+                    let place = LatLon::from_e7(data.lat, data.lon);
+                    boot.course
+                        .add_place(u64::from(data.time_boot_ms) * 1000, place);
+                }
+            }
             _ => {}
         }
     }
@@ -108,27 +162,52 @@ impl VehicleClock {
             }
             _ => self.boots.push(Boot {
                 places: vec![(boot_us, at_us)],
-                booted_unix_us: None,
+                ..Boot::default()
             }),
         }
     }
 
-    /// How the log of a flight lies on the record; `None` where they have no time in common.
-    pub fn align(&self, flight: &LoggedFlight) -> Option<Alignment> {
-        let fitting = self.boots.iter().filter_map(|boot| {
-            let alignment = boot.align(flight)?;
-            let common = alignment.common_us(flight)?;
-            let armed = self.armed_together(&alignment, flight)?;
-            Some(((armed, common), alignment))
-        });
-        let best = fitting.max_by_key(|(rank, _)| *rank);
-        let by_clock = best.map(|((agreed, _), mut alignment)| {
-            if agreed == 0 && alignment.by == AlignedBy::BootTime {
+    /// Aligns the log of a flight with the record.
+    ///
+    /// # Errors
+    /// The log is from another time or another flight.
+    pub fn align(&self, flight: &LoggedFlight) -> Result<Alignment, Misfit> {
+        let mut misfit = Misfit::NoCommonTime;
+        let mut best: Option<BootFit> = None;
+        for boot in &self.boots {
+            match self.fit(boot, flight) {
+                Ok(fit) if best.as_ref().is_none_or(|best| best.rank() <= fit.rank()) => {
+                    best = Some(fit);
+                }
+                Ok(_) | Err(Misfit::NoCommonTime) => {}
+                Err(other) => misfit = other,
+            }
+        }
+        if let Some(fit) = best {
+            return Ok(fit.alignment);
+        }
+        self.align_by_arming(flight).ok_or(misfit)
+    }
+
+    /// How well the log matches one boot.
+    fn fit(&self, boot: &Boot, flight: &LoggedFlight) -> Result<BootFit, Misfit> {
+        let mut alignment = boot.align(flight).ok_or(Misfit::NoCommonTime)?;
+        let common_us = alignment.common_us(flight).ok_or(Misfit::NoCommonTime)?;
+        let armed = self.armed_together(&alignment, flight);
+        let armed = armed.ok_or(Misfit::OtherArming)?;
+        if alignment.by == AlignedBy::BootTime {
+            if let Some(disagreement) = flight.course.disagreement(&boot.course) {
+                return Err(Misfit::OtherCourse(disagreement));
+            }
+            if armed == 0 {
                 alignment.by = AlignedBy::BootTimeOnly;
             }
-            alignment
-        });
-        by_clock.or_else(|| self.align_by_arming(flight))
+        }
+        Ok(BootFit {
+            alignment,
+            armed,
+            common_us,
+        })
     }
 
     /// The number of times that log and record agree that the vehicle was armed; `None` if they contradict each other.
@@ -250,6 +329,7 @@ mod tests {
                     .map(|(boot, at)| (seconds(*boot), seconds(*at)))
                     .collect(),
                 booted_unix_us: booted.map(seconds),
+                course: Course::default(),
             }],
             armed_us: armed.iter().map(|it| seconds(*it)).collect(),
             is_armed: None,
@@ -291,7 +371,7 @@ mod tests {
             flight(40, 80, Some(1000), &[70]),
             flight(40, 80, None, &[60]),
         ] {
-            assert_eq!(with_gps.align(&other), None, "{other:?}");
+            assert!(with_gps.align(&other).is_err(), "{other:?}");
         }
     }
 
@@ -300,17 +380,18 @@ mod tests {
         let places = [(10, 0), (100, 90)];
         // The record has an arming at 31 s since boot; the log covers that time, but does not contain it.
         let armed = clock(&places, None, &[21]);
-        assert_eq!(armed.align(&flight(12, 90, None, &[])), None);
-        assert_eq!(armed.align(&flight(12, 90, None, &[60])), None);
+        let refused = Err(Misfit::OtherArming);
+        assert_eq!(armed.align(&flight(12, 90, None, &[])), refused);
+        assert_eq!(armed.align(&flight(12, 90, None, &[60])), refused);
         let found = armed.align(&flight(12, 90, None, &[31]));
-        assert_eq!(found.map(|it| it.by), Some(AlignedBy::BootTime));
-        // GPS time shows that it is the same boot, and not every log names its armings.
+        assert_eq!(found.map(|it| it.by), Ok(AlignedBy::BootTime));
+        // GPS time shows that it is the same boot, and not every log contains its armings.
         let sure = clock(&places, Some(1000), &[21]);
         let found = sure.align(&flight(12, 90, Some(1000), &[]));
-        assert_eq!(found.map(|it| it.by), Some(AlignedBy::GpsTime));
-        // A stretch in which nothing was armed: nothing shows that it is the same flight.
+        assert_eq!(found.map(|it| it.by), Ok(AlignedBy::GpsTime));
+        // In this stretch the vehicle was not armed, so nothing shows that it is the same flight.
         let found = armed.align(&flight(50, 90, None, &[]));
-        assert_eq!(found.map(|it| it.by), Some(AlignedBy::BootTimeOnly));
+        assert_eq!(found.map(|it| it.by), Ok(AlignedBy::BootTimeOnly));
     }
 
     #[test]
@@ -323,6 +404,7 @@ mod tests {
         let found = found.expect("both were armed twice");
         assert_eq!(found.by, AlignedBy::Arming);
         assert_eq!(found.place(85_000_000), Some(Duration::from_secs(65)));
-        assert_eq!(clock.align(&flight(20, 200, None, &[])), None);
+        let none = clock.align(&flight(20, 200, None, &[]));
+        assert_eq!(none, Err(Misfit::NoCommonTime));
     }
 }

@@ -40,7 +40,7 @@ pub fn export(
     moments: &[Moment],
     format: ExportFormat,
     to: &Path,
-) -> Result<(), Text> {
+) -> Result<Option<Text>, Text> {
     let unwritable = |error: &dyn std::fmt::Display| {
         let (path, error) = (to.display().to_string(), error.to_string());
         text!("export-unwritable", path = path, error = error)
@@ -50,10 +50,10 @@ pub fn export(
     }
     match format {
         ExportFormat::Csv => {
-            whole(to, |part| tables::write(film, part)).map_err(|error| unwritable(&error))
+            whole(to, |part| tables::write(film, part)).map_err(|error| unwritable(&error))?;
         }
         ExportFormat::Mcap => {
-            whole(to, |part| mcap::write(film, part)).map_err(|error| unwritable(&error))
+            whole(to, |part| mcap::write(film, part)).map_err(|error| unwritable(&error))?;
         }
         ExportFormat::Kml | ExportFormat::Gpx | ExportFormat::GeoJson => {
             let tracks = track::tracks(film)?;
@@ -65,9 +65,13 @@ pub fn export(
                 }
             };
             let text = text.map_err(|error| unwritable(&error))?;
-            crate::store::write(to, &text, false).map_err(|error| Text::from(&error))
+            crate::store::write(to, &text, false).map_err(|error| Text::from(&error))?;
+            if tracks.is_empty() {
+                return Ok(Some(text!("export-no-positions")));
+            }
         }
     }
+    Ok(None)
 }
 
 /// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete.

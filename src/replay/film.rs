@@ -3,15 +3,16 @@
 use std::fs::File;
 use std::io::{Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::app::event::Started;
-use crate::app::state::Activity;
+use crate::app::state::{Activity, ReplayView};
 use crate::dataflash::JoinedLog;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::{Journal, JournalLine, Subject};
+use crate::record::{Journal, JournalLine, MissionClock, Subject};
 use crate::review::Review;
 use crate::store::{RecordFiles, read_run};
 use crate::text;
@@ -30,6 +31,7 @@ pub struct Film {
     files: RecordFiles,
     frames: PathBuf,
     journal: Option<Journal>,
+    clock: Arc<MissionClock>,
     run: Option<Stored>,
     review: Review,
     /// The fault of the review.
@@ -79,12 +81,14 @@ impl Film {
             .as_ref()
             .map_or(span.first_unix_us, |it| it.head.began_unix_us);
         let (logs, log_faults) = files.read_joined();
+        let clock = Arc::new(journal.as_ref().map(MissionClock::of).unwrap_or_default());
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
         Ok(Self {
             files,
             frames,
             journal,
+            clock,
             run,
             review,
             review_fault,
@@ -111,6 +115,18 @@ impl Film {
     /// The length of the recording.
     pub fn length(&self) -> Duration {
         self.length
+    }
+
+    /// The mission's clock; empty if no mission was flown.
+    pub fn clock(&self) -> &Arc<MissionClock> {
+        &self.clock
+    }
+
+    /// Its beginning, as the console shows it: without moments and review.
+    pub fn view(&self) -> ReplayView {
+        let mut view = ReplayView::new(self.name(), self.began_unix_us, self.length);
+        view.clock = Arc::clone(&self.clock);
+        view
     }
 
     /// Its journal, if recorded.

@@ -11,7 +11,7 @@ use super::observer::Observer;
 use super::stage::{Cast, Stage};
 use crate::app::FlightSnapshot;
 use crate::app::event::Started;
-use crate::app::state::{ReplayPosition, ReplayView};
+use crate::app::state::ReplayPosition;
 use crate::config::Config;
 use crate::moment::Moment;
 use crate::scoring::Report;
@@ -83,12 +83,12 @@ impl Index {
     /// The file is gone, or no thread can be started.
     pub fn begin(film: &Arc<Film>, started: &Started, config: &Config) -> Result<Self, Text> {
         let stage = Stage::new(film)?;
-        let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        let view = film.view();
         let observer = Observer::new(view, started, config);
         let shared = Arc::new(Shared::default());
         let mut reader = IndexReader {
             shared: Arc::clone(&shared),
-            lookout: Lookout::default(),
+            lookout: Lookout::new(Arc::clone(film.clock())),
             stage,
             observer,
             key_every: KEY_EVERY,

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::Film;
 use super::export::records;
-use crate::dataflash::{JoinedLog, LoggedFlight, VehicleClock};
+use crate::dataflash::{JoinedLog, LoggedFlight, Misfit, VehicleClock};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -23,6 +23,11 @@ pub fn join_log(
 ) -> Result<JoinedLog, Text> {
     let flight = LoggedFlight::read(bytes)?;
     let clocks = clocks(film)?;
+    if let (Some(named), Some(wanted)) = (flight.vehicle, vehicle)
+        && named != wanted
+    {
+        return Err(text!("log-other-vehicle", named = named, wanted = wanted));
+    }
     let only = || clocks.keys().next().copied().filter(|_| clocks.len() == 1);
     let Some(vehicle) = vehicle.or(flight.vehicle).or_else(only) else {
         return Err(text!("log-no-vehicle", count = clocks.len()));
@@ -30,9 +35,7 @@ pub fn join_log(
     let Some(clock) = clocks.get(&vehicle) else {
         return Err(text!("log-not-in-record", vehicle = vehicle));
     };
-    let Some(alignment) = clock.align(&flight) else {
-        return Err(text!("log-no-common-time"));
-    };
+    let alignment = clock.align(&flight).map_err(Misfit::text)?;
     let length = film.length();
     Ok(JoinedLog::new(vehicle, file, &flight, &alignment, length))
 }

@@ -10,6 +10,7 @@ use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::ledger::RowUpdate;
 use crate::mission::Progress;
 use crate::moment::{Moment, MomentKind};
+use crate::record::MissionClock;
 use crate::scoring::{EventKind, Report};
 use crate::text;
 use crate::text::Text;
@@ -37,17 +38,9 @@ pub(super) struct Lookout {
     pairs: BTreeMap<Pair, Approach>,
     /// The objectives that have been reached, by index.
     reached: Vec<bool>,
-    /// Mission times and their times in the recording.
-    course: Vec<MissionTime>,
+    /// The mission's clock in the recording.
+    clock: Arc<MissionClock>,
     report: Option<Arc<Report>>,
-}
-
-/// A time of the mission's own clock, with its time in the recording.
-#[derive(Debug, Clone, Copy)]
-struct MissionTime {
-    elapsed: Duration,
-    /// The time from the beginning of the recording.
-    at: Duration,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
@@ -72,6 +65,14 @@ struct Approach {
 }
 
 impl Lookout {
+    /// A lookout at the beginning of a recording.
+    pub fn new(clock: Arc<MissionClock>) -> Self {
+        Self {
+            clock,
+            ..Self::default()
+        }
+    }
+
     /// The moments so far, if they have changed since the last call.
     pub fn found(&mut self) -> Option<Vec<Moment>> {
         let is_news = self.given.replace(self.revision) != Some(self.revision);
@@ -90,7 +91,28 @@ impl Lookout {
                 Event::Vehicle(VehicleEvent::Row(row)) => self.judge(row, state),
                 Event::Session(SessionEvent::Mission(progress)) => self.count(now, progress),
                 Event::Session(SessionEvent::MissionEnded(report)) => self.close(report),
-                _ => {}
+                Event::Vehicle(
+                    VehicleEvent::Parameters { .. }
+                    | VehicleEvent::Given { .. }
+                    | VehicleEvent::Paths(_),
+                )
+                | Event::Session(
+                    SessionEvent::Started(_)
+                    | SessionEvent::Paused(_)
+                    | SessionEvent::Speedup(_)
+                    | SessionEvent::Ghost(_),
+                )
+                | Event::Terminal(_)
+                | Event::Tick { .. }
+                | Event::Link(_)
+                | Event::Process(_)
+                | Event::Replay(_)
+                | Event::Career(_)
+                | Event::File(_)
+                | Event::Notice(_)
+                | Event::NoticesDropped(_)
+                | Event::Answer(_)
+                | Event::Failed(_) => {}
             }
         }
         if has_moved {
@@ -200,10 +222,6 @@ impl Lookout {
     }
 
     fn count(&mut self, at: Duration, progress: &Progress) {
-        let elapsed = progress.elapsed;
-        if self.course.last().is_none_or(|it| it.elapsed < elapsed) {
-            self.course.push(MissionTime { elapsed, at });
-        }
         self.reached.resize(progress.objectives.len(), false);
         let objectives = progress.objectives.iter().zip(&mut self.reached);
         let news = objectives.filter_map(|(objective, was)| {
@@ -238,10 +256,8 @@ impl Lookout {
                 | EventKind::Pause => continue,
             };
             let elapsed = Duration::try_from_secs_f64(event.at_s).unwrap_or_default();
-            let then = self.course.partition_point(|it| it.elapsed < elapsed);
-            let then = self.course.get(then).or(self.course.last());
             self.add(Moment {
-                at: then.map_or(Duration::ZERO, |it| it.at),
+                at: self.clock.record_time(elapsed).unwrap_or_default(),
                 vehicles: event.vehicle.into_iter().collect(),
                 kind,
                 text: event.text.clone(),

@@ -308,7 +308,7 @@ impl Stage {
             .collect();
         let progress = mission.flight.flight().progress();
         events.push(SessionEvent::Mission(Box::new(progress)).into());
-        let has_ended = mission.flight.flight().outcome().is_some() || mission.flight.is_over();
+        let has_ended = mission.flight.flight().is_over() || mission.flight.is_over();
         if has_ended && !self.cast.is_over {
             self.cast.is_over = true;
             let report = mission.flight.report();

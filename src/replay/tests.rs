@@ -11,9 +11,11 @@ use crate::link::TlogWriter;
 use crate::moment::MomentKind;
 use crate::record::{EntryLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
 use crate::sim::{PortId, Start, World, WorldConfig};
+use crate::vehicle::Transfer;
 use crate::wire::{Decoder, Encoder};
 use mavlink::dialects::ardupilotmega::{
-    COMMAND_LONG_DATA, HEARTBEAT_DATA, MavAutopilot, MavCmd, MavMessage, MavType,
+    COMMAND_LONG_DATA, HEARTBEAT_DATA, MISSION_REQUEST_LIST_DATA, MavAutopilot, MavCmd, MavMessage,
+    MavMissionType, MavParamType, MavType, PARAM_SET_DATA,
 };
 
 const BEGAN_US: u64 = 1_700_000_000_000_000;
@@ -61,6 +63,28 @@ fn said(tick: u64) -> Vec<MavMessage> {
             MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL,
             [33.0, 200_000.0, 0.0],
         )),
+        120 | 380 => said.push(MavMessage::PARAM_SET(PARAM_SET_DATA {
+            param_id: "WPNAV_SPEED".into(),
+            param_value: tick as f32,
+            target_system: 1,
+            target_component: 1,
+            param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
+        })),
+        // All three lists are asked for at once, as by a console whose requests a slow recording would miss.
+        33 => said.extend(
+            [
+                MavMissionType::MAV_MISSION_TYPE_MISSION,
+                MavMissionType::MAV_MISSION_TYPE_FENCE,
+                MavMissionType::MAV_MISSION_TYPE_RALLY,
+            ]
+            .map(|mission_type| {
+                MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
+                    target_system: 1,
+                    target_component: 1,
+                    mission_type,
+                })
+            }),
+        ),
         150 => said.push(order(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0, 0.0])),
         160 => said.push(order(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0, 0.0])),
         165 => said.push(order(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0, 12.0])),
@@ -171,7 +195,7 @@ fn watched(recorded: &Recorded) -> (Replay, Observer) {
     let (mut replay, _) = Replay::open(&recorded.frames, &Config::default()).expect("a recording");
     replay.wait_for_index();
     let film = replay.film();
-    let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+    let view = film.view();
     let observer = Observer::new(view, &film.started(), &Config::default());
     (replay, observer)
 }
@@ -189,13 +213,15 @@ fn known(state: &State) -> String {
     let session = state.session();
     let trails = state.rooms().map().trails();
     format!(
-        "{:?}\n{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}\n{trails:?}",
+        "{:?}\n{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}\n{trails:?}\n{:?}\n{:?}",
         state.now(),
         session.vehicles(),
         session.ledger(),
         state.notices().lines().collect::<Vec<_>>(),
         session.alarms(),
         session.paths(),
+        state.rooms().fly().rows(),
+        state.rooms().parameters().lists(),
     )
 }
 
@@ -240,6 +266,43 @@ fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
             Ok(())
         })
         .expect("all moments are alike");
+}
+
+#[test]
+fn the_table_and_the_parameters_are_those_of_the_moment() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    let known = |observer: &Observer| {
+        let rooms = observer.app().state().rooms();
+        let speed = rooms.parameters().get(1, "WPNAV_SPEED").map(|it| it.value);
+        (rooms.fly().rows().to_vec(), speed)
+    };
+    // A jump restores vehicles that this console has never seen before.
+    for (at, speed) in [(30, 120.0), (44, 380.0), (20, 120.0)] {
+        seek(&mut replay, &mut observer, s(at));
+        assert_eq!(known(&observer), (vec![1, 2], Some(speed)), "at {at} s");
+    }
+    seek(&mut replay, &mut observer, s(5));
+    assert_eq!(known(&observer).1, None);
+}
+
+#[test]
+fn plans_are_read_from_the_answers_that_were_recorded() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    let states = |observer: &Observer| {
+        let vehicles = observer.app().state().session().vehicles();
+        let plans = vehicles[&1].plans.clone();
+        [
+            plans.plan.transfer,
+            plans.fence.transfer,
+            plans.rally.transfer,
+        ]
+    };
+    seek(&mut replay, &mut observer, s(2));
+    assert_eq!(states(&observer), [Transfer::Unasked; 3]);
+    seek(&mut replay, &mut observer, s(40));
+    assert_eq!(states(&observer), [Transfer::Done; 3]);
 }
 
 #[test]
@@ -386,7 +449,7 @@ fn a_recording_is_exported_in_every_format_and_replaces_nothing() {
         assert!(text.contains(expected), "{name}");
         assert!(text.contains("here"), "{name}: the moments");
         let fault = export(&film, moments, format, &path).expect_err("it exists");
-        assert!(fault.to_string().contains("exists already"), "{fault}");
+        assert!(fault.to_string().contains("already exists"), "{fault}");
     }
     let tables = folder.join("tables");
     export(&film, moments, ExportFormat::Csv, &tables).expect("written");

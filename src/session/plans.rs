@@ -67,6 +67,8 @@ const NO_INDEX: u16 = u16::MAX;
 /// Reads the lists of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanReader {
+    /// Whether it requests nothing and reads what is answered to others, as in a recording.
+    only_follows: bool,
     /// When the vehicle was first heard.
     heard_at: Option<Duration>,
     /// Whether the vehicle's capabilities have been evaluated.
@@ -86,7 +88,15 @@ pub(super) struct PlanReader {
 impl PlanReader {
     /// Starts again after a reboot, or with another link.
     pub fn forget(&mut self) {
-        *self = Self::default();
+        *self = Self {
+            only_follows: self.only_follows,
+            ..Self::default()
+        };
+    }
+
+    /// Requests nothing from now on, and reads what is answered to others.
+    pub fn only_follow(&mut self) {
+        self.only_follows = true;
     }
 
     /// Whether an answer is awaited.
@@ -113,6 +123,9 @@ impl PlanReader {
 
     /// Starts downloads that are due, and repeats requests.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, out: &mut Vec<MavMessage>) {
+        if self.only_follows {
+            return;
+        }
         let heard_at = *self.heard_at.get_or_insert(now);
         let lead = STAGGER * (u32::from(vehicle.system) % STAGGER_GROUPS);
         if now < heard_at + AFTER_FIRST_HEARD + lead {
@@ -189,12 +202,18 @@ impl PlanReader {
         now: Duration,
         out: &mut Vec<MavMessage>,
     ) {
-        match &mut self.download {
-            Some(download) if download.kind == kind => {
-                let step = download.receive(answer, now, out);
-                self.note(vehicle, step, now);
-            }
-            _ => {}
+        let is_other = |it: &Download| it.kind != kind;
+        if self.only_follows
+            && matches!(answer, Answer::Count(_))
+            && self.download.as_ref().is_none_or(is_other)
+        {
+            self.download = Some(Download::new(kind, vehicle.address(), Some(true)));
+        }
+        if let Some(download) = &mut self.download
+            && download.kind == kind
+        {
+            let step = download.receive(answer, now, out);
+            self.note(vehicle, step, now);
         }
     }
 

@@ -201,7 +201,8 @@ impl Plain {
             ledger: session.ledger(),
             findings: findings.unwrap_or(&none),
         };
-        let events = pilot.step(state.now(), seen);
+        // Waits take flight time, as in a script: a speed-up shortens them as well.
+        let events = pilot.step(session.time(state.now()), seen);
         if !events.is_empty() {
             self.pilot = None;
         }
@@ -276,7 +277,14 @@ impl Plain {
                 self.failed |= palette.fault().is_some();
                 texts.extend(palette.fault().into_iter().map(explained));
             }
-            _ => {}
+            // A question for a line, a list and the help are for screens only.
+            Some(
+                Overlay::Prompt(_)
+                | Overlay::Profiles { .. }
+                | Overlay::Help(_)
+                | Overlay::Log { .. },
+            )
+            | None => {}
         }
         // A line that leads to another room has nothing to print here.
         if state.session().activity().is_some()

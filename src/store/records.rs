@@ -11,8 +11,10 @@ use std::path::{Path, PathBuf};
 
 use super::append::{AppendFile, is_written};
 use super::signature::signature_of;
-use super::{StoreError, sharing};
+use super::{StoreError, sharing, user_path};
 use crate::record::Head;
+use crate::text;
+use crate::text::Text;
 
 mod joined;
 mod recording;
@@ -80,6 +82,15 @@ pub struct RecordFiles {
 }
 
 impl RecordFiles {
+    /// The frames of its links.
+    ///
+    /// # Errors
+    /// They are missing; as text.
+    pub fn frames(&self) -> Result<&Path, Text> {
+        let frames = self.frames.as_deref();
+        frames.ok_or_else(|| text!("replay-no-frames", file = self.stem.as_str()))
+    }
+
     /// The files that belong to one of them. A file with another suffix counts as frames.
     pub fn beside(path: &Path) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -162,6 +173,18 @@ impl RecordFiles {
     }
 }
 
+fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles, Text> {
+    if oldest_first.is_empty() {
+        return Err(text!("records-none"));
+    }
+    let at = oldest_first
+        .len()
+        .checked_sub(number)
+        .filter(|_| number > 0);
+    let found = at.and_then(|at| oldest_first.into_iter().nth(at));
+    found.ok_or_else(|| text!("records-no-number", number = number))
+}
+
 fn unwritable(path: &Path, error: io::Error) -> StoreError {
     let path = path.to_owned();
     StoreError::Unwritable { path, error }
@@ -215,6 +238,35 @@ impl Records {
             .into_values()
             .filter(|it| it.journal.is_some())
             .collect()
+    }
+
+    /// A record by what a user calls it: its number, the newest being 1, its name, or one of its files; a tlog of another
+    /// program is a record, too. Without a folder of records, only files are found.
+    ///
+    /// # Errors
+    /// No such record, or not a file; as text.
+    pub fn find(records: Option<&Self>, named: &str) -> Result<RecordFiles, Text> {
+        let all = records.map(Self::list).unwrap_or_default();
+        if let Ok(number) = named.parse() {
+            return numbered(all, number);
+        }
+        let path = user_path(named);
+        if path.is_file() {
+            return Ok(RecordFiles::beside(&path));
+        }
+        let found = all.into_iter().find(|it| it.stem == named);
+        found.ok_or_else(|| match path.symlink_metadata() {
+            Ok(_) => text!("records-not-a-file", file = named),
+            Err(_) => text!("records-unknown", name = named),
+        })
+    }
+
+    /// The record with a number, the newest being 1.
+    ///
+    /// # Errors
+    /// There is no such record; as text.
+    pub fn numbered(&self, number: usize) -> Result<RecordFiles, Text> {
+        numbered(self.list(), number)
     }
 
     /// The frames of the newest record that has any.

@@ -105,6 +105,13 @@ fn a_scripts_flight_is_recorded_like_one_of_the_console() {
     assert!(frames.is_sorted_by_key(|it| it.unix_us));
     let verified = run(&data, "", &["verify"]);
     assert_eq!(verified.status.code(), Some(0), "{}", said(&verified));
+    // By its number and by its name, too.
+    for named in ["1", record["name"].as_str().expect("a name")] {
+        for command in ["verify", "debrief"] {
+            let output = run(&data, "", &[command, named]);
+            assert_eq!(output.status.code(), Some(0), "{command} {named}");
+        }
+    }
 
     let unrecorded = run(&data, "", &[&FLIGHT[..], &["--no-record"]].concat());
     assert_eq!(unrecorded.stdout, flown.stdout);
@@ -252,9 +259,12 @@ fn what_is_no_run_is_refused_with_its_name_and_the_reason() {
             "first line is damaged",
         ),
         (huge, "too long"),
-        (folder.path().to_string_lossy().into_owned(), "directory"),
-        (file("gone", b"") + "-not", "No such file"),
-        ("/dev/zero".to_owned(), "too long"),
+        (
+            folder.path().to_string_lossy().into_owned(),
+            "is not a file",
+        ),
+        (file("gone", b"") + "-not", "no record and no file"),
+        ("/dev/zero".to_owned(), "is not a file"),
     ] {
         let output = run(folder.path(), "", &["debrief", &path]);
         let said = said(&output);
@@ -329,6 +339,16 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     };
     let good = verify(0);
     assert_eq!(good["verdict"], "verified");
+    for (named, code, said_so) in [
+        ("1", 2, "nothing is recorded yet"),
+        (&into, 2, "is not a file"),
+        ("none.tlog", 2, "no record and no file none.tlog"),
+    ] {
+        let output = run(data.path(), "", &["verify", named]);
+        assert_eq!(output.status.code(), Some(code), "{named}");
+        let words = String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output);
+        assert!(words.contains(said_so), "{named}: {words}");
+    }
     assert_eq!(good["seed"], 1);
     assert_eq!(
         (&good["score"], &good["flown_by"]),
@@ -340,6 +360,8 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
         ("weights = {", "weights = { ", "other_mission"),
         ("\"seed\":1,", "\"seed\":2,", "differs"),
         ("\"mission\":\"", "\"mission\":\"x", "other_mission"),
+        ("\"revision\":", "\"revision\":1", "other_mission"),
+        ("\"medal\":\"gold\"", "\"medal\":\"silver\"", "differs"),
         (
             "{\"tick\":{\"t\":40000,",
             "{\"tick\":{\"t\":39900,",

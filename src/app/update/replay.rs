@@ -4,7 +4,7 @@ use super::{act, telemetry};
 use crate::app::action::ReplayAction;
 use crate::app::effect::{Effect, Effects, ReplayEffect, SessionEffect};
 use crate::app::event::ReplayEvent;
-use crate::app::state::{Log, ReplayView, rate};
+use crate::app::state::{Log, ReplayView, Room, rate};
 use crate::app::{State, snapshot};
 use crate::language::{ReplayLine, SeekTarget};
 use crate::text;
@@ -56,6 +56,15 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     let replay = state.replay.as_ref();
     let is_playing = replay.is_some_and(|it| it.position.is_playing);
     let effect = match action {
+        // In a replay, both mean the flight that is shown.
+        ReplayAction::ReplayNewest if replay.is_some() => {
+            act::show(state, Room::Fly);
+            ReplayEffect::Seek(SeekTarget::At(Duration::ZERO))
+        }
+        ReplayAction::ReviewNewest if replay.is_some() => {
+            act::show(state, Room::Review);
+            return Effects::none();
+        }
         ReplayAction::ReplayNewest => return open(state, None, false),
         ReplayAction::ReviewNewest => return open(state, None, true),
         ReplayAction::ShowMoments if replay.is_some() => {
@@ -72,7 +81,7 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
         ReplayAction::PreviousMoment => ReplayEffect::Moment { forward: false },
         ReplayAction::NextMoment => ReplayEffect::Moment { forward: true },
     };
-    if replay.is_none() {
+    if state.replay.is_none() {
         return refuse(state);
     }
     Effects::from(Effect::Replay(effect))
@@ -173,4 +182,28 @@ pub fn keep(view: &mut ReplayView) -> Effects {
 fn refuse(state: &mut State) -> Effects {
     state.say(Severity::Warning, text!("replay-none"));
     Effects::none()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::Setup;
+
+    #[test]
+    fn a_replay_is_reviewed_and_played_again_itself() {
+        let mut state = State::new(Setup::default());
+        let newest = act(&mut state, ReplayAction::ReviewNewest);
+        let open = SessionEffect::Replay {
+            path: None,
+            review: true,
+        };
+        assert_eq!(newest, Effects::from(Effect::Session(open)));
+        state.replay = Some(ReplayView::new("a".to_owned(), 0, Duration::from_secs(60)));
+        assert_eq!(act(&mut state, ReplayAction::ReviewNewest), Effects::none());
+        assert_eq!(state.room(), Room::Review);
+        let again = act(&mut state, ReplayAction::ReplayNewest);
+        let start = ReplayEffect::Seek(SeekTarget::At(Duration::ZERO));
+        assert_eq!(again, Effects::from(Effect::Replay(start)));
+        assert_eq!(state.room(), Room::Fly);
+    }
 }

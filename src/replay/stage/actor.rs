@@ -21,7 +21,7 @@ pub(super) struct Actor {
 
 impl Actor {
     pub fn new(system: SystemId, component: u8, now: Duration) -> Self {
-        let mut session = Session::new(system, component, now);
+        let mut session = Session::new(system, component, now).following_plans();
         session.heard_via(LINK, now);
         Self {
             session,

@@ -318,7 +318,7 @@ fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     }
     assert_eq!(
         far.scene.explanation(2),
-        "not sent: P3 takes whole numbers only (int16)"
+        "not sent: P3 accepts only whole numbers (int16)"
     );
     far.scene.order(4, "param", set(7.0));
     assert_eq!(far.scene.states(4), [RowState::Sent]);

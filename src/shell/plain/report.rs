@@ -1,16 +1,17 @@
 //! Reports as lines: news, each once, and the state on demand.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::brief;
+use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::state::{FlightView, Hangar, HelpLine, NoticeLine, command_help};
+use crate::app::state::{Alert, FlightView, Hangar, HelpLine, NoticeLine, command_help};
 use crate::geo::maths;
 use crate::language::{Channel, Report, VehicleChoice, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
-use crate::text::{Text, text};
+use crate::text::{Text, figure, text};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// How long the newest notice may still collect identical ones.
@@ -34,6 +35,16 @@ pub struct PlainReport {
     contacts: usize,
     /// The last printed stages of starting vehicles.
     stages: Option<Text>,
+    /// The standing alerts that are printed.
+    alerts: BTreeSet<PrintedAlert>,
+}
+
+/// A printed alert. It is printed again when it becomes more serious, and when it returns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct PrintedAlert {
+    vehicle: VehicleId,
+    kind: AlertKind,
+    severity: Severity,
 }
 
 impl PlainReport {
@@ -41,6 +52,7 @@ impl PlainReport {
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts: Vec<Text> = self.new_stages(state).into_iter().collect();
         texts.extend(self.new_notices(state));
+        texts.extend(self.new_alerts(state));
         texts.extend(self.ended_commands(state));
         texts.extend(self.decided_objectives(state));
         texts.extend(self.new_contacts(state));
@@ -82,6 +94,36 @@ impl PlainReport {
             self.notice = Some((line.notice.clone(), line.count));
         }
         texts
+    }
+
+    /// The alerts that were raised; vehicles with the same one are merged.
+    fn new_alerts(&mut self, state: &State) -> Vec<Text> {
+        let session = state.session();
+        let mut standing = BTreeSet::new();
+        let mut raised: Vec<(&Alert, Vec<VehicleId>)> = Vec::new();
+        for (vehicle, one) in session.alarms().open() {
+            let printed = PrintedAlert {
+                vehicle,
+                kind: one.alert.kind,
+                severity: one.alert.severity,
+            };
+            standing.insert(printed);
+            if self.alerts.contains(&printed) {
+                continue;
+            }
+            match raised.iter_mut().find(|(alert, _)| **alert == one.alert) {
+                Some((_, vehicles)) => vehicles.push(vehicle),
+                None => raised.push((&one.alert, vec![vehicle])),
+            }
+        }
+        self.alerts = standing;
+        let now = clock(session, state.now());
+        let line = |(alert, vehicles): (&Alert, Vec<VehicleId>)| {
+            let head = Text::from(format!("{now} {}", ranges(vehicles)));
+            let parts = std::iter::once(head).chain(severity_word(alert.severity));
+            Text::joined(": ", parts.chain([alert.text.clone()]).collect())
+        };
+        raised.into_iter().map(line).collect()
     }
 
     fn ended_commands(&mut self, state: &State) -> Vec<Text> {
@@ -169,6 +211,16 @@ fn clock(session: &FlightView, at: std::time::Duration) -> String {
     format!("{:02}:{:02}", seconds / 60, seconds % 60)
 }
 
+/// The word before a serious text.
+fn severity_word(severity: Severity) -> Option<Text> {
+    match severity {
+        Severity::Emergency | Severity::Alert | Severity::Critical => Some(text!("plain-critical")),
+        Severity::Error => Some(text!("plain-error")),
+        Severity::Warning => Some(text!("plain-warning")),
+        Severity::Notice | Severity::Info | Severity::Debug => None,
+    }
+}
+
 fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
     let notice = &line.notice;
     let mut head = clock(session, notice.at);
@@ -177,14 +229,8 @@ fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
         head.push(' ');
         head.push_str(&vehicles);
     }
-    let serious = match notice.severity {
-        Severity::Emergency | Severity::Alert | Severity::Critical => Some(text!("plain-critical")),
-        Severity::Error => Some(text!("plain-error")),
-        Severity::Warning => Some(text!("plain-warning")),
-        Severity::Notice | Severity::Info | Severity::Debug => None,
-    };
     let mut parts = vec![Text::from(head)];
-    parts.extend(serious);
+    parts.extend(severity_word(notice.severity));
     parts.push(notice.text.clone());
     if line.count as usize > line.vehicles.len().max(1) {
         parts.push(text!("plain-times", count = line.count));
@@ -199,7 +245,7 @@ type Fate = (Text, Option<Text>);
 fn outcome(entry: &LedgerEntry) -> Text {
     let mut groups: Vec<(Fate, Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
-        let explanation = row.explanation.as_ref().map(|text| text.regarding(""));
+        let explanation = row.remark().map(|text| text.regarding(""));
         let fate = (row.state.text(), explanation);
         match groups.iter_mut().find(|(known, _)| *known == fate) {
             Some((_, ids)) => ids.push(row.vehicle),
@@ -314,6 +360,10 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     {
         parts.push(text!("plain-battery", percent = left));
     }
+    if let Some(way_home) = vehicle.way_home() {
+        let needed = figure(way_home.needed_percent.ceil(), 0);
+        parts.push(text!("plain-way-home", needed = needed));
+    }
     if let Some(alert) = state.session().alert(vehicle, state.now()) {
         parts.push(alert.text);
     }
@@ -384,3 +434,6 @@ fn help(state: &State) -> Vec<Text> {
         });
     general.collect()
 }
+
+#[cfg(test)]
+mod tests;

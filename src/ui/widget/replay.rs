@@ -61,11 +61,18 @@ pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
         (false, _) => "■",
     };
     let (at, length) = (clock(position.at), clock(view.length));
+    let mission = view.clock.mission_time(position.at);
+    let mission = mission.map(|elapsed| text!("replay-mission-time", time = clock(elapsed)));
+    let mission = mission.map_or_else(String::new, |it| format!(" {}", look.text(&it)));
+    let goal = position
+        .goal
+        .map(|goal| text!("replay-going-to", time = clock(goal)));
+    let goal = goal.map_or_else(String::new, |goal| format!(" {}", look.text(&goal)));
     let gap = position
         .gap
         .map(|gap| text!("replay-gap", time = clock(gap)));
     let gap = gap.map_or_else(String::new, |gap| format!(" {}", look.text(&gap)));
-    let head = format!(" {sign} {at}{gap} ");
+    let head = format!(" {sign} {at}{mission}{goal}{gap} ");
     let tail = format!(" {length}  ");
     let hints = hints(state, panel.width() / 2, look);
     let hints_width: usize = hints.iter().map(Span::width).sum();
@@ -146,11 +153,11 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),
-        MomentKind::Refusal => ("x", Role::Warning),
+        MomentKind::Refusal => ("r", Role::Warning),
         MomentKind::Alert => ("!", Role::Danger),
         MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
-        MomentKind::Objective => ("*", Role::Ok),
-        MomentKind::Rule => ("#", Role::Danger),
+        MomentKind::Objective => ("o", Role::Ok),
+        MomentKind::Rule => ("x", Role::Danger),
         MomentKind::Event => ("~", Role::Accent),
         MomentKind::Separation => ("<", Role::Warning),
         MomentKind::Log => ("=", Role::Accent),
@@ -166,10 +173,17 @@ pub fn moment_text(moment: &Moment, look: &Look) -> String {
     }
 }
 
-/// A moment in the list.
-pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
+/// A time of the recording, followed by the mission's if one was flown.
+pub fn both_times(view: &ReplayView, at: Duration) -> String {
+    match view.clock.mission_time(at) {
+        Some(elapsed) => format!("{} {}", clock(at), clock(elapsed)),
+        None => clock(at),
+    }
+}
+
+/// A moment in a list, with its time as stated there.
+pub fn moment_line<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
     let (sign, role) = sign(moment.kind);
-    let time = clock(moment.at);
     let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
     let head = format!("{time} {sign} {kind} ");
     let rest = columns.saturating_sub(width(&head));

@@ -11,7 +11,7 @@ fn a_log_comes_by_messages_and_is_checked_where_the_vehicle_hands_out_files() {
     shelf.download(LogChoice::All);
     shelf.until_over(ms(30_000));
     assert_eq!(shelf.last_row().state, RowState::Done);
-    let text = "250.7 kB saved by log messages, check sum verified: log1.bin, log2.bin";
+    let text = "250.7 kB saved by log messages, checksum verified: log1.bin, log2.bin";
     assert_eq!(shelf.explanation(), text);
     assert_eq!(shelf.carried, 250_700);
     assert!(shelf.kept(1) == log(700, 1) && shelf.kept(2) == log(250_000, 2));
@@ -36,9 +36,9 @@ fn what_is_not_checked_says_why() {
     };
     let size = 100_000;
     for (quirks, carried, check) in [
-        (silent, size, "no check sum: no answer"),
-        (without, size, "no check sum: "),
-        (wrong, 2 * size, "read twice: the check sum differs"),
+        (silent, size, "no checksum: no answer"),
+        (without, size, "no checksum: "),
+        (wrong, 2 * size, "read twice: the checksum differs"),
     ] {
         let mut shelf = Shelf::with_files(vec![log(size, 2)]);
         shelf.server.quirks = quirks;
@@ -71,7 +71,7 @@ fn files_go_on_where_log_messages_cease() {
         assert_eq!(shelf.last_row().state, state);
         let words = shelf.explanation();
         if state == RowState::Done {
-            let expected = "100.0 kB saved by MAVFTP, check sum verified: log1.bin";
+            let expected = "100.0 kB saved by MAVFTP, checksum verified: log1.bin";
             assert_eq!(words, expected);
             assert!(shelf.kept(1) == log(100_000, 2));
         } else {
@@ -97,7 +97,7 @@ fn a_log_that_grows_while_it_is_read_ends_where_it_was_listed() {
     shelf.until_over(ms(30_000));
     let words = shelf.explanation();
     assert!(
-        words.contains("by log messages, no check sum: the log has grown since"),
+        words.contains("by log messages, no checksum: the log has grown since"),
         "{words}"
     );
     assert!(shelf.kept(1) == log(100_000, 2));
@@ -111,7 +111,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     shelf.server.files.insert(path.clone(), log(5100, 3));
     shelf.download(LogChoice::Last);
     shelf.until_over(ms(30_000));
-    let way = "by log messages, no check sum: no file of the listed size";
+    let way = "by log messages, no checksum: no file of the listed size";
     assert_eq!(shelf.explanation(), format!("5.0 kB saved {way}: log2.bin"));
     assert!(shelf.kept(2) == log(5000, 2));
     // A board stores them in another folder.
@@ -126,7 +126,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     assert!(
         shelf
             .explanation()
-            .contains("by log messages, check sum verified")
+            .contains("by log messages, checksum verified")
     );
     shelf.server.files.clear();
     shelf.keeper.whole.lock().expect("kept").clear();
@@ -136,7 +136,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     assert!(
         shelf
             .explanation()
-            .contains("no check sum: file not found: "),
+            .contains("no checksum: file not found: "),
         "{}",
         shelf.explanation()
     );
@@ -166,7 +166,7 @@ fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
         assert!(
             shelf
                 .explanation()
-                .contains("by log messages, check sum verified")
+                .contains("by log messages, checksum verified")
         );
         assert!(shelf.kept(1) == shelf.logs[0], "other bytes");
         let packets = shelf.passed - before;
