@@ -2,19 +2,19 @@
 room-workshop = workshop
 action-workshop = build drones
 action-other-pane = go to the other list
-action-take-out = take out the part, or clear the choice
+action-take-out = remove the part, or clear the choice
 action-buy-part = buy the right to use the part
 action-undo = undo the last change
 action-redo = redo the change
-action-new-design = begin a new design
+action-new-design = start a new design
 action-save-design = save the design under a name
 action-designs = show all designs, or the bench again
 action-compare-design = compare with another design
 action-copy-design = save a copy of the design
-action-rename-design = give the design another name
+action-rename-design = rename the design
 action-export-design = write the design to a file
 action-import-design = read a design from a file
-action-next-view = show figures, power, payload, the mission in turn
+action-next-view = show figures, power, payload and mission in turn
 action-mission-before = build for the previous mission
 action-mission-after = build for the next mission
 action-seats = show the seats of the fleet, or the bench again
@@ -22,8 +22,8 @@ action-all-seats = choose the design for all seats
 action-fly-fleet = fly the mission with these drones
 
 bench-hint-lists = lists
-bench-hint-put-in = put in
-bench-hint-take-out = take out
+bench-hint-put-in = install
+bench-hint-take-out = remove
 bench-hint-undo = undo
 bench-hint-save = save
 bench-hint-designs = designs
@@ -69,13 +69,13 @@ bench-no-curve = no curve yet: needs frame, motors, propellers, speed controller
 
 bench-no-mission = no mission chosen
 bench-choose-mission = [ and ] choose a mission to build for.
-bench-mission-flown = the mission is being flown
+bench-mission-flown = the mission is in progress
 bench-seats = { $count ->
     [one] { $count } drone
    *[other] { $count } drones
 }
 bench-budget = the fleet costs { $cost } of { $budget } cr
-bench-no-budget = the fleet costs { $cost } cr; there is no limit
+bench-no-budget = the fleet costs { $cost } cr; no limit
 bench-fleet = the fleet for "{ $mission }"
 bench-fleet-about = on the bench: { $name }
 bench-lent = lent by the mission
@@ -96,20 +96,20 @@ bench-compared = design
 bench-differs = differs
 bench-choose-compared = choose a design and press { $key } to compare
 
-bench-no-more = cannot be added: it is on board already, or the slot is full
+bench-no-more = cannot be added: it is already on board, or the slot is full
 bench-not-on-board = it is not on board
 bench-nothing-to-undo = nothing to undo
 bench-nothing-to-redo = nothing to redo
-bench-nobody-buys = guests may try every part: nothing to buy
-bench-no-profile = designs are saved in a profile, and none is chosen: { $key } writes the design to a file
+bench-nobody-buys = guests can use every part without buying it
+bench-no-profile = designs are saved in a profile, but none is chosen: { $key } writes the design to a file
 bench-saved = saved: { $name }
-bench-name-taken = a design { $name } exists already
+bench-name-taken = a design named { $name } already exists
 bench-ask-buy = buy the right to use { $part } for { $price } cr
 bench-ask-buy-reason = you have { $credits } cr; { $left } cr will be left
 bench-ask-replace = replace { $name } on the bench
 bench-ask-replace-reason = its changes are not saved ({ $key } restores them)
 bench-ask-overwrite = replace your design { $name }
-bench-ask-overwrite-reason = a design of this name exists already
+bench-ask-overwrite-reason = a design with this name already exists
 bench-ask-delete = delete your design { $name }
 bench-ask-delete-reason = the copy on the bench stays
 bench-ask-quit-reason = { $name } on the bench is not saved

@@ -36,7 +36,7 @@ help-commands = commands: [targets] verb [arguments]
 help-console = commands of the console
 
 mission-none = no mission is being flown
-debrief-none = No debrief yet: it opens when a mission is over.
+debrief-none = No debrief yet: it opens when a mission is over, also in a replay.
 
 ask-sure = are you sure
 ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back
@@ -44,7 +44,7 @@ ask-else = anything else: no
 
 help-title = help   { $scroll } scroll   { $section } section   { $search } search   { $key } close
 help-none = nothing found in the help
-help-targets = targets: 3  1-4,7  @group  all; none means the selection
+help-targets = targets: 3  1-4,7  @group  all; without targets: the selection
 
 small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
 small-keys = Enlarge the terminal, or press { $key } to leave the program.
@@ -52,7 +52,7 @@ small-keys = Enlarge the terminal, or press { $key } to leave the program.
 prompt-connect-tcp = ArduPilot SITL, one vehicle per port
 prompt-connect-udpin = listen; vehicles send here
 prompt-connect-udp = send to a vehicle or a router
-prompt-connect-serial = an autopilot or a radio on a cable
+prompt-connect-serial = an autopilot or a radio connected by cable
 prompt-connect-file = a recording
 prompt-connect-several = several addresses: separate them with spaces.  { $submit } connects, { $escape } closes
 
@@ -83,14 +83,14 @@ palette-layout = the same keys in Latin letters
 palette-given-before = earlier line
 palette-selects = select for the next commands
 
-console-no-injects = this mission allows no injects
-console-no-mission = injects need a mission under way
+console-no-injects = this mission does not allow injects
+console-no-mission = injects need a mission in progress
 console-kind-theme = theme
 
 setting-theme = colours
 setting-lang = language: English, українська; a profile remembers it
 setting-symbols = characters for curves and maps
-setting-fps = frames per second at most
+setting-fps = maximum frames per second
 setting-bell = ring the bell for serious alerts
 setting-notify = desktop notifications for serious alerts
 setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first

@@ -2,6 +2,7 @@
 
 debrief-head = DEBRIEF  { $mission } r{ $revision }   { $title }   { $outcome }
 debrief-score = Score { $score } / 1000   { $medal }   seed { $seed }   { $backend }
+debrief-source = { $mission } r{ $revision }   seed { $seed }   { $backend }
 debrief-no-medal = no medal
 debrief-embedded = embedded
 debrief-time = Time { $used } (par { $par }, limit { $limit })   Energy { $energy }   Drones { $count }
@@ -55,12 +56,12 @@ debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
 
 debrief-swarm = SWARM   (shown, not scored)
 debrief-fan-out = At this pace you keep { $handled } drones busy; you flew { $flown }.
-debrief-swarm-times = left alone, a drone stays busy for { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
+debrief-swarm-times = without commands, a drone stays busy for { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
 debrief-swarm-habits = attention moved { $switches } times a minute; { $group } % of commands to several drones at once
 debrief-use = in the air { $airborne } s, with a task { $percent } %, idle { $idle } s
 debrief-use-none = never flown
 
-debrief-truth = WHAT WAS THERE   (north is up)
+debrief-truth = THE TRUTH   (north is up)
 debrief-sign = { $sign } { $meaning }
 debrief-sign-gap = not covered
 debrief-sign-track = flown
@@ -88,7 +89,7 @@ debrief-next-on = Go on to the next mission.
 debrief-last-mission = this was the last mission
 
 # The map of the debrief.
-truth-title = what was there
+truth-title = the truth
 truth-none = This mission has nothing to reveal.
 truth-found = found
 truth-missed = missed
@@ -108,11 +109,11 @@ workload-busy = busy
 workload-alone = alone
 workload-waiting = waiting
 workload-answers = your rating
-workload-how = share of the last minute spent on commands, in tenths; drones working by themselves in that minute; drones waiting; your ratings from 1 to 5
+workload-how = share of the last minute spent on commands, in tenths; drones working on their own in that minute; drones waiting; your ratings from 1 to 5
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands
-    }: you were busy for { $interaction } s; the drones worked by themselves for { $neglect } s and waited for { $wait } s, all together
+    }: you were busy for { $interaction } s; the drones worked on their own for { $neglect } s and waited for { $wait } s, all together
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
 workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers, never scored

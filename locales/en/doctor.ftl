@@ -9,43 +9,43 @@ doctor-no-frame = bytes arrive, but they contain no MAVLink frame
 doctor-wrong-baud = garbage arrives; the baud rate may be wrong
 doctor-unknown-dialect = all messages are from an unknown dialect
 doctor-foreign-messages = { $percent } % of the messages are from an unknown dialect
-doctor-only-ground-stations = only ground stations are heard, no vehicle
+doctor-only-ground-stations = only ground stations send messages, no vehicle does
 doctor-own-echo = only our own frames come back
-doctor-no-autopilot = components are heard, but no autopilot
+doctor-no-autopilot = components send messages, but no autopilot does
 doctor-duplicate-system = two senders use system id { $system }
 doctor-signed = vehicle { $system } signs its frames and does not answer ours, which are unsigned
 doctor-signed-but-answers = vehicle { $system } signs its frames, but accepts ours unsigned
-doctor-one-way = vehicle { $system } is heard, but never answers: it does not hear us
-doctor-one-way-vehicles = { $count } vehicles are heard and do not answer
+doctor-one-way = vehicle { $system } sends messages, but never answers: it does not receive ours
+doctor-one-way-vehicles = { $count } vehicles send messages, but do not answer
 doctor-noise = { $percent } % of the bytes that arrive are not MAVLink
-doctor-version-1 = vehicle { $system } speaks MAVLink 1 only
+doctor-version-1 = vehicle { $system } uses only MAVLink 1
 doctor-other-station = another ground station is on this link: { $system }/{ $component }
 doctor-damaged = { $percent } % of the frames arrive damaged (wrong checksum)
 doctor-lossy = { $percent } % of the frames do not arrive
 doctor-recording = this link plays a recording: commands have no effect
 doctor-listening = listening ...
 doctor-unanswered = { $count ->
-    [one] { $count } vehicle is heard; waiting for its first answer
-   *[other] { $count } vehicles are heard; waiting for their first answers
+    [one] { $count } vehicle is in contact; waiting for its first answer
+   *[other] { $count } vehicles are in contact; waiting for their first answers
 }
 doctor-well = { $count ->
-    [one] all is well: { $count } vehicle is heard and answers
-   *[other] all is well: { $count } vehicles are heard and answer
+    [one] all is well: { $count } vehicle is in contact and answers
+   *[other] all is well: { $count } vehicles are in contact and answer
 }
 
-doctor-try-not-open = Correct the fault that the link reports; the console reconnects by itself.
-doctor-try-not-open-tcp = Is the vehicle or SITL running, and is the port right? SITL listens on 5760, 5762 and 5763, plus 10 for each further instance. The console reconnects by itself.
-doctor-try-not-open-serial = Is the device plugged in and the name right, such as /dev/ttyUSB0, /dev/ttyACM0 or COM3? May you open it (on Linux the group dialout)? The console reconnects by itself.
+doctor-try-not-open = Correct the fault that the link reports; the console reconnects automatically.
+doctor-try-not-open-tcp = Is the vehicle or SITL running, and is the port right? SITL listens on 5760, 5762 and 5763, plus 10 for each further instance. The console reconnects automatically.
+doctor-try-not-open-serial = Is the device plugged in and the name right, such as /dev/ttyUSB0, /dev/ttyACM0 or COM3? Do you have permission to open it (on Linux, the group dialout)? The console reconnects automatically.
 doctor-try-text = The sender may be a system console, a boot loader or a GPS receiver. On the autopilot set the port's SERIALn_PROTOCOL to 2 (MAVLink 2), or use another port.
 doctor-try-no-frame = Is the data MAVLink? Behind a serial-to-network bridge the baud rate may be wrong; the stream may also be encrypted or compressed.
-doctor-try-wrong-baud = Try another rate, such as 57600 (radios) or 115200: serial:DEVICE:57600. It must equal the port's SERIALn_BAUD. If no rate works, the data is not MAVLink.
-doctor-try-dialect = The room "messages" shows the ids. sortie does not know the vehicle's dialect; ids up to 255 point to old or private firmware.
+doctor-try-wrong-baud = Try another rate, such as 57600 (radios) or 115200: serial:DEVICE:57600. It must match the port's SERIALn_BAUD. If no rate works, the data is not MAVLink.
+doctor-try-dialect = The room "messages" shows the ids. sortie does not know the vehicle's dialect; ids up to 255 suggest old or private firmware.
 doctor-try-ground-stations = Is the vehicle on and connected? Does the router or ground station in between forward vehicles to this address?
-doctor-try-echo = The line or the radio returns what is sent: is TX wired to RX, or is the other end another ground station with our ids (255/190)?
+doctor-try-echo = The line or the radio returns what is sent: is TX wired to RX, or is the other end another ground station with the same ids (255/190)?
 doctor-try-autopilot = A camera, gimbal or companion computer sends messages. Does it forward those of the autopilot, and is the autopilot running?
 doctor-try-duplicate = Give one vehicle another SYSID_THISMAV and reboot it. If it is one vehicle on two links, close one of them.
 doctor-try-signed = sortie does not sign. Switch signing off on the vehicle, or use a port without it (USB accepts unsigned frames).
-doctor-try-one-way = Do our messages reach the vehicle? Check firewall, NAT and router: the vehicle must accept UDP or TCP from this machine. It may accept another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
+doctor-try-one-way = Do our messages reach the vehicle? Check firewall, NAT and router: the vehicle must accept UDP or TCP from this machine. It may accept only another ground station (SYSID_MYGCS, SYSID_ENFORCE).
 doctor-try-one-way-serial = Is the TX wire connected, and is the radio's uplink up? The vehicle may accept another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
 doctor-try-one-way-vehicles = Do our messages reach the vehicles? Check firewall, NAT and router. Forged packets to this port can also create many silent ids.
 doctor-try-noise = Another program sends to this port, or two programs share the serial line: find the other program and stop it. The vehicles' frames are still read.
@@ -56,6 +56,6 @@ doctor-try-damaged-serial = Check cable, ground and flow control, try a lower ba
 doctor-try-silence = Is the vehicle on?
 doctor-try-silence-tcp = The connection is open, but the other end is silent. Another client may use the vehicle; SITL accepts one client on each of the ports 5760, 5762 and 5763.
 doctor-try-silence-tcpin = No client has sent anything. Is the vehicle set to connect to this port of this machine? 127.0.0.1 can be reached from this machine only.
-doctor-try-silence-udp = Nothing comes back. Are host and port right, and is the vehicle on? Some vehicles send to a ground station unasked: listen for those with udpin:0.0.0.0:14550.
-doctor-try-silence-udpin = No packets arrive on this port. Is the vehicle set to send here? 127.0.0.1 can be reached from this machine only: listen on 0.0.0.0 for others. Check the firewall, too.
+doctor-try-silence-udp = Nothing comes back. Are host and port right, and is the vehicle on? Some vehicles send to a ground station on their own: listen for those with udpin:0.0.0.0:14550.
+doctor-try-silence-udpin = No packets arrive on this port. Is the vehicle set to send here? 127.0.0.1 can be reached from this machine only: listen on 0.0.0.0 for others. Also check the firewall.
 doctor-try-silence-serial = Is the device the right one and powered, are TX and RX crossed, and is the port's SERIALn_PROTOCOL 2 (MAVLink 2)?

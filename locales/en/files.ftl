@@ -6,7 +6,7 @@ file-more-faults = { $count ->
 }
 file-unreadable = cannot read { $path }: { $error }
 file-unwritable = cannot write { $path }: { $error }
-file-exists = { $path } exists already
+file-exists = { $path } already exists
 file-too-large = { $path } is too large: a { $kind } is at most { $most } bytes long
 file-unknown = no { $kind } `{ $name }`: give a path, or one of { $known }
 
@@ -20,7 +20,7 @@ file-keymap = keymap
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 
-record-under-way = this flight is not over: its debrief comes when it has ended
+record-under-way = this flight is not over: its debrief is available once it has ended
 record-none = not a recorded run: the console records every mission, and `sortie run --record DIR` writes a run to a folder
 record-version = this run was recorded in format version { $version }; this program reads version { $known }: use the program that recorded it
 record-head = the first line is damaged: { $error }
@@ -41,7 +41,7 @@ record-frames-dropped = the disk is too slow for this flight: frames are missing
 verify-other-start = the input log begins with another seed or other places
 verify-unfit-input = an impossible input
 verify-other-state = the state of the vehicle does not match
-verify-no-vehicle = there is no such vehicle
+verify-no-vehicle = unknown vehicle
 verify-other-position = the recorded position does not match
 verify-other-mode = the recorded mode or arming does not match
 verify-other-condition = the recorded condition (landed, ready) does not match
@@ -62,20 +62,21 @@ verify-inputs-missing = re-scored from telemetry only: { $score } points; the ve
 verify-damaged = line { $line } of the input log is damaged
 verify-no-end = the input log is incomplete: its end is missing
 verify-other-clock = the clocks of the mission and of the simulator do not match
+verify-other-end = medal, result or time at its end are not those that follow from the record
+verify-exam-paused = the flight counts as an exam, which has no pauses, but the record has one
 verify-own-airframes = the flight counts, but its airframes are not those of the mission
 verify-beyond-inputs = the record continues beyond the end of the input log
 verify-too-many = the input log names { $count } drones: no flight has more vehicles than 255
-verify-no-file = no record { $file }
 verify-other-parameter = { $name } does not have the value that the mission requires
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`
 sign-file = { $path }: { $error }
 sign-key = { $path } is not a usable minisign key: { $why }
-sign-password = the key cannot be used: { $why }
-sign-key-exists = { $path } exists already: delete it, or choose another folder with `--output`
+sign-password = no password was read ({ $why }): use a terminal, or a key made with `sortie records key --no-password`
+sign-key-exists = { $path } already exists: delete it, or choose another folder with `--output`
 sign-being-written = the record is still being written: sign it once the flight is over
 sign-no-key = no key { $path }: create one with `sortie records key`, or name one with `--key`
-sign-key-made = key { $key }: keep { $secret } to yourself, give { $public } to those who check your records
+sign-key-made = key { $key }: keep { $secret } to yourself, give { $public } to anyone who checks your records
 sign-signed = { $count ->
     [one] signed with key { $key }: 1 file
    *[other] signed with key { $key }: { $count } files

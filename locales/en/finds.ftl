@@ -20,30 +20,31 @@ contact-harmless = { $contact }: harmless
 
 # Reports of finds.
 detect-result = F{ $beta } { $score }: { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
+detect-result-cost = F{ $beta } { $score } ({ $measure } less { $cost } for false reports): { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
 detect-outlook = { $count } reported
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
 detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report
-detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from closer, before you report
+detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
 
 # Passing over a zone.
 coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
-coverage-advice = Fly lines as far apart as the sensor's strip is wide: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
+coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
 
 # Keeping a distance.
 standoff-result = { $share } % kept, { $near } s near, { $close } s too close
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
-standoff-advice = Fly beside the structure, { $nearest } to { $farthest } m away: { $close } s were too close.
+standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 
 # Bringing things.
 deliver-kits = { $done } helped, { $lost } too late
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target } people
 deliver-nodes-target = { $target } nodes
-deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: { $lost } got help too late.
+deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: for { $lost }, help came too late.
 deliver-nodes-advice = Drop the nodes within 6 m of their places.
 people-kit-reached = delivered to a person { $distance } m away
 people-kit-lost = no one within { $distance } m

@@ -4,11 +4,11 @@ fleet-many = the mission has { $seats ->
    *[other] { $seats } seats
 }, but you named { $designs } designs: leave some out
 fleet-fault = { $design }: { $fault }
-fleet-dear = the fleet costs { $cost } cr, { $over } cr more than the mission's budget of { $budget } cr: build it from cheaper parts
+fleet-dear = the fleet costs { $cost } cr, { $over } cr more than the mission's budget of { $budget } cr: use cheaper parts
 
 need-radius = radius of action in { $wind } m/s of wind
 need-time = time in the air, landing with { $reserve } %
-need-thrust = thrust over weight for { $wind } m/s of wind
+need-thrust = thrust / weight in { $wind } m/s of wind
 need-link = radio range at { $height } m
 need-cost = cost of a drone, cr
 need-none = none

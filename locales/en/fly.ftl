@@ -11,13 +11,13 @@ fly-none-fit = no vehicle matches "{ $filter }": { $key } clears the filter
 fly-by = by { $column }
 fly-selected = selected { $count }: { $vehicles }
 fly-selected-hidden = selected { $count } ({ $hidden } hidden): { $vehicles }
-fly-sorted = ordered by { $column }; { $key } reverses the order
-fly-sorted-reversed = ordered by { $column }, largest first
+fly-sorted = sorted by { $column }; { $key } reverses the order
+fly-sorted-reversed = sorted by { $column }, largest first
 fly-no-column = unknown column `{ $word }`
 fly-columns-are = columns: { $columns }
 fly-no-group = no group `{ $name }`
 forget-done = forgotten: { $vehicles }
-forget-heard = { $vehicles }: heard now; only vehicles whose link is lost can be forgotten
+forget-heard = { $vehicles }: in contact; only vehicles whose link is lost can be forgotten
 forget-none-lost = no vehicle has lost its link: nothing to forget
 forget-not-here = simulated vehicles cannot be forgotten; `forget` works with `connect` only
 fly-ungrouped = group @{ $name } removed
@@ -144,7 +144,7 @@ header-links-short = links { $up }/{ $all }
 footer-vehicles = vehicles
 footer-list = { $submit } selects   { $commands } write a command   { $escape } clears
 footer-deaf = keys are ignored for a moment
-footer-paste-lines = nothing was pasted: the text has { $count } lines, and the command line takes one
+footer-paste-lines = nothing was pasted: the text has { $count } lines, and the command line accepts one
 footer-paste-dropped = nothing was pasted: open the command line with { $key } first
 
 hint-move = move
@@ -157,7 +157,7 @@ hint-list = list
 hint-all = all
 hint-none = none
 hint-filter = filter
-hint-sort = order
+hint-sort = sort
 hint-acknowledge = ack
 hint-look-back = history
 hint-rooms = rooms
@@ -177,9 +177,9 @@ commands-only-vehicles = { $count ->
     [1] only vehicle { $vehicles }: { $shown } of { $all }
    *[other] only vehicles { $vehicles }: { $shown } of { $all }
 }
-commands-only-failed = only what failed
-commands-only-under-way = only what is under way
-commands-only-done = only what is done
+commands-only-failed = only failed commands
+commands-only-under-way = only running commands
+commands-only-done = only finished commands
 commands-time = time
 commands-line = command
 commands-to = to
@@ -201,7 +201,7 @@ hint-fit = all
 hint-follow = follow
 hint-goto = goto
 hint-ruler = ruler
-hint-signs = signs
+hint-signs = legend
 hint-trails = trails
 
 header-paused = PAUSED

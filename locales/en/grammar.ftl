@@ -21,10 +21,10 @@ grammar-range = { $least } to { $most }
 grammar-range-in-unit = { $least } to { $most } { $unit }
 
 grammar-none-selected = no vehicle is selected: select some, or name them, such as `all` or `1-3`
-grammar-no-vehicles-yet = there are no vehicles yet
+grammar-no-vehicles-yet = no vehicles yet
 grammar-no-group = no group `@{ $group }`
 grammar-group-empty = the group `@{ $group }` is empty
-grammar-no-groups = there are no groups here
+grammar-no-groups = no groups here
 grammar-there-are = known: { $names }
 grammar-empty-part = a number is missing next to the comma: write numbers and ranges as in `1-4,7`
 grammar-backwards = `{ $range }` is reversed: use `{ $turned }`
@@ -57,9 +57,9 @@ grammar-by-how-much = by how much? write `by n 10`, `by e -5`, `by up 2`
 grammar-keep-or-face = keep the heading or face another one, not both
 grammar-heading-range = a heading is 0 to 360; use `by` to turn the other way
 grammar-which-way = which way? write `n`, `e`, `d` or `up` and a speed
-grammar-down-or-up = give `d` or `up`, not both
+grammar-down-or-up = use `d` or `up`, not both
 grammar-small-circle = the radius must be at least 1 m
-grammar-four-parameters = four parameters are needed
+grammar-four-parameters = four parameters are required
 grammar-unknown-word = unknown
 
 grammar-mode = mode
@@ -75,7 +75,7 @@ grammar-none-there = none
 grammar-no-name = unknown name `{ $word }`
 grammar-no-vehicles = `{ $word }` names no vehicles: write numbers, `@group`, `all`, `none`, `filter` or `invert`
 grammar-largest-first = largest first
-grammar-no-targets-here = `{ $verb }` is a command of the console: it takes no vehicles
+grammar-no-targets-here = `{ $verb }` is a console command: it takes no vehicles
 grammar-only-plain = `{ $verb }` works in the plain console only; here, a room shows it
 grammar-only-console = `{ $verb }` works in the console only: a script cannot use it
 

@@ -1,8 +1,8 @@
 # The hangar: ArduPilot SITL processes.
 
 hangar-unknown = no instance { $id }
-hangar-taken = instance { $id } is running already: stop it first, or choose another number
-hangar-full = { $limit } instances are running, which is the limit: stop some, or raise the limit
+hangar-taken = instance { $id } is already running: stop it first, or choose another number
+hangar-full = { $limit } instances are running, which is the limit: stop some, or raise it
 hangar-no-program = no { $program } was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH
 hangar-attached = another program is attached to instance { $id }
 hangar-host = cannot start instance { $id }: { $what }: { $error }
@@ -67,4 +67,4 @@ hangar-far = hangar { $hangar }: { $error }
 hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
 hangar-far-late = { $address } has not answered within { $seconds } s
 hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error })
-hangar-far-token = { $address } needs its token ({ $error }): copy its token file here and name it with --hangar-token FILE
+hangar-far-token = { $address } requires its token ({ $error }): copy its token file here and name it with --hangar-token FILE

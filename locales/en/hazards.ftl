@@ -16,13 +16,13 @@ load-served = loads refilled
 load-shut = its sprayer is closed
 load-spray-left = { $left } s left
 load-on-ground = it is on the ground
-load-too-high = { $height } m is too high: { $limit } m at most
+load-too-high = { $height } m is too high: at most { $limit } m
 load-sample = { $sensor } { $value } { $unit }
-load-sample-speed = samples are taken at { $limit } m/s at most
+load-sample-speed = samples need a speed of { $limit } m/s or less
 
 # What loads do to a fire.
 fire-put-out = the fire there is out
-fire-goes-on = the fire there still burns
+fire-goes-on = the fire there is still burning
 fire-wetted = the ground there is wet
 fire-none-there = nothing burns there
 
@@ -34,7 +34,7 @@ locate-wrong = { $count ->
     [one] 1 wrong report
    *[other] { $count } wrong reports
 }
-locate-quality = report only what you are sure of, and fly over it slowly first
+locate-quality = report only when you are sure, and fly over the place slowly first
 locate-target = { $count } within { $within } m
 locate-advice = Cross it from two sides, fly slowly where the reading is highest, and report the place: `mark peak`.
 
@@ -54,7 +54,7 @@ contain-hits = { $good } of { $all } useful
 contain-share = { $percent } % of what would have burnt
 contain-target = { $percent } %
 contain-quality = drop and spray over flames and dry fuel only, slowly and low
-contain-advice = Begin with the front that runs downwind: the fire doubles every minute.
+contain-advice = Start with the front that runs downwind: the fire doubles every minute.
 
 # Radiation that vehicles gather.
 dose-most = highest dose { $dose } uSv

@@ -4,8 +4,8 @@ log-is-empty = the log contains no flight data
 log-cut-off = the log is cut off: its last { $bytes } bytes are an incomplete record
 log-damaged = the log is damaged: { $bytes } bytes belong to no record
 log-left-out = { $count ->
-    [one] { $count } event is left out: a log gives { $most } of a kind
-   *[other] { $count } events are left out: a log gives { $most } of a kind
+    [one] { $count } event is left out: a log adds at most { $most } of each kind
+   *[other] { $count } events are left out: a log adds at most { $most } of each kind
  }
 log-unreadable = { $file }: { $error }
 log-mode-why = mode { $mode } ({ $reason })
@@ -25,13 +25,17 @@ log-of-compass = compass
 log-battery = battery { $number } lowest: { $volt } V at { $ampere } A
 log-by-gps-time = GPS time and time since boot
 log-by-boot-time = time since boot and arming
-log-by-boot-time-only = time since boot alone (nothing shows that both are of the same flight)
+log-by-boot-time-only = time since boot only (both may belong to different flights)
 log-by-arming = arming
 log-no-vehicle = the log does not name its vehicle, and the record has { $count }: give --vehicle
-log-not-in-record = the record has no vehicle { $vehicle }: give --vehicle if the log belongs to another one
+log-not-in-record = the record has no vehicle { $vehicle }, whose log this is
+log-other-vehicle = the log is of vehicle { $named }, not of { $wanted }: leave out --vehicle
 log-no-common-time = log and record have no time in common: the log belongs to another flight or boot
+log-other-arming = at their common time, only one of log and record has the vehicle armed: the log belongs to another flight
+log-other-mode = at their common time, log and record show different modes: the log belongs to another flight
+log-other-position = at their common time, log and record show different positions: the log belongs to another flight
 log-join-unreadable = the log data joined to the record cannot be read: { $error }
-log-join-other = { $file } is left out: it is of vehicle { $vehicle }
+log-join-other = { $file } is left out: it belongs to vehicle { $vehicle }
 log-join-later = the log data joined to the record was written by a later version ({ $version })
 log-joined = { $count ->
     [one] { $count } event of vehicle { $vehicle } joined by { $by }: { $path }

@@ -18,14 +18,14 @@ mission-cell-sampled = cell { $cell } sampled: { $count }/{ $all }
 mission-cells = { $count } cells
 mission-cells-of = { $sampled }/{ $count } cells
 mission-cells-more = { $cells } and { $more } more
-mission-cells-advice = Sample { $cells }, too: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
+mission-cells-advice = Also sample { $cells }: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
 
 # The map made of them.
 mission-map-none = no map
 mission-map-error = error { $error }
 mission-map-quality = map error { $error }
 mission-map-slower = fly slower at { $height } m through the middle of each cell, and stay in it longer
-mission-map-blank = sample { $cell }, too: a blank cell counts as clean air; { $how }
+mission-map-blank = also sample { $cell }: a blank cell counts as clean air; { $how }
 mission-map-advice = Map every cell at { $height } m with settled readings: fly slower, and turn outside the area.
 
 # Coming home. Advice at the first place begins a sentence.
@@ -38,7 +38,7 @@ mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
-mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait for the disarm: rtl lands there.
+mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until it disarms: rtl lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before { $least } %: you had { $percent } %
    *[later] come home before { $least } %: you had { $percent } %
@@ -54,7 +54,7 @@ mission-recover-disarm = { $place ->
 
 # Rules broken.
 mission-checks-bypassed = arming checks bypassed
-mission-motors-stopped = motors stopped { $height } m up
+mission-motors-stopped = motors stopped at { $height } m
 mission-hit-ground = hit the ground at { $speed } m/s
 mission-too-high = above { $height } m
 mission-outside-fence = outside geofence { $fence }
@@ -67,7 +67,7 @@ mission-battery-low = battery low
 
 # Translations in mission files.
 mission-untranslated = no `{ $key }`: Ukrainian shows the English text
-mission-english-only = in English only: add `title_uk`, `brief_uk`, `text_uk` beside the English texts
+mission-english-only = in English only: add `title_uk`, `brief_uk`, `text_uk` next to the English texts
 mission-translation-empty = `{ $key }` is empty: remove it to show the English text
 
 # The mission pane.
@@ -89,9 +89,9 @@ mission-required = required
 mission-hints = hints so far
 mission-rules = rules
 mission-rule-time = time
-mission-rule-time-is = { $limit } at most, par is { $par }
+mission-rule-time-is = at most { $limit }, par { $par }
 mission-rule-energy = energy
-mission-rule-energy-is = par is { $par } Wh
+mission-rule-energy-is = par { $par } Wh
 mission-rule-height = height
 mission-rule-height-is = at most { $height } m above the pads
 mission-rule-battery = battery
@@ -118,12 +118,12 @@ mission-vehicle-gone = its simulator has ended: the vehicle is lost
 deed-over = the mission is over
 deed-launched = only possible before takeoff
 deed-no-position = its position is unknown
-deed-other-kind = this mission asks for no reports of `{ $kind }`; report { $kinds }
+deed-other-kind = this mission needs no reports of `{ $kind }`; report { $kinds }
 deed-no-contacts = all such contacts have been reported already
 deed-no-mark = no report within 15 m of that place
 deed-marked-before = reported already
 deed-marked = { $count } reported
-deed-no-load = no load for that on board
+deed-no-load = no load for that is on board
 deed-exam-hint = exams give no hints
 deed-workload-in-exam = exams do not ask for your workload
 deed-no-hint = this mission has no further hint
@@ -159,31 +159,31 @@ pause-not-begun = nothing to pause: the clock starts when you leave the brief
 pause-not-processes = no pause with ArduPilot: its processes cannot be stopped
 pause-not-real = no pause: real drones cannot be stopped in the air
 pause-not-allowed = the rules of this mission allow no pause
-pause-refuses = the mission is paused: continue first, then give the command
+pause-refuses = the mission is paused
 pause-refuses-help = `continue` or { $key } resumes; then give the command
 speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
-speedup-idle = { $rate }x: time passes faster, but no command is under way; { $key } ends it
+speedup-idle = { $rate }x: time passes faster, but no command is in progress; { $key } ends it
 speedup-usual = { $rate }x: usual speed
 speedup-back = back to real time: { $reason }
 speedup-back-to = back to { $rate }x: { $reason }
 speedup-done = { $verb } of { $vehicle } done
 speedup-row = { $verb } of { $vehicle }: { $state }
 speedup-alert = alert { $alert }, vehicle { $vehicle }
-speedup-same = { $rate }x already
-speedup-limit = { $most }x already: faster is not allowed here
+speedup-same = already { $rate }x
+speedup-limit = already { $most }x: faster is not allowed here
 speedup-nothing = nothing to speed up: no flight is under way
 speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup
 speedup-not-real = the time of real drones cannot be changed
 speedup-not-in-exams = an exam runs in real time
 speedup-not-allowed = the rules of this mission do not allow a speed-up
-speedup-too-much = too fast: { $most }x at most
-speedup-too-little = too slow: { $least }x at least
+speedup-too-much = too fast: at most { $most }x
+speedup-too-little = too slow: at least { $least }x
 
 # Before launch, in the room of the mission. Names at most 14 columns.
 mission-launch = before launch
 mission-pledge = your plan
 mission-prediction = your score
-mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares
+mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares both
 mission-prediction-is = { $points } predicted
 mission-goal = your goal
 mission-goal-none = { $key } sets one, as in `goal time 200s`: score, time, battery, safety, commands, attention
@@ -213,8 +213,8 @@ mission-try-practice = { $score } points, practice
 mission-try-unfinished = not finished
 mission-next-hint = hint
 mission-hint-price = { $percent ->
-    [0] { $key } asks for the next one, level { $level }: it is free
-   *[other] { $key } asks for the next one, level { $level }: it costs { $percent } % of the score
+    [0] { $key } requests the next one, level { $level }: it is free
+   *[other] { $key } requests the next one, level { $level }: it costs { $percent } % of the score
 }
 mission-hint-of = hint { $level }: { $hint }
 mission-rule-carries = drone { $vehicles }

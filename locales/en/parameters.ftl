@@ -2,18 +2,18 @@
 
 action-changed-parameters = show only changed ones, or those of the file
 action-save-parameters = save the parameters to a file
-action-load-parameters = load a file and see what differs
+action-load-parameters = load a file and show the differences
 action-compare-parameters = compare with a file or another vehicle
 action-apply-parameters = set the marked parameters
-action-fetch-parameters = ask the vehicle for all parameters again
+action-fetch-parameters = read all parameters from the vehicle again
 
-parameters-not-finite = not sent: { $name } takes finite numbers only
-parameters-not-whole = not sent: { $name } takes whole numbers only ({ $kind })
-parameters-out-of-range = not sent: { $name } takes { $least } to { $greatest } only ({ $kind })
-parameters-inexact = not sent: { $name } cannot be set to exactly that; MAVLink would carry { $nearest }
+parameters-not-finite = not sent: { $name } accepts only finite numbers
+parameters-not-whole = not sent: { $name } accepts only whole numbers ({ $kind })
+parameters-out-of-range = not sent: { $name } accepts only { $least } to { $greatest } ({ $kind })
+parameters-inexact = not sent: { $name } cannot be set to exactly that value; MAVLink would send { $nearest }
 parameters-no-number = `{ $value }` is not a number
 
-parameters-file-twice = { $name } is set to { $value } on line { $line } already
+parameters-file-twice = { $name } is already set to { $value } on line { $line }
 parameters-file-no-value = { $name } has no value
 parameters-file-more = unexpected text after the value
 parameters-file-name = `{ $name }` is not a parameter: names have 1 to 16 letters, digits and `_`
@@ -25,14 +25,15 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 }
 
 parameters-title = vehicle { $vehicle }
-parameters-title-compared = vehicle { $vehicle } beside { $other }
+parameters-title-compared = vehicle { $vehicle } and { $other }
 parameters-of-vehicle = vehicle { $vehicle }
-parameters-no-vehicle = No vehicle yet: this room shows the parameters of vehicles that are heard.
-parameters-asking = asking the vehicle for its parameters ...
+parameters-no-vehicle = No vehicle yet: this room shows the parameters of vehicles in contact.
+parameters-asking = requesting the vehicle's parameters ...
+parameters-recorded = { $received } of { $count } recorded up to this moment
 parameters-coming = { $received } of { $count }
-parameters-repeating = { $received } of { $count }; no answer, asked again ({ $tries })
+parameters-repeating = { $received } of { $count }; no answer, requested again ({ $tries })
 parameters-link-lost = { $received } of { $count }; link lost: continues when it is back
-parameters-stalled = { $received } of { $count } received, then no answer: { $key } asks again
+parameters-stalled = { $received } of { $count } received, then no answer: { $key } requests them again
 parameters-complete = { $count ->
     [one] { $count } parameter
    *[other] { $count } parameters
@@ -72,7 +73,7 @@ parameters-before = was { $value }
 
 parameters-set-done = { $failed ->
     [0] parameters set: { $confirmed } confirmed
-   *[other] parameters set: { $confirmed } confirmed, { $failed } not: the list says why
+   *[other] parameters set: { $confirmed } confirmed, { $failed } not: the list shows why
 }
 parameters-stopped = stopped: { $count } not set
 parameters-nothing-compared = nothing to set: load a file (l) or compare (d) first
@@ -84,12 +85,12 @@ parameters-ask-apply = SET { $count ->
 parameters-ask-apply-reason = each is sent as its own command; the list shows the outcomes
 parameters-nothing-to-save = no parameters received yet
 parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait for the rest
-parameters-no-path = write a file name
+parameters-no-path = enter a file name
 parameters-same-vehicle = vehicle { $vehicle } is already shown: name another
 parameters-no-such-vehicle = no vehicle { $vehicle }
 parameters-saved = saved to { $path }
 parameters-ask-replace = REPLACE { $path }
-parameters-ask-replace-reason = a file of this name exists already
+parameters-ask-replace-reason = a file with this name already exists
 
 prompt-filter-advice = all words must match; { $submit } or { $escape } goes back to the list
 prompt-parameter = { $name } on { $vehicles }
@@ -97,7 +98,7 @@ prompt-parameter-advice = { $submit } sets it, { $escape } leaves it unchanged
 prompt-save-parameters = save parameters to
 prompt-save-advice = a path; ~/ is your home folder. sortie asks before it replaces a file
 prompt-load-parameters = load parameters from
-prompt-load-advice = you see what differs before anything is set
+prompt-load-advice = shows the differences before anything is set
 prompt-compare-parameters = compare with
 prompt-compare-advice = a file, or the number of another vehicle
 

@@ -1,11 +1,11 @@
 # Why a command makes no sense for a vehicle now, or why the vehicle refused it. The vehicle is named beside it.
 
-refused-not-heard = not heard yet
-refused-not-guided = { $verb } needs GUIDED: it is in { $mode }; give `{ $vehicle } guided` first
-refused-not-armed = { $verb } needs an armed vehicle: give `{ $vehicle } arm` first
-refused-taking-off = still taking off: wait for "takeoff done", then { $verb }
-refused-on-the-ground = { $verb } needs a flying vehicle: it is on the ground; give `{ $vehicle } takeoff 10` first, and wait until it has climbed
-refused-too-low = { $metres } m above home is too low to fly to; give `{ $vehicle } land` to come down
+refused-not-heard = not in contact yet
+refused-not-guided = { $verb } needs GUIDED: it is in { $mode }; use `{ $vehicle } guided` first
+refused-not-armed = { $verb } needs an armed vehicle: use `{ $vehicle } arm` first
+refused-taking-off = still taking off: wait until `takeoff` shows `effect seen`, then { $verb }
+refused-on-the-ground = { $verb } needs a flying vehicle: it is on the ground; use `{ $vehicle } takeoff 10` first, and wait until it has climbed
+refused-too-low = { $metres } m above home is too low to fly to; use `{ $vehicle } land` to come down
 refused-plane = it is a plane: use LAT LON or `by n .. e ..`, not metres from home
 refused-no-position = no position received yet
 refused-no-heading = no heading received yet
@@ -31,12 +31,12 @@ refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 reason-no-orbit = this autopilot cannot orbit; mode CIRCLE can
 reason-not-armed = it is not armed
 reason-armed = it is armed
-reason-flying = it is flying already
+reason-flying = it is already flying
 reason-takeoff-mode = it is in { $mode }, takeoff needs GUIDED
 reason-in-the-air = it is in the air; land it, or use kill to stop the motors
 reason-arm-mode = { $mode } is not armable; change to GUIDED first
 reason-mode = it cannot enter { $mode } now
-reason-not-now = not possible just now, try again
+reason-not-now = not possible right now; try again
 reason-denied = the vehicle does not accept these values
 reason-unsupported = this autopilot does not know the command
 reason-failed = the vehicle gave no reason

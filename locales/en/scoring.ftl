@@ -15,7 +15,10 @@ scoring-silver = silver
 scoring-bronze = bronze
 
 # What moved a component.
-scoring-all-met = all { $count } objectives met
+scoring-all-met = { $count ->
+    [one] the objective is met
+   *[other] all { $count } objectives met
+}
 scoring-missed = missed: { $objectives }
 scoring-missed-capped = missed: { $objectives }, which is mandatory: no more than { $most }
 scoring-needs-objectives = needs { $percent } % of the objectives
@@ -47,17 +50,17 @@ scoring-improve-quality = Bring the quality from { $from } to { $to } ({ $now })
 scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $now }): { $how }.
 scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
-scoring-advice-commands = Avoid refused commands: read why before you give one again.
+scoring-advice-commands = Avoid refused commands: read the reason before you repeat one.
 scoring-advice-mandatory = Reach every mandatory objective; without it the score is capped: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
-scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the disarm.
+scoring-advice-crash = Bring the vehicle down with rtl or land and wait until it disarms.
 scoring-advice-motors = Never stop motors in the air; rtl or land end a flight.
 scoring-advice-force = Arm without force: wait until the arming checks pass.
-scoring-advice-reserve = Turn home earlier: land above the battery reserve.
+scoring-advice-reserve = Return earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
-scoring-advice-pad = Land on the pad: rtl flies there by itself.
-scoring-advice-battery = Turn home before the battery failsafe does it for you.
+scoring-advice-pad = Land on the pad: rtl flies there automatically.
+scoring-advice-battery = Return before the battery failsafe takes over.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
 
 # Attention.
@@ -75,9 +78,9 @@ scoring-none-flown = no drone was flown
 scoring-never-flown = never flown: drone { $vehicles }
 scoring-idle = drone { $vehicle } idle in the air { $time }
 scoring-never-idle = none of { $count } idled
-scoring-advice-unused = Fly drone { $vehicle } too: give it a part of the task.
+scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
 scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
-scoring-advice-slack = Keep all drones busy for equally long: give each its next task before the last one is done.
+scoring-advice-slack = Keep all drones busy equally long: give each its next task before the last one is done.
 
 # Hints.
 scoring-advice-hints = { $count ->

@@ -29,7 +29,7 @@ home-sign-locked = locked
 home-daily = seed of the day
 home-exam = exam
 home-practise = practice
-home-seed-none = a seed is a whole number from 0 up
+home-seed-none = a seed is a whole number, 0 or more
 ask-exam = START the exam
 ask-exam-reason = one seed for all trainees, real time, no hints, no pause; the result counts
 
@@ -63,7 +63,7 @@ fact-next-drill = its drill trains { $skill }
 fact-review = due
 fact-trains = trains, %
 fact-skill = { $skill } { $percent }
-fact-skill-new = { $skill } (not tried)
+fact-skills-new = { $skills } (not tried)
 fact-skill-mastered = { $skill } { $percent } (mastered)
 fact-pays = pays
 fact-pays-first = up to { $credits } cr for the first pass
@@ -87,7 +87,7 @@ profiles-nameless = type a name
 prompt-profile = your name
 prompt-profile-advice = flights, credits and designs are stored under it on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; equal seeds give equal flights. Leave it empty for the seed of --seed, or 1, and press { $submit }. Practice earns nothing
+prompt-seed-advice = a number; the same seed gives the same flight. Leave it empty for the seed of --seed, or 1, and press { $submit }. Practice earns nothing
 
 # Own progress.
 standing-no-profile = Guests have no record. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
@@ -127,6 +127,6 @@ days-ago = { $count } d ago
 # How much advice the console gives unasked.
 aids-full-about = advice: full; every hint and all feedback
 aids-fading-about = advice: fading; fewer hints as your skills grow
-aids-none-about = advice: none; only hints that you ask for
+aids-none-about = advice: none; only hints on request
 
 debrief-career = CAREER

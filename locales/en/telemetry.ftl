@@ -15,9 +15,9 @@ heard-fence-low = fence breached (too low)
 heard-fence-high = fence breached (too high)
 heard-fence-boundary = fence breached (boundary)
 heard-fence-back = back inside the fence
-heard-two-vehicles = two vehicles answer as system id { $system }: give one another SYSID_THISMAV
-heard-two-places = two senders use system id { $system }: { $used } (used), { $ignored } (ignored). If they are two vehicles, give one another SYSID_THISMAV and reboot it
-heard-flood = too many texts at once: the rest is not listed, the room "messages" has it
+heard-two-vehicles = two vehicles answer as system id { $system }: change SYSID_THISMAV of one
+heard-two-places = two senders use system id { $system }: { $used } (used), { $ignored } (ignored). If they are two vehicles, change SYSID_THISMAV of one and reboot it
+heard-flood = too many texts at once: the room "messages" shows those not listed here
 heard-from-peer = { $link } (from { $peer })
 heard-by-another-link = now received over { $link }, no longer over { $before }
 

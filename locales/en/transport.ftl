@@ -24,7 +24,7 @@ transport-no-serial = cannot open { $path } at { $baud } baud: { $error }
 transport-without-serial = cannot open { $path }: this program was built without serial ports; build it with --features serial
 transport-closed = closed by the other end
 transport-takes-nothing = the other end accepts no more data
-transport-silent = nothing was heard for { $seconds } s
+transport-silent = nothing was received for { $seconds } s
 transport-pipe-gone = the other end is gone: { $reason }
 transport-fleet-busy = requests are not accepted now: the session is ending or overloaded
 

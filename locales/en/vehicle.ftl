@@ -1,6 +1,6 @@
 # The room with everything about one vehicle.
 
-vehicle-none = No vehicle has been heard yet.
+vehicle-none = No vehicle is in contact yet.
 vehicle-place = { $row } of { $count }
 vehicle-key-next = next vehicle
 vehicle-key-window = { $seconds } s

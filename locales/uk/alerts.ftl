@@ -1,8 +1,8 @@
 # Що негаразд з апаратами і що робити з тривогами.
 
-alert-motors-stopped = ДВИГУНИ СТАЛИ в повітрі
+alert-motors-stopped = ЗУПИНКА ДВИГУНІВ у повітрі
 alert-crashed = РОЗБИВСЯ, двигуни деактивовано
-alert-crashed-at = РОЗБИВСЯ { $speed } m/s
+alert-crashed-at = РОЗБИВСЯ на { $speed } m/s
 alert-link-lost = БЕЗ ЗВ'ЯЗКУ
 alert-process = SITL НЕ ПРАЦЮЄ
 alert-failsafe = FAILSAFE спрацював
@@ -16,11 +16,11 @@ alert-ekf-height = висота
 alert-ekf-compass = компас
 alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
-alert-turn-back = час додому: треба { $needed } із { $left } %
+alert-turn-back = повертайтеся: треба { $needed } із { $left } %
 alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТИТЬ
 alert-fence = поза геозоною
 alert-vibration = вібрація { $level }
-alert-prearm = не готовий до зльоту
+alert-prearm = активація неможлива
 
 alert-kind-crash = РОЗБИЛИСЯ
 alert-kind-gps = GPS ненадійний

@@ -5,18 +5,22 @@ skill-navigation = політ до точки
 skill-energy = енергія
 skill-links = зв'язок і аварійні дії
 skill-coverage = покриття площі
-skill-sensors = читання датчиків
+skill-sensors = покази датчиків
 skill-threats = реакція на загрози
 skill-separation = розведення в повітрі
 skill-swarm = керування роєм
 skill-design = проєктування дронів
 skill-judgement = самооцінка
-skill-prediction = передбачений бал
+skill-prediction = передбачені бали
 
 locked-pass = пройдіть «{ $mission }»
 locked-medal = здобудьте медаль ({ $medal }) у «{ $mission }»
 locked-skill = { $skill }: { $has } %, треба { $wanted } %
-locked-licence = треба ліцензію на { $wanted } дронів, ваша на { $has }
+locked-licence = треба ліцензію на { $wanted ->
+    [one] { $wanted } дрон
+    [few] { $wanted } дрони
+   *[many] { $wanted } дронів
+}, ваша на { $has }
 
 buy-unknown = такої деталі немає; усі деталі показує `sortie workshop parts`
 buy-owned = вона вже ваша
@@ -30,11 +34,11 @@ reward-credits = кредити +{ $pay }, тепер { $now }
 reward-credits-wear = кредити +{ $pay }, -{ $wear } за знос ваших дронів, тепер { $now }
 reward-unpaid = без кредитів: { $why }; тепер { $now }
 reward-unpaid-wear = без кредитів: { $why }; -{ $wear } за знос ваших дронів, тепер { $now }
-reward-practice = за тренування їх немає
+reward-practice = за тренування їх не дають
 reward-not-passed = завдання не пройдено
 reward-not-better = більше дає лише результат, вищий за { $best }
 reward-daily-again = варіант дня зараховується раз на день
-reward-no-pay = за цей політ їх немає
+reward-no-pay = за цей політ їх не дають
 reward-experience = досвід +{ $gained }, рівень { $level }, до наступного { $left }
 reward-level = досвід +{ $gained }, рівень { $before } -> { $after }, до наступного { $left }
 reward-licence = ліцензія на кількість дронів { $before } -> { $after }
@@ -46,7 +50,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = не вдається зберігати профілі в { $path }: { $error }
 profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через --data
-profiles-older = { $path } створила старіша версія sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити його
+profiles-older = { $path } створила старіша версія sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`
@@ -77,6 +81,7 @@ practice-airframes = рами взято з ваших файлів
 practice-slow = час іде повільніше за реальний
 exam-real-time = Іспит відбувається в реальному часі. Запустіть sortie без --speedup
 exam-by-hand = Іспит складають власноруч, а не скриптом. Почніть його з головного екрана
+daily-by-hand = Варіант дня виконують власноруч: скрипт показав би, де що є, ще до пошуку. Вкажіть `--seed N`
 flight-practice = { $mission }, тренування
 flight-daily = { $mission }, варіант дня
 flight-exam = { $mission }, іспит

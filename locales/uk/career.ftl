@@ -15,7 +15,7 @@ lack-missions = { $count ->
 }
 lack-days = { $count ->
     [one] політ в інший день
-   *[other] польоти ще у { $count } дні
+   *[other] польоти в інші дні: ще { $count }
 }
 
 mission-state-locked = закрито
@@ -34,7 +34,7 @@ profile-deleted = профіль { $name } видалено
 profile-imported = профіль { $name } імпортовано, польотів: { $flights }, жоден не перевірено
 import-left-out = { $id } пропущено: { $why }
 import-practice = { $id }: { $why }
-import-twice = такий уже є
+import-twice = трапляється у файлі двічі
 import-no-report = немає звіту
 import-unfit = звіт суперечить собі: { $fault }
 import-fleet = його проєкти не можуть виконати це завдання
@@ -42,7 +42,7 @@ profile-bought = { $part }: ліцензія за { $price } cr; лишилос�
 profile-not-stored = політ не збережено: { $fault }
 profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть --record і --try
 profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
-profiles-recovered = завершений політ ({ $profile }) не був збережений, тепер збережено: { $mission }, балів: { $score }
+profiles-recovered = завершений політ ({ $profile }) не було збережено; тепер його збережено: { $mission }, балів: { $score }
 profiles-left-exam = { $profile }: іспит { $mission } залишено достроково; зараховано балів: { $score }
 
 progress-title = Поступ: { $name }
@@ -50,7 +50,7 @@ progress-standing = кредитів { $credits }, рівень { $level } (до
 progress-next = далі: { $skill } у «{ $mission }»
 progress-aids = поради: { $aids }
 progress-lang = мова: { $lang }
-progress-since = від { $day }
+progress-since = з { $day }
 progress-missions = Завдання
 progress-skills = Навички
 progress-flown-by = пілот
@@ -72,18 +72,18 @@ progress-skill = навичка
 progress-chance = імовірність
 progress-mastery = опанування
 progress-shown = перевірено
-progress-due = поновити
+progress-due = повторити
 progress-ended = завершено (UTC)
 progress-score = бали
 progress-passed = пройдено
 progress-stake = рахується як
 progress-seed = варіант
 progress-recording = запис
-progress-is-imported = завантажено
-progress-imported = завантажено, не перевірено польотів: { $count }
-aids-full = уся
-aids-fading = згасає
-aids-none = без неї
+progress-is-imported = імпортовано
+progress-imported = імпортовано, не перевірено польотів: { $count }
+aids-full = усі
+aids-fading = згасають
+aids-none = немає
 stake-graded = залік
 stake-practice = тренування
 stake-exam = іспит

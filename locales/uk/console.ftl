@@ -37,7 +37,7 @@ help-commands = команди: [цілі] дієслово [аргументи]
 help-console = команди консолі
 
 mission-none = зараз немає завдання
-debrief-none = Розбору ще немає: він відкриється після завдання.
+debrief-none = Розбору ще немає: він відкриється після завдання, у повторі теж.
 
 ask-sure = ви певні?
 ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape }: назад
@@ -92,6 +92,6 @@ setting-theme = кольори
 setting-lang = мова: English, українська; профіль її запам'ятовує
 setting-symbols = знаки для кривих і карт
 setting-fps = найбільше кадрів за секунду
-setting-bell = дзвінок для серйозних тривог
-setting-notify = сповіщення на робочому столі для серйозних тривог
-setting-lang-ascii = екран показує лише ASCII: спершу задайте символи block або braille
+setting-bell = звуковий сигнал про серйозні тривоги
+setting-notify = сповіщення на робочому столі про серйозні тривоги
+setting-lang-ascii = екран показує лише ASCII: спершу `set symbols block` або `set symbols braille`

@@ -2,6 +2,7 @@
 
 debrief-head = РОЗБІР  { $mission } r{ $revision }   { $title }   { $outcome }
 debrief-score = Бали { $score } / 1000   { $medal }   варіант { $seed }   { $backend }
+debrief-source = { $mission } r{ $revision }   варіант { $seed }   { $backend }
 debrief-no-medal = без медалі
 debrief-embedded = симулятор
 debrief-time = Час { $used } (норма { $par }, межа { $limit })   Енергія { $energy }   Дрони { $count }
@@ -46,7 +47,7 @@ debrief-predicted-less = Ви передбачили { $predicted }: на { $by 
 debrief-predicted-more = Ви передбачили { $predicted }: на { $by } більше, ніж вийшло.
 debrief-goal-reached = Ваша мета, { $goal }: досягнуто ({ $result }).
 debrief-goal-missed = Ваша мета, { $goal }: не досягнуто ({ $result }).
-debrief-given-up = здалися: без балів
+debrief-given-up = припинено: без балів
 debrief-times-hints = x{ $factor } за підказки
 
 debrief-alert-good = { $alert } -> відповідь за { $after } s   добре
@@ -54,7 +55,7 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = У такому темпі ви завантажуєте дронів: { $handled }; летіло { $flown }.
+debrief-fan-out = За такого темпу ви тримаєте зайнятими дронів: { $handled }; літало: { $flown }.
 debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
 debrief-use = у повітрі { $airborne } s, із завданням { $percent } %, простій { $idle } s
@@ -66,7 +67,7 @@ debrief-sign-gap = не обстежено
 debrief-sign-track = шлях
 debrief-sign-pad = майданчик
 debrief-sign-decoy = безпечне
-debrief-sign-there = було, але не питали
+debrief-sign-there = було, але поза завданням
 debrief-sign-false = хибне повідомлення
 debrief-sign-mark = повідомлення
 debrief-sign-found = знайдено
@@ -89,11 +90,11 @@ debrief-last-mission = це було останнє завдання
 
 # Карта розбору.
 truth-title = що було насправді
-truth-none = Цьому завданню нема чого показати.
+truth-none = У цьому завданні показувати нічого.
 truth-found = знайдено
 truth-missed = пропущено
 truth-over = ліквідовано
-truth-unasked = було, але не питали
+truth-unasked = було, але поза завданням
 truth-decoy = безпечне
 truth-false = хибне повідомлення
 truth-strength = % від найсильнішого
@@ -107,9 +108,9 @@ workload-title = завантаженість
 workload-busy = зайнято
 workload-alone = без нагляду
 workload-waiting = чекають
-workload-answers = відповіді
-workload-how = частка останньої хвилини, зайнята командами, у десятих; скільки дронів тоді працювало без нагляду; скільки дронів чекає; ваші відповіді від 1 до 5
+workload-answers = ваші оцінки
+workload-how = частка останньої хвилини, зайнята командами, у десятих; скільки дронів тоді працювало без нагляду; скільки дронів чекає; ваші оцінки від 1 до 5
 workload-figures = команд: { $commands }; ви були зайняті { $interaction } s; дрони разом працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
-workload-question = Ваша завантаженість, від 1 (майже нічого) до 5 (забагато)? { $key } відповідає.
+workload-question = Завантаженість від 1 (майже нічого) до 5 (забагато)? { $key } відповідає, на бали не впливає

@@ -20,6 +20,7 @@ contact-harmless = { $contact }: безпечне
 
 # Повідомлення про знахідки.
 detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
+detect-result-cost = F{ $beta } { $score } ({ $measure } мінус { $cost } за хибні повідомлення): знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
 detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
@@ -31,19 +32,19 @@ detect-advice-wrong = помилкових повідомлень { $wrong }: с
 coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
-coverage-advice = Ведіть лінії через ширину смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } таких зон.
+coverage-advice = Відстань між лініями має дорівнювати ширині смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } таких зон.
 
 # Дотримання відстані.
 standoff-result = дотримано { $share } %, поруч { $near } s, заблизько { $close } s
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
-standoff-advice = Летіть уздовж споруди за { $nearest }-{ $farthest } m від неї: { $close } s було заблизько.
+standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: заблизько було { $close } s.
 
 # Доставлення.
 deliver-kits = допомогли: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
 deliver-kits-target = допомогти людям: { $target }
 deliver-nodes-target = установити вузлів: { $target }
-deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: запізно { $lost }.
+deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: допомога запізнилася: { $lost }.
 deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
 people-kit-reached = доставлено людині за { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає

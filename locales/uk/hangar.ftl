@@ -3,19 +3,19 @@
 hangar-unknown = екземпляра { $id } немає
 hangar-taken = екземпляр { $id } уже працює: спершу зупиніть його або виберіть інший номер
 hangar-full = уже працює екземплярів: { $limit }, це межа: зупиніть зайві або збільште межу
-hangar-no-program = { $program } не знайдено: назвіть його через --arducopter чи SORTIE_ARDUCOPTER або додайте до PATH
+hangar-no-program = { $program } не знайдено: вкажіть його через --arducopter чи SORTIE_ARDUCOPTER або додайте до PATH
 hangar-attached = до екземпляра { $id } вже під'єднано іншу програму
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
 hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
 
-hangar-none = Жодні процеси не симулюють цих апаратів. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
+hangar-none = Ці апарати не симулює жоден процес. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
 hangar-opening = ангар відкривається ...
 hangar-ready = готові { $ready } з { $count }
 hangar-host-title = хост
 hangar-stage = етап
 hangar-pid = pid
-hangar-restarts = запуск
+hangar-restarts = пусків
 hangar-memory = пам'ять
 hangar-processor = ядро
 hangar-stage-queued = у черзі
@@ -32,16 +32,16 @@ hangar-vehicle = апарат { $vehicle }
 hangar-fault = АВАРІЯ: { $reason }
 hangar-fault-what = { $restart } перезапускає його на майданчику. { $stop } зупиняє остаточно.
 hangar-no-output = у { $folder }; ще нічого не виведено
-hangar-output = у { $folder }; останнє виведене:
-hangar-output-of = апарат { $vehicle }: виведене
-hangar-key-output = виведене
+hangar-output = у { $folder }; останній вивід:
+hangar-output-of = апарат { $vehicle }: вивід
+hangar-key-output = вивід
 hangar-key-restart = перезапуск
 hangar-key-stop = зупинити
 hangar-key-leave = вийти
 hangar-all-ready = { $count ->
-    [one] { $count } апарат готовий до зльоту
-    [few] усі { $count } апарати готові до зльоту
-   *[other] усі { $count } апаратів готові до зльоту
+    [one] { $count } апарат готовий до активації двигунів
+    [few] усі { $count } апарати готові до активації двигунів
+   *[other] усі { $count } апаратів готові до активації двигунів
 }
 hangar-ready-again = знову готовий до активації двигунів
 hangar-restarted = його процес перезапущено ({ $count })
@@ -59,7 +59,7 @@ hangar-failed = не вдалося запустити апарати: { $reason
 hangar-plain-stages = запуск: { $stages }
 hangar-plain-stage = { $vehicles } { $stage }
 hangar-plain-given-up = апарати не запустилися: політ на цьому закінчено
-hangar-plain-none = жодні процеси не симулюють цих апаратів
+hangar-plain-none = ці апарати не симулює жоден процес
 hangar-here = тут
 
 # Ангари, що є службами деінде.
@@ -68,4 +68,4 @@ hangar-far = ангар { $hangar }: { $error }
 hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`
 hangar-far-late = { $address } не відповів за { $seconds } s
 hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
-hangar-far-token = { $address } потребує свого токена ({ $error }): скопіюйте сюди його файл токена й назвіть його через --hangar-token FILE
+hangar-far-token = { $address } потребує токена ({ $error }): скопіюйте сюди файл із токеном і вкажіть його через --hangar-token FILE

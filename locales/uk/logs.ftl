@@ -1,8 +1,8 @@
 # Журнали апаратів і те, що вони додають до запису.
 log-is-none = це не журнал `DataFlash`: у ньому немає описів форматів
 log-is-empty = у журналі немає даних про політ
-log-cut-off = журнал обірваний: останні { $bytes } байтів не є цілим рядком
-log-damaged = журнал пошкоджений: { $bytes } байтів не належать до жодного рядка
+log-cut-off = журнал обірваний: останні { $bytes } байтів — неповний запис
+log-damaged = журнал пошкоджений: байтів поза записами: { $bytes }
 log-left-out = пропущено подій: { $count }; журнал дає щонайбільше { $most } одного виду
 log-unreadable = { $file }: { $error }
 log-mode-why = режим { $mode } ({ $reason })
@@ -11,26 +11,30 @@ log-event = подія { $name }
 log-parameter = { $name } = { $value } (було { $before })
 log-vibration = вібрація до { $most } m/s²
 log-clipping = { $count ->
-    [one] акселерометри на межі { $count } раз
-    [few] акселерометри на межі { $count } рази
-   *[other] акселерометри на межі { $count } разів
+    [one] акселерометри сягнули межі { $count } раз
+    [few] акселерометри сягнули межі { $count } рази
+   *[other] акселерометри сягнули межі { $count } разів
 }
 log-estimator = EKF відкидає { $of }: тестове відношення до { $most }
 log-of-velocity = швидкість
 log-of-position = положення
 log-of-height = висоту
 log-of-compass = компас
-log-battery = найнижча напруга батареї { $number }: { $volt } V за { $ampere } A
+log-battery = найнижча напруга акумулятора { $number }: { $volt } V за { $ampere } A
 log-by-gps-time = часом GPS і часом від запуску
 log-by-boot-time = часом від запуску й активуванням двигунів
 log-by-boot-time-only = самим часом від запуску (ніщо не показує, що це той самий політ)
 log-by-arming = активуванням двигунів
-log-no-vehicle = журнал не каже, якого він апарата, а в записі їх { $count }: вкажіть --vehicle
-log-not-in-record = у записі немає апарата { $vehicle }: вкажіть --vehicle, якщо журнал іншого апарата
+log-no-vehicle = у журналі не вказано апарата, а в записі їх { $count }: вкажіть --vehicle
+log-not-in-record = у записі немає апарата { $vehicle }, чий це журнал
+log-other-vehicle = це журнал апарата { $named }, а не { $wanted }: не вказуйте --vehicle
 log-no-common-time = журнал і запис не мають спільного часу: журнал іншого польоту або іншого запуску
-log-join-unreadable = приєднане до запису не читається: { $error }
+log-other-arming = за спільний час двигуни активовано лише в журналі або лише в записі: журнал іншого польоту
+log-other-mode = за спільний час режими в журналі й у записі різні: журнал іншого польоту
+log-other-position = за спільний час положення в журналі й у записі різні: журнал іншого польоту
+log-join-unreadable = приєднані до запису дані журналу не читаються: { $error }
 log-join-other = { $file } пропущено: він від апарата { $vehicle }
-log-join-later = приєднане до запису належить новішій версії ({ $version })
+log-join-later = приєднані до запису дані журналу записала новіша версія ({ $version })
 log-joined = { $count ->
     [one] { $count } подію апарата { $vehicle } приєднано за { $by }: { $path }
     [few] { $count } події апарата { $vehicle } приєднано за { $by }: { $path }

@@ -13,7 +13,7 @@ map-from-home = від дому
 map-from-vehicle = від
 map-ruler = лінійка
 map-no-vehicle = під курсором немає апарата з відомою позицією
-map-no-samples = від датчиків ще немає проб
+map-no-samples = від датчиків ще немає вимірів
 map-shows-sensor = виміри датчика { $sensor }
 
 map-legend = позначки
@@ -27,6 +27,7 @@ map-legend-several = кілька в одному місці
 map-legend-home = дім
 map-legend-trail = пройдений шлях
 map-legend-target = до цілі (x)
+map-legend-ghost = інший політ (g1)
 map-legend-task = ділянка завдання
 map-legend-fence = геозона
 map-legend-keep-out = заборонена зона

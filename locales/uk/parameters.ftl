@@ -20,7 +20,8 @@ parameters-file-name = `{ $name }` — не параметр: назва має 
 parameters-file-too-large = { $value } — завелике число для апарата
 parameters-file-help = пишіть НАЗВА,ЗНАЧЕННЯ в рядку, а коментарі — після #
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
-    [one] (нічого не завантажено)
+    [1] (нічого не завантажено)
+    [one] (усього { $count } помилка; нічого не завантажено)
     [few] (усього { $count } помилки; нічого не завантажено)
    *[many] (усього { $count } помилок; нічого не завантажено)
 }
@@ -29,7 +30,8 @@ parameters-title = апарат { $vehicle }
 parameters-title-compared = апарат { $vehicle } порівняно з: { $other }
 parameters-of-vehicle = апарат { $vehicle }
 parameters-no-vehicle = Апаратів ще немає: тут з'являться параметри тих, що вийдуть на зв'язок.
-parameters-asking = запит параметрів апарата ...
+parameters-asking = запит параметрів в апарата ...
+parameters-recorded = до цього моменту записано { $received } з { $count }
 parameters-coming = { $received } з { $count }
 parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
 parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовження, коли він відновиться
@@ -76,7 +78,7 @@ parameters-set-done = { $failed ->
     [0] параметри встановлено: підтверджено { $confirmed }
    *[other] параметри: підтверджено { $confirmed }, не встановлено { $failed }; причини — у списку
 }
-parameters-stopped = зупинено: не записано { $count }
+parameters-stopped = зупинено: не встановлено { $count }
 parameters-nothing-compared = нема чого встановлювати: спершу завантажте файл (l) або порівняйте (d)
 parameters-nothing-marked = жоден позначений параметр встановити не можна
 parameters-ask-apply = ВСТАНОВИТИ { $count ->
@@ -84,7 +86,7 @@ parameters-ask-apply = ВСТАНОВИТИ { $count ->
     [few] { $count } параметри
    *[many] { $count } параметрів
 } на { $vehicles }
-parameters-ask-apply-reason = кожен надсилається окремою командою; наслідки видно у списку
+parameters-ask-apply-reason = кожен надсилається окремою командою; результати видно у списку
 parameters-nothing-to-save = параметри ще не надійшли
 parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: дочекайтеся решти
 parameters-no-path = впишіть назву файлу
@@ -94,11 +96,11 @@ parameters-saved = збережено у { $path }
 parameters-ask-replace = ЗАМІНИТИ { $path }
 parameters-ask-replace-reason = файл із такою назвою вже є
 
-prompt-filter-advice = мають траплятися всі слова; { $submit } або { $escape } повертає до списку
+prompt-filter-advice = мають збігатися всі слова; { $submit } або { $escape } повертає до списку
 prompt-parameter = { $name } на { $vehicles }
 prompt-parameter-advice = { $submit } встановлює, { $escape } лишає без змін
 prompt-save-parameters = зберегти параметри у файл
-prompt-save-advice = шлях; ~/ — домашня тека. Перед заміною файла sortie запитає
+prompt-save-advice = шлях; ~/ — домашня тека. Перед заміною файлу sortie запитає
 prompt-load-parameters = завантажити параметри з файлу
 prompt-load-advice = перш ніж щось установити, ви побачите відмінності
 prompt-compare-parameters = порівняти з

@@ -1,7 +1,7 @@
 # Консоль без екрана.
 
 plain-greeting = консоль без екрана: одна команда на рядок, `help` перелічує їх, `quit` — вихід
-plain-asks = { $question }: { $reason }; щоб виконати, наберіть { $answer } та Enter, будь-що інше скасує
+plain-asks = { $question }: { $reason }; щоб виконати, введіть { $answer } і натисніть Enter, усе інше скасовує
 plain-wait-in-vain = час очікування минув: { $line }
 plain-no-room = для цього потрібна консоль з екраном
 plain-critical = КРИТИЧНО
@@ -13,10 +13,10 @@ plain-times = { $count ->
    *[other] { $count } разів
 }
 plain-hint = підказка: { $hint }
-plain-objective-open = ціль не досягнуто: { $objective }
+plain-objective-open = ціль ще не досягнуто: { $objective }
 plain-objective-met = ціль досягнуто: { $objective }
-plain-objective-missed = ціль пропущено: { $objective }
-plain-score = результат поки що: { $score } з 1000
+plain-objective-missed = ціль не досягнуто: { $objective }
+plain-score = бали поки що: { $score } з 1000
 plain-time-left = лишилося часу: { $seconds } s
 plain-vehicle = апарат { $vehicle }: { $state }
 plain-armed = двигуни активовано
@@ -24,6 +24,7 @@ plain-disarmed = двигуни деактивовано
 plain-flight = висота { $height } m, швидкість { $speed } m/s
 plain-home = { $distance } m від дому
 plain-battery = акумулятор { $percent } %
+plain-way-home = дорога додому { $needed } %
 plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }
 plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті допоможуть `objectives`, `contacts`, `hint`, `pause`, `continue`
 plain-asked = ціль: { $title }, { $target }, балів { $points }

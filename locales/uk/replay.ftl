@@ -1,8 +1,11 @@
 # Записані польоти, перегляд.
 replay-badge = ПЕРЕГЛЯД
 replay-stopped = зупинено
-replay-gap = { $time } нічого не записано
+replay-gap = протягом { $time } нічого не записано
+replay-going-to = перехід до { $time }
 replay-moments = Моменти
+replay-moments-mission = Моменти: час, час завдання
+replay-mission-time = завдання { $time }
 replay-none = перегляд не триває: введіть `replay ФАЙЛ`
 replay-refuses = під час перегляду команди не надсилаються: цей політ завершено
 replay-refuses-help = щоб літати, вийдіть із перегляду
@@ -13,9 +16,9 @@ replay-no-tlog = { $file } не містить кадрів MAVLink: це не t
 bookmark-nothing = закладку ставити ніде: польоту немає
 bookmark-not-recorded = цей політ не записується, тож закладку поставити не можна
 bookmark-set = закладку поставлено
-seek-unreadable = потрібен час, наприклад 12:30, +30, -10, `end` або `next refusal`
-loop-unreadable = потрібні два моменти, ранніший перший: 1:10 1:40
-argument-seek = 12:30, +30, -10, `end`, `next refusal`
+seek-unreadable = потрібен час, наприклад 12:30, +30, -10, `end`, `mission 4:10` або `next refusal`
+loop-unreadable = потрібні два моменти, раніший — перший: 1:10 1:40
+argument-seek = 12:30, +30, -10, `end`, `mission 4:10`, `next refusal`
 argument-loop = початок і кінець відрізка
 hint-play = пуск
 hint-stop = стоп
@@ -38,7 +41,7 @@ moment-kind-arming = двигуни
 moment-kind-objective = ціль
 moment-kind-separation = відстань
 verb-replay = переглянути записаний політ: запис або tlog
-verb-seek = перейти до часу запису
+verb-seek = перейти до часу в записі
 verb-loop = повторювати відрізок запису
 verb-stopat = зупиняти перегляд на моментах цих видів
 verb-bookmark = поставити закладку на цей момент
@@ -52,12 +55,16 @@ action-next-moment = перейти до наступного моменту
 action-show-moments = показати список моментів запису
 export-exists = { $path } уже існує: вкажіть інший шлях
 export-unwritable = не вдалося записати { $path }: { $error }
+export-no-positions = у записі немає положень (`GLOBAL_POSITION_INT` або `LOCAL_POSITION_NED` з початком координат): у файлі немає треків
 export-done = записано: { $path }
 records-total = { $count ->
     [one] { $count } запис
     [few] { $count } записи
    *[other] { $count } записів
-}, { $size } MiB; зберігаються найновіші { $most }, щонайбільше { $space } MiB
+}, { $size } MiB; зберігаються найновіші { $most }, разом щонайбільше { $space } MiB
+records-not-numbers = `{ $word }` — не запис: пишіть 3, 3-9 або 1,4-6
+records-not-a-file = { $file } — не файл: вкажіть файл запису або tlog
+records-unknown = немає ні запису, ні файлу { $name }: записи показує `sortie records list`
 records-no-number = немає запису { $number }: номери показує `sortie records list`
 records-number = №
 records-began = початок (UTC)
@@ -67,6 +74,7 @@ records-size = розмір
 records-profile = профіль
 records-now = записується
 records-at = час
+records-mission-time = час завдання
 records-kind = вид
 records-vehicles = апарати
 records-what = що
@@ -80,5 +88,5 @@ records-deleted = видалено: { $name }
 action-replay-newest = переглянути останній записаний політ
 hint-replay = перегляд
 records-none = ще нічого не записано: спершу політайте або вкажіть файл
-verb-rewind = відтворювати запис назад
-action-rewind = відтворювати запис назад
+verb-rewind = відтворювати запис у зворотному напрямку
+action-rewind = відтворювати запис у зворотному напрямку

@@ -7,7 +7,7 @@ scoring-energy = енергія
 scoring-safety = безпека
 scoring-command = команди
 scoring-attention = увага
-scoring-utilisation = завантаження
+scoring-utilisation = використання
 scoring-crashes = аварії
 
 scoring-gold = золото
@@ -20,7 +20,7 @@ scoring-all-met = { $count ->
    *[many] досягнуто всіх цілей: { $count }
 }
 scoring-missed = не досягнуто: { $objectives }
-scoring-missed-capped = не досягнуто обов'язкової цілі: { $objectives }; не більше { $most }
+scoring-missed-capped = не досягнуто обов'язкової цілі: { $objectives }; не більше ніж { $most }
 scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh
@@ -49,8 +49,8 @@ scoring-improve-quality-how = Підвищте якість з { $from } до { 
 scoring-be-faster = Зекономте { $seconds } s, щоб укластися в норму.
 scoring-use-less = Зекономте { $energy } Wh, щоб укластися в норму.
 scoring-advice-commands = Уникайте відмов: прочитайте причину, перш ніж повторити команду.
-scoring-advice-mandatory = Досягніть усіх обов'язкових цілей, без цього бал обмежено: { $objectives }.
-scoring-advice-geofence = Не вилітайте за геозону: перш ніж надіслати, звірте числа в goto з картою.
+scoring-advice-mandatory = Досягніть усіх обов'язкових цілей, без цього бали обмежено: { $objectives }.
+scoring-advice-geofence = Не вилітайте за межі геозони: перш ніж надіслати, звірте числа в goto з картою.
 scoring-advice-height = Тримайтеся нижче за обмеження висоти; його вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
 scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують rtl або land.
@@ -58,7 +58,7 @@ scoring-advice-force = Не активуйте двигунів примусов
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки є резерв заряду.
 scoring-advice-land = Посадіть усі дрони до завершення завдання.
 scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
-scoring-advice-battery = Повертайтеся, поки цього не зробила за вас аварійна реакція на низький заряд.
+scoring-advice-battery = Повертайтеся, перш ніж це зробить за вас аварійна реакція на низький заряд.
 scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
 
 # Увага.
@@ -78,7 +78,7 @@ scoring-idle = дрон { $vehicle } простояв у повітрі { $time 
 scoring-never-idle = простою не було, дронів: { $count }
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
 scoring-advice-idle = Давайте дрону { $vehicle } наступне завдання, доки він не скінчив попереднє: він чекав у повітрі { $time }.
-scoring-advice-slack = Завантажуйте всі дрони однаково довго: давайте наступне завдання, доки не скінчено попереднє.
+scoring-advice-slack = Завантажуйте всі дрони однаково довго: давайте наступне завдання, доки попереднє не скінчено.
 
 # Підказки.
 scoring-advice-hints = { $count ->
@@ -88,6 +88,6 @@ scoring-advice-hints = { $count ->
 
 # Rules of the air.
 scoring-advice-no-fly = Оминайте заборонені зони. Якщо така з'явилася навколо дрона, спершу зупиніться, потім вийдіть найкоротшим шляхом.
-scoring-advice-separation = Тримайте дрони нарізно: дайте кожному свою висоту або свою ділянку, перш ніж їхні шляхи перетнуться.
-scoring-advice-aircraft = Звільняйте шлях літакам: одразу знизьтеся або сядьте й чекайте, доки вони пролетять.
+scoring-advice-separation = Тримайте апарати на відстані один від одного: дайте кожному свою висоту або свою ділянку, перш ніж їхні шляхи перетнуться.
+scoring-advice-aircraft = Давайте дорогу літакам: одразу знижуйтеся або сідайте й чекайте, доки вони пролетять.
 scoring-advice-people = Зупиняйтеся, коли наближаються люди, і пролітайте високо над тими, хто залишається.

@@ -13,7 +13,7 @@ hint-mission = завдання
 hint-aids = поради
 
 # Перший рядок початкового екрана.
-home-no-profile = обрати профіль: без нього польоти не зберігаються
+home-no-profile = вибрати профіль: без нього польоти не зберігаються
 home-trainee = рівень { $level }   { $credits } cr   ліцензія { $licence }
 home-next = далі: { $skill } { $percent } %, { $mission }
 home-next-new = далі: { $skill } (не пробували), { $mission }
@@ -51,7 +51,7 @@ fact-next-drill = вправа до нього тренує: { $skill }
 fact-review = час повторити
 fact-trains = тренує, %
 fact-skill = { $skill } { $percent }
-fact-skill-new = { $skill } (не пробували)
+fact-skills-new = { $skills } (не пробували)
 fact-skill-mastered = { $skill } { $percent } (опановано)
 fact-pays = винагорода
 fact-pays-first = до { $credits } cr за перше проходження
@@ -78,8 +78,8 @@ prompt-seed = варіант для тренування
 prompt-seed-advice = число; однакові варіанти дають однакові польоти. Порожнє поле й { $submit } — варіант із `--seed` або 1. Тренування не дає кредитів
 
 # Власний поступ.
-standing-no-profile = У гостя немає поступу. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
-standing-choose-first = спершу оберіть профіль: { $key }
+standing-no-profile = У гостя немає поступу. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут буде видно, як змінюються навички, бали, кредити й досвід.
+standing-choose-first = спершу виберіть профіль: { $key }
 standing-level = рівень { $level }
 standing-experience = досвід { $experience }/{ $needed }
 standing-credits = { $credits } cr
@@ -91,13 +91,13 @@ standing-next = далі
 standing-review = повторити { $when }
 standing-why = чому: { $skill }
 standing-lacks = щоб опанувати, треба: { $lacks }
-standing-why-nothing = свідчень ще немає: виконайте завдання, що її тренує
+standing-why-nothing = даних ще немає: виконайте завдання, що її тренує
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = бали за завданнями
 standing-scores-nothing = польотів ще немає
 standing-mission = польотів { $count }, найкращий { $best } { $medal }, останній { $last } { $when }
-standing-chart = бали за польотами: { $mission }   x не пройдено   p тренування
-standing-wealth = кредити й досвід за польотами та купівлями
+standing-chart = бали за кожен політ: { $mission }   x не пройдено   p тренування
+standing-wealth = кредити й досвід після кожного польоту й купівлі
 standing-wealth-nothing = польотів ще немає
 standing-curve = { $what }: зараз { $now }
 standing-curve-credits = кредити
@@ -107,8 +107,8 @@ days-ahead = за { $count } дн.
 days-ago = { $count } дн. тому
 
 # Скільки порад консоль дає без запиту.
-aids-full-about = поради: усі підказки та відгуки
-aids-fading-about = поради: дедалі менше, що більше зростають навички
+aids-full-about = поради: усі підказки й зауваження
+aids-fading-about = поради: що вищі навички, то менше підказок
 aids-none-about = поради: лише підказки, про які ви просите
 
 debrief-career = КАР'ЄРА

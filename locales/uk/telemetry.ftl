@@ -15,11 +15,11 @@ heard-fence-low = геозону порушено (занизько)
 heard-fence-high = геозону порушено (зависоко)
 heard-fence-boundary = геозону порушено (межа)
 heard-fence-back = знову в межах геозони
-heard-two-vehicles = два апарати відповідають за номером системи { $system }: задайте одному інший SYSID_THISMAV
-heard-two-places = номер системи { $system } мають два відправники: { $used } (у роботі), { $ignored } (без уваги). Якщо це два апарати, задайте одному інший SYSID_THISMAV і перезапустіть його
-heard-flood = забагато текстів одразу: решти в переліку немає, вона на екрані «повідомлення»
+heard-two-vehicles = два апарати відповідають під номером системи { $system }: задайте одному інший SYSID_THISMAV
+heard-two-places = номер системи { $system } мають два відправники: { $used } (використовується), { $ignored } (ігнорується). Якщо це два апарати, задайте одному інший SYSID_THISMAV і перезапустіть його
+heard-flood = забагато текстів одразу: решту показує лише екран «повідомлення»
 heard-from-peer = { $link } (від { $peer })
-heard-by-another-link = тепер на зв'язку через { $link }, більше не через { $before }
+heard-by-another-link = тепер зв'язок через { $link }, а не через { $before }
 
 fix-no-gps = без GPS
 fix-none = немає

@@ -4,7 +4,7 @@ threat-collision = зіткнення з апаратом { $other }
 threat-separation = { $distance } m до апарата { $other }
 threat-no-fly = у забороненій зоні { $zone }
 threat-people = нижче { $height } m над людьми в { $zone }
-threat-injury = удар по людині
+threat-injury = зіткнення з людиною
 threat-near-person = { $distance } m до людини
 threat-aircraft-hit = зіткнення з літаком
 threat-bubble = { $distance } m до літака
@@ -26,6 +26,6 @@ threat-aircraft = ділянку перетинає літак
 # The objective of a link that must hold.
 link-target = { $margin } dB протягом { $percent } %
 link-kept = { $percent } % із { $seconds } s
-link-none = часу на завданні немає
+link-none = часу роботи немає
 link-more = ще { $seconds } s
 link-advice = Поставте ретранслятор над хребтом, щоб він бачив і наземну станцію, і апарат, перш ніж апарат зайде за хребет.

@@ -30,16 +30,16 @@ transport-fleet-busy = запити зараз не приймаються: се
 
 transport-no-file = не вдається відкрити { $path }: { $error }
 transport-damage = { $count ->
-    [1] запис пошкоджено на байті { $byte }: пропущено байтів: { $bytes }
-   *[other] запис пошкоджено в багатьох місцях ({ $count }), уперше на байті { $byte }: пропущено байтів: { $bytes }
+    [1] запис пошкоджено на байті { $byte }, пропущено байтів: { $bytes }
+   *[other] запис пошкоджено в багатьох місцях ({ $count }), уперше на байті { $byte }, пропущено байтів: { $bytes }
 }
 transport-faults = { $first }; і { $second }
 transport-no-tlog = { $faults }; жодного повідомлення в ньому не знайдено: чи це tlog?
-transport-tlog-cut-off = запис обірвано: останнє повідомлення, на байті { $byte }, закінчується зарано; до нього все справне
+transport-tlog-cut-off = запис обірвано: останнє повідомлення, на байті { $byte }, неповне; усі попередні справні
 transport-tlog-damaged = запис пошкоджено: на байті { $byte } немає кадру MAVLink (знайдено { $found } там, де має бути 0xFD або 0xFE); чи це tlog?
 transport-tlog-unreadable = запис не читається на байті { $byte }: { $error }
 
-transport-no-address = «{ $address }» не є адресою зв'язку: { $problem }; пишіть tcp:HOST:PORT (з'єднатися), tcpin:HOST:PORT (слухати), udp:HOST:PORT (надсилати), udpin:HOST:PORT (слухати), udpbcast:HOST:PORT, serial:PATH:BAUD або file:FILE.tlog
+transport-no-address = «{ $address }» не є адресою каналу: { $problem }; пишіть tcp:HOST:PORT (з'єднатися), tcpin:HOST:PORT (слухати), udp:HOST:PORT (надсилати), udpin:HOST:PORT (слухати), udpbcast:HOST:PORT, serial:PATH:BAUD або file:FILE.tlog
 transport-address-empty = адреса порожня
 transport-file-missing = бракує файлу
 transport-no-kind = невідомий вид зв'язку: «{ $kind }»

@@ -2,7 +2,7 @@
 
 vehicle-none = Ще не чути жодного апарата.
 vehicle-place = { $row } з { $count }
-vehicle-key-next = інший апарат
+vehicle-key-next = наступний апарат
 vehicle-key-window = { $seconds } s
 vehicle-key-page = сторінка { $page } з { $count }
 vehicle-last-known = зв'язок втрачено { $seconds } s тому: останні відомі значення
