@@ -37,7 +37,7 @@ pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Lack, Mastery};
 pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
 pub use reward::{OpenedItem, Reward, SkillChange};
-pub use skill::Evidence;
+pub use skill::{Evidence, EvidenceBasis};
 pub use standing::{Best, CareerStanding, ExamResult, PartState, PurchaseRefusal};
 pub use wear::{FlownDesign, wear};
 

@@ -59,8 +59,8 @@ mod workshop;
 
 /// The exit codes, as `--help` shows them.
 const EXIT_CODES: &str = "\
-0  done; for run: the mission is passed; for check: every file is good
-1  the command failed; for run: the mission is not passed; for check: a file is faulty
+0  success; for run: the mission was passed; for check: no faults
+1  the command failed; for run: the mission was not passed; for check: there are faults
 2  wrong usage or an invalid file
 ";
 
@@ -70,10 +70,10 @@ const EXIT_CODES: &str = "\
     name = "sortie",
     version = env!("SORTIE_VERSION"),
     long_about = "A terminal ground-control and training console for drone swarms.\n\n\
-                  Without a command: the console's home screen, on the embedded simulator.",
+                  Without a command, it opens the console's home screen, with the embedded simulator.",
     after_help = "Examples:\n  \
                   sortie                                     the home screen\n  \
-                  sortie --speedup 4                         the same; missions pass four times as fast\n  \
+                  sortie --speedup 4                         the same, with missions at four times real time\n  \
                   sortie fly 00                              the first mission\n  \
                   sortie connect tcp:127.0.0.1:5760          running vehicles\n  \
                   sortie run 01 --pilot 01-air-sample --json without a console"

@@ -11,7 +11,7 @@ use crate::geo::LatLon;
 use crate::mission::record::Stored;
 use crate::mission::{Flight, Progress};
 use crate::moment::{Alignment, Moment};
-use crate::record::Journal;
+use crate::record::MissionClock;
 use crate::scoring::{EventKind, Report};
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
@@ -49,10 +49,10 @@ pub struct FlightBookmark {
 }
 
 impl FlightBookmark {
-    /// The bookmarks of a record, converted to the mission's clock by its journal.
-    pub fn of_moments(moments: &[Moment], journal: &Journal) -> Vec<Self> {
+    /// The bookmarks of a record, converted to the mission's clock.
+    pub fn of_moments(moments: &[Moment], clock: &MissionClock) -> Vec<Self> {
         let bookmark = |moment: &Moment| Self {
-            at: journal.mission_time(moment.at),
+            at: clock.mission_time(moment.at).unwrap_or_default(),
             text: moment.text.to_string(),
         };
         moments.iter().map(bookmark).collect()
@@ -86,7 +86,7 @@ impl ComparedFlight {
         let mut flight = stored.reenact()?;
         let mut course = FlightCourse::default();
         let limit = flight.flight().mission().time_limit;
-        while !flight.is_over() && flight.flight().outcome().is_none() && course.next() <= limit {
+        while !flight.is_over() && !flight.flight().is_over() && course.next() <= limit {
             drop(flight.advance(course.next()));
             course.note(flight.vehicles(), flight.flight());
         }
@@ -225,7 +225,8 @@ impl FlightCourse {
         self.reached.resize(progress.objectives.len(), None);
         for (objective, reached) in progress.objectives.iter().zip(&mut self.reached) {
             if objective.is_reached() {
-                reached.get_or_insert(now);
+                // It was reached since the last note.
+                reached.get_or_insert(now.saturating_sub(SAMPLE_EVERY));
             }
         }
     }

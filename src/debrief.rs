@@ -101,6 +101,24 @@ impl<'a> DebriefPage<'a> {
     }
 }
 
+/// The source of the flight: the mission's file and revision, its seed, and the simulator of the vehicles.
+pub fn source(report: &Report) -> Text {
+    text!(
+        "debrief-source",
+        mission = &report.mission,
+        revision = report.revision,
+        seed = report.seed.to_string(),
+        backend = backend_title(report)
+    )
+}
+
+fn backend_title(report: &Report) -> Text {
+    match report.backend {
+        FlightBackend::Embedded => text!("debrief-embedded"),
+        FlightBackend::ArduPilot => report.backend.name().into(),
+    }
+}
+
 impl DebriefPage<'_> {
     fn line(&mut self, line: &str) {
         self.words.push_str(line);
@@ -113,23 +131,19 @@ impl DebriefPage<'_> {
             Some(medal) => self.locale.text(&medal.title()).to_uppercase(),
             None => self.locale.say("debrief-no-medal"),
         };
-        let backend = match report.backend {
-            FlightBackend::Embedded => text!("debrief-embedded"),
-            FlightBackend::ArduPilot => report.backend.name().into(),
-        };
         let first = text!(
             "debrief-head",
             mission = &report.mission,
             revision = report.revision,
             title = &report.title,
-            outcome = self.locale.text(&report.outcome).to_uppercase()
+            outcome = self.locale.text(&report.outcome.title()).to_uppercase()
         );
         let second = text!(
             "debrief-score",
             score = report.score,
             medal = medal,
             seed = report.seed.to_string(),
-            backend = backend
+            backend = backend_title(report)
         );
         self.line(&rule);
         for line in [first, second] {
@@ -302,7 +316,7 @@ impl DebriefPage<'_> {
         for component in &report.components {
             let lead = format!(
                 "  {} {:>6.3} {:>6.3} {:>8.1}   ",
-                fit(&locale.text(&component.name), 12),
+                fit(&locale.text(&component.component.title()), 12),
                 component.weight,
                 component.value,
                 component.points
@@ -341,7 +355,7 @@ impl DebriefPage<'_> {
             .max_by(|a, b| a.points.total_cmp(&b.points));
         if let Some(good) = good {
             let lead = fit(&format!("  {}", self.locale.say("debrief-good")), 8);
-            let words = vec![good.name.clone(), good.moved_by.clone()];
+            let words = vec![good.component.title(), good.moved_by.clone()];
             self.wrapped(&lead, &Text::joined(": ", words));
         }
         self.gap();
@@ -405,7 +419,7 @@ impl DebriefPage<'_> {
 
 /// Whether a component counts as a success. The objectives do not if one is missed, even if they earned many points.
 fn is_praise(component: &ComponentReport, report: &Report) -> bool {
-    component.name != Component::Objective.title() || report.objectives.iter().all(|it| it.met)
+    component.component != Component::Objective || report.objectives.iter().all(|it| it.met)
 }
 
 /// The remarks next to the sum: why the score is not the sum of the components, and what gold still requires.

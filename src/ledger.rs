@@ -125,6 +125,16 @@ pub struct LedgerRow {
     pub ended_by: Option<Text>,
 }
 
+impl LedgerRow {
+    /// What there is to say beside the state: the explanation, and what ended the effect.
+    pub fn remark(&self) -> Option<Text> {
+        let ended = self.ended_by.as_ref();
+        let ended = ended.map(|by| text!("outcome-ended", by = by.clone()));
+        let remarks: Vec<Text> = self.explanation.iter().cloned().chain(ended).collect();
+        (!remarks.is_empty()).then(|| Text::joined(", ", remarks))
+    }
+}
+
 /// The risk of a command, whether or not it is accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -73,7 +73,7 @@ pub use event::alert::OpenAlert;
 pub use event::demand::Demand;
 pub use event::mover::MoverKind;
 pub use file::{reference, schema};
-pub use flight::{Flight, Inject, Outcome, Pledge};
+pub use flight::{Flight, Inject, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};

@@ -46,7 +46,9 @@ use stage::Stage;
 pub const FRAME: Duration = Duration::from_millis(100);
 /// The time between key frames taken while playing forward.
 const KEY_AHEAD: Duration = Duration::from_secs(3);
-/// The most frames of the replay that are played between two checks for keys.
+/// A time further ahead than this takes a while to reach, so the console shows it as the goal.
+const FAR: Duration = Duration::from_secs(30);
+/// The maximum number of frames of the replay that are played between two checks for keys.
 const STEPS_AT_ONCE: usize = 1000;
 /// The maximum number of MAVLink frames that are read between two checks for keys. At half a microsecond each, that
 /// takes a tenth of a second.
@@ -97,7 +99,7 @@ impl Replay {
         let stage = Stage::new(&film)?;
         let started = film.started();
         let index = Index::begin(&film, &started, config)?;
-        let mut view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        let mut view = film.view();
         view.review = film.review().clone();
         view.is_review = is_review;
         let logs = film.logs().iter();
@@ -161,7 +163,10 @@ impl Replay {
             ReplayEffect::Rate(rate) => self.position.rate = rate,
             ReplayEffect::Seek(target) => match self.target(target) {
                 Some(goal) => self.goal = goal.min(self.length()),
-                None => return vec![Event::Failed(text!("seek-none"))],
+                None if self.index.length().is_some() => {
+                    return vec![Event::Failed(text!("seek-none"))];
+                }
+                None => return vec![Event::Failed(text!("seek-none-yet"))],
             },
             ReplayEffect::Step { forward } => {
                 self.position.is_playing = false;
@@ -202,6 +207,7 @@ impl Replay {
             SeekTarget::Earlier(by) => Some(now.saturating_sub(by)),
             SeekTarget::Next(kind) => self.near_moment(true, Some(kind)),
             SeekTarget::Previous(kind) => self.near_moment(false, Some(kind)),
+            SeekTarget::Mission(elapsed) => self.film.clock().record_time(elapsed),
             SeekTarget::End => Some(self.length()),
         }
     }
@@ -386,6 +392,7 @@ impl Replay {
         ReplayPosition {
             at: self.stage.now(),
             gap: self.stage.gap(),
+            goal: Some(self.goal).filter(|goal| *goal > self.stage.now() + FAR),
             ..self.position.clone()
         }
     }

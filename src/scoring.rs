@@ -26,9 +26,9 @@ pub use component::{Component, ComponentScore, ENERGY_NEEDS_OBJECTIVES, Weights}
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
-    AlertReport, ComponentReport, EventKind, EventReport, EventSubject, FlightBackend, FlownBy,
-    GoalReport, HintReport, LedgerReport, MissionFile, ObjectiveReport, PredictionReport, Report,
-    RowReport, ScoreGrade, TryReport, UseReport,
+    AlertReport, ComponentReport, EventKind, EventReport, EventSubject, FlightBackend,
+    FlightOutcome, FlownBy, GoalReport, HintReport, LedgerReport, MissionFile, ObjectiveReport,
+    PredictionReport, Report, RowReport, ScoreGrade, TryReport, UseReport,
 };
 use safety::SafetyAdvice;
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};

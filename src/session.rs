@@ -147,6 +147,13 @@ impl Session {
         self
     }
 
+    /// Reads plans from the answers to others' requests, as in a recording, instead of its own.
+    #[must_use]
+    pub fn following_plans(mut self) -> Self {
+        self.plans.only_follow();
+        self
+    }
+
     pub fn vehicle(&self) -> &Vehicle {
         &self.vehicle
     }

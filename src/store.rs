@@ -48,7 +48,7 @@ pub use records::{
     RecordFiles, RecordLimits, RecordPiece, RecordSignature, RecordWriter, Recording,
     RecordingFault, Records, read_log,
 };
-pub use runs::{RunFile, Runs, is_run_written, read_run, utc};
+pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, user_path};

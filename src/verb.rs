@@ -146,6 +146,8 @@ pub enum CountsAs {
     Report,
     /// A message between trainee and mission: it does not count as a command.
     Word,
+    /// The same, allowed before launch only: a prediction or a goal.
+    Pledge,
     /// A trainee's self-assessment: not part of the flight, and without effect on any score.
     SelfReport,
 }
@@ -154,7 +156,7 @@ impl CountsAs {
     /// Whether it is a message to the mission instead of a command.
     pub fn is_said_to_mission(self) -> bool {
         match self {
-            Self::Word | Self::SelfReport => true,
+            Self::Word | Self::Pledge | Self::SelfReport => true,
             Self::Task | Self::Setting | Self::Question | Self::Report => false,
         }
     }
@@ -163,7 +165,7 @@ impl CountsAs {
     pub fn is_for_vehicles(self) -> bool {
         match self {
             Self::Task | Self::Setting | Self::Question => true,
-            Self::Report | Self::Word | Self::SelfReport => false,
+            Self::Report | Self::Word | Self::Pledge | Self::SelfReport => false,
         }
     }
 }

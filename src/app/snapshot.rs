@@ -4,7 +4,9 @@ use std::time::Duration;
 
 use super::State;
 use super::room::debrief::Debrief;
+use super::room::fly;
 use super::room::map::Map;
+use super::room::parameters::ParametersSnapshot;
 use super::state::{FlightView, NoticeLog};
 use crate::text::Text;
 
@@ -14,6 +16,7 @@ pub struct FlightSnapshot {
     session: FlightView,
     notices: NoticeLog,
     map: Map,
+    parameters: ParametersSnapshot,
     hints: Vec<Text>,
     debrief: Option<Debrief>,
     now: Duration,
@@ -26,6 +29,7 @@ impl FlightSnapshot {
             session: state.session.clone(),
             notices: state.notices.clone(),
             map: state.rooms.map.clone(),
+            parameters: state.rooms.parameters.snapshot(),
             hints: state.rooms.mission.hints.clone(),
             debrief: state.rooms.debrief.clone(),
             now: state.now,
@@ -44,9 +48,11 @@ pub(super) fn restore(state: &mut State, snapshot: FlightSnapshot) {
     state.session.keep_choices(before);
     state.notices = snapshot.notices;
     state.rooms.map.remember(snapshot.map);
+    state.rooms.parameters.restore(snapshot.parameters);
     state.rooms.mission.hints = snapshot.hints;
     state.rooms.debrief = snapshot.debrief;
     state.rooms.ledger.spoil();
     state.now = snapshot.now;
+    fly::arrange(state);
     state.touch();
 }

@@ -1,8 +1,10 @@
 //! The missions of a campaign, and which ones are open to a trainee.
 
-use super::{CareerFlight, CareerStanding, Mastery, Skill};
+use std::collections::BTreeMap;
+
+use super::{CareerFlight, CareerStanding, EvidenceBasis, Mastery, Skill};
 use crate::mission::{Mission, Requires, Unlock};
-use crate::scoring::{Component, Medal};
+use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
 
@@ -25,8 +27,8 @@ pub struct Offer {
     pub parts: Vec<String>,
     /// The skills that it trains.
     pub skills: Vec<Skill>,
-    /// The names of its objectives.
-    pub objectives: Vec<Text>,
+    /// The names of its objectives, by their ids.
+    pub objectives: BTreeMap<String, Text>,
 }
 
 /// All missions of a campaign, in order.
@@ -118,7 +120,7 @@ impl Offer {
             objectives: mission
                 .objectives
                 .iter()
-                .map(|it| it.title.clone())
+                .map(|it| (it.id.clone(), it.title.clone()))
                 .collect(),
         }
     }
@@ -140,14 +142,16 @@ impl MissionCourse {
     /// A flight with the names of its evidence in all languages, since profiles store only the English ones.
     #[must_use]
     pub fn translated(&self, mut flight: CareerFlight) -> CareerFlight {
-        let objectives = self.offer(&flight.mission).map(|it| it.objectives.clone());
-        let components = Component::ALL.map(Component::title);
-        let mut names = objectives.unwrap_or_default();
-        names.extend(components);
+        let offer = self.offer(&flight.mission);
         for evidence in &mut flight.evidence {
-            let kept = evidence.what.to_string();
-            let name = names.iter().find(|name| name.to_string() == kept);
-            evidence.what = name.cloned().unwrap_or_else(|| evidence.what.clone());
+            let title = evidence.basis.as_ref().and_then(|basis| match basis {
+                EvidenceBasis::Objective(id) => offer?.objectives.get(id).cloned(),
+                EvidenceBasis::Component(component) => Some(component.title()),
+                EvidenceBasis::Prediction => Some(text!("skill-prediction")),
+            });
+            if let Some(title) = title {
+                evidence.what = title;
+            }
         }
         flight
     }

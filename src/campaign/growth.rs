@@ -126,6 +126,7 @@ mod tests {
         let evidence = outcomes.iter().map(|&(skill, outcome)| Evidence {
             skill,
             outcome,
+            basis: None,
             what: Text::default(),
         });
         CareerEntry::Flight(CareerFlight {

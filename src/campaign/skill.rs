@@ -22,13 +22,27 @@ fn shown_by(component: Component) -> Option<Skill> {
     }
 }
 
+/// The part of a flight that shows a skill.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EvidenceBasis {
+    /// An objective, by its id.
+    Objective(String),
+    Component(Component),
+    /// The prediction of the score.
+    Prediction,
+}
+
 /// One opportunity to show a skill, and its outcome.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evidence {
     pub skill: Skill,
     /// The outcome, 0 to 1.
     pub outcome: f64,
-    /// The basis of the evidence.
+    /// The basis; `None` in profiles from before this field existed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub basis: Option<EvidenceBasis>,
+    /// The name of the basis; in a profile, the English one.
     pub what: Text,
 }
 
@@ -67,10 +81,11 @@ impl CareerFlight {
 }
 
 impl Evidence {
-    fn new(skill: Skill, outcome: f64, what: Text) -> Self {
+    fn new(skill: Skill, outcome: f64, basis: EvidenceBasis, what: Text) -> Self {
         Self {
             skill,
             outcome: (outcome.clamp(0.0, 1.0) * STEPS).round() / STEPS,
+            basis: Some(basis),
             what,
         }
     }
@@ -85,7 +100,7 @@ impl Evidence {
         let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
         let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
         let mut parts = report.components.iter();
-        let reached = parts.find(|it| it.is(Component::Objective));
+        let reached = parts.find(|it| it.component == Component::Objective);
         let reached = reached.map_or(0.0, |it| it.value);
         let objectives = report.objectives.iter().filter_map(|objective| {
             let skill = skills.get(objective.id.as_str()).copied().flatten()?;
@@ -98,10 +113,11 @@ impl Evidence {
                 };
             // Arming alone is not evidence yet.
             (is_tried && (has_flown || share <= 0.0)).then_some(())?;
-            Some(Self::new(skill, share, objective.title.clone()))
+            let basis = EvidenceBasis::Objective(objective.id.clone());
+            Some(Self::new(skill, share, basis, objective.title.clone()))
         });
         let components = report.components.iter().filter_map(|shown| {
-            let component = Component::ALL.into_iter().find(|it| shown.is(*it))?;
+            let component = shown.component;
             let skill = shown_by(component)?;
             // A component without weight, or of a flight that never began, is not evidence; energy is not judged
             // if too little was reached.
@@ -115,12 +131,14 @@ impl Evidence {
                 | Component::Attention
                 | Component::Utilisation => has_flown,
             };
+            let basis = EvidenceBasis::Component(component);
             (is_shown && shown.weight > 0.0)
-                .then(|| Self::new(skill, shown.value, shown.name.clone()))
+                .then(|| Self::new(skill, shown.value, basis, component.title()))
         });
         let prediction = report.prediction.iter().map(|prediction| {
             let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
-            Self::new(Skill::K12, 1.0 - off, text!("skill-prediction"))
+            let basis = EvidenceBasis::Prediction;
+            Self::new(Skill::K12, 1.0 - off, basis, text!("skill-prediction"))
         });
         let all = objectives.chain(components).chain(prediction);
         all.filter(|shown| report.passed || shown.outcome < FAULT)
@@ -132,10 +150,38 @@ impl Evidence {
 mod tests {
     use super::*;
     use crate::mission::fake::Pilot;
+    use crate::text::said::without_words;
 
     fn shown(report: &Report, mission: &Mission) -> Vec<(Skill, f64)> {
         let evidence = Evidence::of(report, mission).into_iter();
         evidence.map(|it| (it.skill, it.outcome)).collect()
+    }
+
+    #[test]
+    fn evidence_and_faults_do_not_depend_on_the_words() {
+        let shown = || {
+            let source = include_str!("../../missions/00-first-flight.toml");
+            let mission = Mission::parse(source).expect("it is good");
+            let mut pilot = Pilot::flying(mission, 1);
+            pilot.take_off(20.0);
+            pilot.wait(12.0);
+            pilot.land();
+            pilot.flight.abandon();
+            let report = pilot.report();
+            let fault = report.fault();
+            let report = Report {
+                passed: true,
+                ..report
+            };
+            let evidence = Evidence::of(&report, pilot.flight.mission()).into_iter();
+            let bases: Vec<_> = evidence
+                .map(|it| (it.skill, it.outcome, it.basis))
+                .collect();
+            (fault, bases)
+        };
+        let (fault, bases) = shown();
+        assert!(fault.is_none() && !bases.is_empty(), "{fault:?}");
+        assert_eq!(without_words(shown), (fault, bases));
     }
 
     #[test]

@@ -91,6 +91,7 @@ mod tests {
             evidence: vec![Evidence {
                 skill: Skill::K1,
                 outcome: 1.0,
+                basis: None,
                 what: Text::verbatim("checks"),
             }],
             wear: 0,

@@ -2,12 +2,12 @@ mod advice;
 mod properties;
 mod reward;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, ExamResult,
-    Knowledge, Lack, LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState,
-    PurchaseRefusal, STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
+    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, EvidenceBasis,
+    ExamResult, Knowledge, Lack, LockReason, Mastery, MissionCourse, MissionStage, Offer,
+    PartState, PurchaseRefusal, STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::{Mission, Requires};
 use crate::scoring::{FlownBy, Medal};
@@ -29,7 +29,7 @@ fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
         credits: 400,
         parts: owned(parts),
         skills: vec![Skill::K3],
-        objectives: Vec::new(),
+        objectives: BTreeMap::new(),
     }
 }
 
@@ -73,6 +73,7 @@ fn flight(course: &MissionCourse, mission: &str, score: u16, day: i64) -> Career
         evidence: vec![Evidence {
             skill: Skill::K3,
             outcome: f64::from(score) / 1000.0,
+            basis: None,
             what: Text::default(),
         }],
         wear: 0,
@@ -372,6 +373,7 @@ fn one_flight_moves_a_skill_a_quarter_at_most_however_often_it_shows_it() {
     let seen = |outcome| Evidence {
         skill: Skill::K3,
         outcome,
+        basis: None,
         what: Text::default(),
     };
     let course = course();
@@ -426,18 +428,24 @@ fn what_a_kept_flight_has_shown_is_named_in_all_languages() {
     let source = include_str!("../../missions/00-first-flight.toml");
     let mission = Mission::parse(source).expect("it is good");
     let course = MissionCourse::new([Offer::of(&mission)]);
-    let seen = |what: &str| Evidence {
+    let seen = |basis| Evidence {
         skill: Skill::K1,
         outcome: 1.0,
-        what: what.into(),
+        basis,
+        what: "as it was called".into(),
     };
     let kept = CareerFlight {
-        evidence: vec![seen("armed within a minute"), seen("something older")],
+        evidence: vec![
+            seen(Some(EvidenceBasis::Objective("armed".to_owned()))),
+            seen(Some(EvidenceBasis::Objective("gone".to_owned()))),
+            seen(None),
+        ],
         ..flight(&course, &mission.id, 700, 1)
     };
     let ukrainian = Locale::new(Language::Ukrainian);
     let named = course.translated(kept).evidence;
     let words = |at: usize| ukrainian.text(&named[at].what);
     assert_eq!(words(0), "активувати за хвилину");
-    assert_eq!(words(1), "something older");
+    assert_eq!(words(1), "as it was called");
+    assert_eq!(words(2), "as it was called");
 }

@@ -99,7 +99,7 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
                 }
                 for note in &notes {
                     let line = note.one_line(&source.name, &source.text);
-                    say!("{line} (a note, no fault)")?;
+                    say!("{line} (a note, not a fault)")?;
                 }
                 if faults.is_empty() {
                     say!("{}: good", source.name)?;

@@ -1,6 +1,6 @@
 //! `sortie debrief`: scores a recorded run again and prints its debrief.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
@@ -20,8 +20,8 @@ use crate::text::{Locale, Text};
     sortie debrief last --json\n  \
     sortie debrief runs/2026-11-20T14-03-22Z_01-air-sample_4711-00.run.jsonl")]
 pub(super) struct DebriefArguments {
-    /// A recorded run, or `last`: the newest one that the console has recorded.
-    #[arg(default_value = "last", value_name = "FILE")]
+    /// The run: `last` for the newest one of the console, a number in `sortie records list`, a name or a file.
+    #[arg(default_value = "last", value_name = "RUN")]
     run: String,
     /// Print one JSON document instead of the debrief.
     #[arg(long)]
@@ -41,7 +41,12 @@ pub(super) fn debrief(
             let folder = runs.folder().display().to_string();
             invalid(&text!("record-no-runs", folder = folder), &locale)
         })?,
-        (path, _) => PathBuf::from(path),
+        (path, _) if Path::new(path).is_file() => PathBuf::from(path),
+        (named, _) => {
+            let files = settings.find_record(named)?;
+            let none = || text!("ghost-no-run", file = files.stem.as_str());
+            files.run.clone().ok_or_else(|| invalid(&none(), &locale))?
+        }
     };
     let name = path.display().to_string();
     let faulty = |fault: Text| {
@@ -52,8 +57,12 @@ pub(super) fn debrief(
     };
     let text = store::read_run(&path).map_err(|error| faulty(error.to_string().into()))?;
     let stored = Stored::read(&text).map_err(faulty)?;
-    // The debrief shows the truth, which the flight is about.
-    if stored.end().is_none() && store::is_run_written(&path) {
+    // The debrief shows the truth, which the flight is about; also a copy of its record would.
+    let head = &stored.head;
+    if runs
+        .iter()
+        .any(|runs| runs.is_flown_now(&head.mission, head.seed))
+    {
         return Err(faulty(text!("record-under-way")));
     }
     let again = stored.rescore().map_err(faulty)?;

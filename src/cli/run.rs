@@ -60,8 +60,8 @@ pub(super) struct RunArguments {
     /// --profile, a flight with a chosen seed counts as practice.
     #[arg(long)]
     seed: Option<u64>,
-    /// Fly the seed of the day (UTC), the same for all trainees.
-    #[arg(long, conflicts_with = "seed")]
+    /// Refused: the layout of the day is flown by hand.
+    #[arg(long, hide = true)]
     daily: bool,
     /// Fly an exam: always refused, because exams are flown by hand.
     #[arg(long, hide = true)]
@@ -90,9 +90,7 @@ pub(super) struct RunArguments {
 impl RunArguments {
     /// How the flight should count. Without a profile it never counts, and with a chosen seed it is practice.
     fn wanted(&self, is_kept: bool) -> Stake {
-        if self.daily {
-            Stake::Daily
-        } else if self.seed.is_none() && is_kept {
+        if self.seed.is_none() && is_kept {
             Stake::Graded
         } else {
             Stake::Practice
@@ -162,6 +160,9 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     if options.exam {
         return Err(trainee::invalid(&text!("exam-by-hand"), &locale));
     }
+    if options.daily {
+        return Err(trainee::invalid(&text!("daily-by-hand"), &locale));
+    }
     let loaded = load_mission(&options.mission)?;
     let mission = options.designs.equip(loaded, settings)?;
     let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
@@ -178,6 +179,8 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
         locale: &locale,
     };
     let (flown, attempt) = request.agree(mission)?;
+    let runs = settings.data.as_deref().map(Runs::within);
+    let is_flown_now = runs.is_some_and(|runs| runs.is_flown_now(&flown.id, attempt.seed));
     let mut recorder = request.recorder(&flown, attempt)?;
     let flight = RunFlight {
         mission: Arc::clone(&flown),
@@ -190,8 +193,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     let outcome = trainee
         .as_mut()
         .map(|trainee| trainee.store(&flown, &mut report, recorder.landing()));
-    if options.daily {
-        // Trainees have still to fly this layout by hand today.
+    if is_flown_now {
         report.truth = TruthReport::default();
     }
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);

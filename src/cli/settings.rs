@@ -16,9 +16,9 @@ use crate::app::lines;
 use crate::config::{Config, Layers, Origin, Readers};
 use crate::diagnostic::Diagnostic;
 use crate::language::parse_ranges;
-use crate::store::{self, Folders, RecordLimits, Records, Source};
+use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source};
 use crate::text;
-use crate::text::{Language, Text};
+use crate::text::{Language, Locale, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
 mod flags;
@@ -136,6 +136,14 @@ impl CliSettings {
             bytes: set.space * 1024 * 1024,
         };
         Some(Records::within(self.data.as_deref()?, limits))
+    }
+
+    /// The record of a number in the list, a name or a file.
+    pub fn find_record(&self, named: &str) -> Result<RecordFiles, Failure> {
+        Records::find(self.records().as_ref(), named).map_err(|fault| {
+            let locale = Locale::new(self.language());
+            Failure::Invalid(format!("sortie: {}", locale.text(&fault)))
+        })
     }
 
     /// The administrator's settings. A fault there is reported, but does not prevent flying.

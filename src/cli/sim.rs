@@ -83,7 +83,7 @@ impl FromStr for HostPort {
 fn parse_target(text: &str) -> Result<HostPort, String> {
     match text.parse()? {
         HostPort { port: 0, .. } => Err(
-            "nobody can be reached on port 0; give the one that the ground station listens on, often 14550".to_owned(),
+            "port 0 cannot be reached: use the port of the ground station, often 14550".to_owned(),
         ),
         target => Ok(target),
     }
@@ -112,9 +112,9 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
             say!("sending to {host}:{port} over UDP")?;
         }
         if usize::from(options.vehicles) > SYSTEMS {
-            say!("system ids repeat after {SYSTEMS}: tell the vehicles apart by their TCP ports")?;
+            say!("system ids repeat after {SYSTEMS}: only the TCP ports tell the vehicles apart")?;
         }
-        say!("{} vehicle(s), end with Ctrl-C", options.vehicles)?;
+        say!("{} vehicle(s); stop with Ctrl-C", options.vehicles)?;
         tokio::signal::ctrl_c().await?;
         cancel.cancel();
         Ok(ExitCode::SUCCESS)

@@ -255,12 +255,12 @@ fn what_makes_no_sense_is_said_in_plain_words() {
         (
             &up,
             flying("LOITER"),
-            "goto needs GUIDED: it is in LOITER; give `3 guided` first",
+            "goto needs GUIDED: it is in LOITER; use `3 guided` first",
         ),
-        (&up, on_the_ground("GUIDED"), "give `3 arm` first"),
-        (&up, waiting, "give `3 takeoff 10` first"),
+        (&up, on_the_ground("GUIDED"), "use `3 arm` first"),
+        (&up, waiting, "use `3 takeoff 10` first"),
         (&up, blind, "no position received yet"),
-        (&up, Vehicle::new(3, 1), "not heard yet"),
+        (&up, Vehicle::new(3, 1), "not in contact yet"),
         (&offset(-30.0), flying("GUIDED"), "too low to fly to"),
         (&Command::Arming(ArmingCommand::Arm), falling, "in the air"),
         (

@@ -1,8 +1,10 @@
 //! The differences between two flights of a mission.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::ComparedFlight;
+use crate::language::words;
 use crate::ledger::RowState;
 use crate::scoring::{EventKind, LedgerReport, Report};
 use crate::text;
@@ -97,8 +99,8 @@ fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
 fn commands(own: &Report, other: &Report) -> Option<Difference> {
     let (mine, theirs) = (&own.ledger, &other.ledger);
     let is_same = |at: &usize| match (mine.get(*at), theirs.get(*at)) {
-        (Some(mine), Some(theirs)) => mine.line == theirs.line,
-        _ => false,
+        (Some(mine), Some(theirs)) => is_same_command(mine, theirs),
+        (Some(_), None) | (None, Some(_) | None) => false,
     };
     let longest = mine.len().max(theirs.len());
     let first = (0..longest).find(|at| !is_same(at))?;
@@ -116,6 +118,21 @@ fn commands(own: &Report, other: &Report) -> Option<Difference> {
         other: line(theirs),
         points: None,
     })
+}
+
+/// Whether two lines gave the same command to the same vehicles: `1 guided` is `all guided` if 1 is the only vehicle.
+fn is_same_command(mine: &LedgerReport, theirs: &LedgerReport) -> bool {
+    let vehicles = |entry: &LedgerReport| -> BTreeSet<u16> {
+        let rows = entry.rows.iter();
+        rows.map(|row| row.vehicle).collect()
+    };
+    if mine.rows.is_empty() || vehicles(mine) != vehicles(theirs) {
+        return mine.line == theirs.line;
+    }
+    let (mine, theirs) = (words(&mine.line), words(&theirs.line));
+    let mine = mine.iter().skip_while(|word| word.is_targets());
+    let theirs = theirs.iter().skip_while(|word| word.is_targets());
+    mine.map(|word| word.text).eq(theirs.map(|word| word.text))
 }
 
 /// The mean time to answer alerts, and the number without an answer.
@@ -189,14 +206,17 @@ fn counts(own: &Report, other: &Report) -> Vec<Difference> {
 /// The differences of the score's components.
 fn components(own: &Report, other: &Report) -> Vec<Difference> {
     let both = own.components.iter().filter_map(|mine| {
-        let theirs = other.components.iter().find(|it| it.name == mine.name)?;
+        let theirs = other
+            .components
+            .iter()
+            .find(|it| it.component == mine.component)?;
         Some((mine, theirs))
     });
     both.filter_map(|(mine, theirs)| {
         let points = rounded(mine.points - theirs.points, 1);
         (points.abs() >= SAME_POINTS).then(|| Difference {
             at: None,
-            what: mine.name.clone(),
+            what: mine.component.title(),
             own: format!("{:.1}", mine.points).into(),
             other: format!("{:.1}", theirs.points).into(),
             points: Some(points),

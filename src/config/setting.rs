@@ -49,8 +49,8 @@ pub const SETTINGS: &[Setting] = &[
         "lang",
         SettingKind::OneOf(Language::CODES),
         Some("SORTIE_LANG"),
-        "Language; by default that of the shell (LC_ALL, LC_MESSAGES, LANG). In the console, a language chosen in the profile by \
-         `:set lang` takes precedence over both, and --lang over all.",
+        "Language; by default that of the shell (LC_ALL, LC_MESSAGES, LANG). In the console, the language that \
+         `:set lang` stored in the profile takes precedence over both, and --lang over all.",
     ),
     setting(
         "profile",
@@ -62,13 +62,13 @@ pub const SETTINGS: &[Setting] = &[
         "theme",
         SettingKind::Text,
         Some("SORTIE_THEME"),
-        "The theme: dark, light, high-contrast, monochrome, or a file of the folder themes.",
+        "The theme: dark, light, high-contrast, monochrome, or a file in the folder themes.",
     ),
     setting(
         "fps",
         SettingKind::Whole(Setting::FPS_LEAST, Setting::FPS_MOST),
         Some("SORTIE_FPS"),
-        "Frames per second at most.",
+        "Maximum number of frames per second.",
     ),
     setting(
         "symbols",
@@ -86,19 +86,19 @@ pub const SETTINGS: &[Setting] = &[
         "keymap",
         SettingKind::Text,
         Some("SORTIE_KEYMAP"),
-        "The keymap file, if not keymap.toml beside this file.",
+        "The keymap file; by default keymap.toml next to this file.",
     ),
     setting(
         "table.columns",
         SettingKind::Columns,
         None,
-        "Columns of the swarm table from the left; an empty list means as many as fit.",
+        "Columns of the swarm table, from left to right; an empty list shows as many as fit.",
     ),
     setting(
         "table.sort",
         SettingKind::Sort,
         None,
-        "Column to sort by; - before it puts the largest first.",
+        "Column to sort by; a - before the name puts the largest value first.",
     ),
     setting(
         "alerts.bell",
@@ -128,7 +128,7 @@ pub const SETTINGS: &[Setting] = &[
         "records.enabled",
         SettingKind::Flag,
         Some("SORTIE_RECORD"),
-        "Whether flights are recorded, to be replayed.",
+        "Whether flights are recorded for replay.",
     ),
     setting(
         "records.count",
@@ -140,7 +140,7 @@ pub const SETTINGS: &[Setting] = &[
         "records.space",
         SettingKind::Whole(16, 16 * 1024 * 1024),
         None,
-        "Size of all records in MiB; a single record may take half of it.",
+        "Maximum size of all records in MiB; a single record may take up half of it.",
     ),
     setting(
         "log.file",
@@ -188,13 +188,13 @@ pub const SETTINGS: &[Setting] = &[
         "hangar.memory",
         SettingKind::Whole(64, 65_536),
         None,
-        "Address space of one SITL process, in MiB.",
+        "Maximum address space of one SITL process, in MiB.",
     ),
     setting(
         "hangar.restart",
         SettingKind::OneOf(&["never", "always"]),
         None,
-        "Whether a SITL process that ends by itself is restarted.",
+        "Whether a SITL process that ends on its own is restarted.",
     ),
     setting(
         "hangar.folder",
@@ -218,7 +218,7 @@ pub const SETTINGS: &[Setting] = &[
         "results.readers",
         SettingKind::OneOf(Readers::VARIANTS),
         Some("SORTIE_READERS"),
-        "Who may read profiles, recorded runs and reports: owner, or group (that of the data folder).",
+        "Who may read profiles, recorded runs and reports: owner, or group (the group of the data folder).",
     ),
     setting(
         "connect.expect",

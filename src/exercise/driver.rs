@@ -63,7 +63,7 @@ impl FlightDriver {
 
     /// Whether the mission has ended.
     pub fn is_over(&self) -> bool {
-        self.flight.outcome().is_some()
+        self.flight.is_over()
     }
 
     /// Mission time; 0 until the mission begins.

@@ -184,6 +184,8 @@ pub enum GhostSource {
 pub enum SeekTarget {
     /// A time from the beginning.
     At(Duration),
+    /// A time of the mission's clock.
+    Mission(Duration),
     /// Later than now by this much.
     Later(Duration),
     /// Earlier than now by this much.

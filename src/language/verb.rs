@@ -4,7 +4,7 @@ use super::argument::{Argument, Arguments, Kind, Problem};
 use super::console::ConsoleLine;
 use super::wait::Wait;
 use crate::commands::Act;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 use crate::verb::Verb;
 
 /// A row of the table: a verb and its grammar. The message `verb-NAME` is its summary; `words-NAME`, if there is one, lists
@@ -109,6 +109,11 @@ impl VerbRow {
         Text::new(format!("verb-{}", self.name()), Vec::new())
     }
 
+    /// Other words for it in a language, if there are any.
+    pub fn synonyms(&self, locale: &Locale) -> Option<String> {
+        locale.find(&format!("words-{}", self.name()))
+    }
+
     /// Its usage, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
         self.forms
@@ -117,10 +122,10 @@ impl VerbRow {
             .collect()
     }
 
-    /// Whether one of its arguments is a parameter's name.
-    pub fn names_parameters(&self) -> bool {
+    /// Whether one of its arguments is of a kind.
+    pub fn takes(&self, kind: Kind) -> bool {
         let mut arguments = self.forms.iter().flat_map(|form| form.arguments);
-        arguments.any(|argument| argument.kind == Kind::Parameter)
+        arguments.any(|argument| argument.kind == kind)
     }
 
     /// Its verb, and those of forms with another meaning.

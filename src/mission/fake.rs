@@ -167,7 +167,7 @@ impl Pilot {
         self.set_armed(false);
         self.disarmed_at = Some(self.now);
         for _ in 0..100 {
-            if self.flight.outcome().is_some() {
+            if self.flight.is_over() {
                 return;
             }
             self.tick();
@@ -261,7 +261,7 @@ pub(crate) fn do_nothing() -> Pilot {
     pilot.set_armed(true);
     pilot.wait(10.0);
     pilot.set_armed(false);
-    while pilot.flight.outcome().is_none() {
+    while !pilot.flight.is_over() {
         pilot.tick();
     }
     pilot

@@ -136,26 +136,26 @@ struct MissionSetting {
 
 impl MissionSetting {
     fn need(file: &mut FileTable<'_>) -> Option<Self> {
-        let site = file.need(
-            "sim",
-            table(site::site),
-            "where it is flown, and for how long",
-        );
+        let site = file.need("sim", table(site::site), "place and duration of the flight");
         let weather = file.may(
             "weather",
             table(site::weather),
-            "calm, 20 degrees and day where nothing is written. The wind moves the vehicles, the clouds and the fires",
+            "weather; by default calm, 20 degrees Celsius and daylight. The wind moves the vehicles, the clouds and the fires",
         );
         let fleet = file.need(
             "fleet",
             table(fleet::fleet),
-            "what flies and what it carries",
+            "the vehicles, their sensors and their loads",
         );
         if let Some(fleet) = &fleet {
             file.draft().pads.clone_from(&fleet.pads);
             file.draft().sensors = fleet.sensors();
         }
-        let rules = file.may("rules", table(rules::rules), "what vehicles must keep to");
+        let rules = file.may(
+            "rules",
+            table(rules::rules),
+            "rules that all vehicles must follow",
+        );
         Some(Self {
             site: site?,
             weather: weather.unwrap_or(Weather::CALM),
@@ -177,7 +177,7 @@ impl MissionContent {
     fn of(file: &mut FileTable<'_>) -> Self {
         let zones_form = tables(zones::zone, MOST_TABLES);
         let zones = file
-            .may("zones", zones_form, "areas with a meaning")
+            .may("zones", zones_form, "areas with a special meaning")
             .unwrap_or_default();
         file.draft().zones = zones;
         let places_form = tables(places::place, MOST_TABLES);
@@ -191,18 +191,18 @@ impl MissionContent {
         let hazards = file.may(
             "hazards",
             hazards_form,
-            "the hazards. What a hazard leaves to chance is drawn from the seed of the flight: the same seed, \
-             the same world. `jitter` says by how much, so that the place cannot be learnt by heart",
+            "the hazards. Random values are drawn from the seed of the flight: the same seed gives the same world. \
+             `jitter` sets how far a position varies, so that trainees cannot learn it by heart",
         );
         let objectives_form = tables(objectives::objective, MOST_OBJECTIVES);
-        let objectives = file.need(
-            "objectives",
-            objectives_form,
-            "what the trainee has to achieve",
-        );
+        let objectives = file.need("objectives", objectives_form, "goals for the trainee");
         objectives::check(file, objectives.as_deref());
         places::check_no_cells(file.draft());
-        let hints = file.may("hints", tables(advice::advice, MOST_TABLES), "advice");
+        let hints = file.may(
+            "hints",
+            tables(advice::advice, MOST_TABLES),
+            "hints for the trainee",
+        );
         let places = file.draft().places.iter();
         Self {
             places: places.map(|place| (place.name.clone(), place.at)).collect(),
@@ -226,24 +226,24 @@ impl MissionCourse {
         let radio = file.may(
             "radio",
             table(radio::radio),
-            "radio range. Without this table, range does not limit the mission's own drones; drones that \
-             were built for it are heard as far as their own radios reach, with it or without",
+            "radio range. Without this table, the mission's own drones have unlimited range; drones from the workshop \
+             always have the range of their own radios",
         );
         let events = file.may(
             "events",
             tables(events::event, MOST_TABLES),
-            "what happens while the mission is flown",
+            "events during the mission",
         );
         let may_inject = file.may(
             "instructor",
             table(radio::may_inject),
-            "threats that an instructor may trigger besides events with `by = \"instructor\"`",
+            "threats that an instructor may trigger in addition to events with `by = \"instructor\"`",
         );
         let lesson = file.may(
             "lesson",
             tables(lesson::step, MOST_TABLES),
-            "steps that a trainee is led through on the first flights; none in exams, after the mission was passed, and \
-             where advice is switched off",
+            "steps that guide a trainee through the first flights; not shown in exams, after the mission has been passed, \
+             or when advice is switched off",
         );
         Self {
             radio,
@@ -267,9 +267,13 @@ impl MissionWorth {
         let requires = file.may(
             "requires",
             table(career::requires),
-            "what a trainee must have achieved first",
+            "requirements for starting the mission",
         );
-        let rewards = file.may("rewards", table(career::rewards), "what a pass earns");
+        let rewards = file.may(
+            "rewards",
+            table(career::rewards),
+            "rewards for passing the mission",
+        );
         Some(Self {
             scoring: scoring?,
             requires: requires.unwrap_or_default(),

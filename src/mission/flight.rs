@@ -18,7 +18,7 @@ use crate::alert::AlertKind;
 use crate::commands::{Command, ParameterCommand};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
-use crate::scoring::{EventKind, FlownBy, Report, VehicleUse};
+use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
@@ -52,7 +52,6 @@ use swarm::SwarmAccount;
 pub use threats::Inject;
 use threats::Threats;
 use tracks::Tracks;
-pub use verdict::Outcome;
 
 /// A running mission: a pure function of the mission, the seed and its inputs.
 #[derive(Debug)]
@@ -61,7 +60,7 @@ pub struct Flight {
     seed: u64,
     /// Mission time of the last step, up to the limit.
     elapsed: Duration,
-    ended: Option<Outcome>,
+    outcome: FlightOutcome,
     world: World,
     crafts: Vec<Craft>,
     /// The loads on board, and the releases.
@@ -94,7 +93,7 @@ impl Flight {
         Self {
             seed,
             elapsed: Duration::ZERO,
-            ended: None,
+            outcome: FlightOutcome::Flying,
             crafts: Vec::new(),
             loads: Loads::default(),
             search: Search::new(seed),
@@ -150,7 +149,7 @@ impl Flight {
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns the notices, in mission time. Every entry of the
     /// ledger counts. After the end, nothing changes.
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) -> Vec<Notice> {
-        if self.ended.is_some() {
+        if self.is_over() {
             return Vec::new();
         }
         if let Some(recorder) = &mut self.recorder {
@@ -185,7 +184,7 @@ impl Flight {
         }
         self.enlist(vehicles);
         let craft = self.crafts.iter_mut().find(|craft| craft.id == id);
-        if let Some(craft) = craft.filter(|craft| !craft.lost && self.ended.is_none()) {
+        if let Some(craft) = craft.filter(|craft| !craft.lost && !self.outcome.is_over()) {
             craft.lost = true;
             let text = text!("mission-vehicle-gone");
             self.journal.say(JournalEntry {
@@ -198,11 +197,11 @@ impl Flight {
     }
 
     pub fn abandon(&mut self) {
-        if self.ended.is_none() {
+        if !self.is_over() {
             if let Some(recorder) = &mut self.recorder {
                 recorder.abandon();
             }
-            self.end(Outcome::Abandoned);
+            self.end(FlightOutcome::Abandoned);
             // The trainee who gives up needs no notice.
             self.journal.take();
         }
@@ -211,7 +210,7 @@ impl Flight {
     /// Records a pause of this length by the wall clock; mission time stood still as well. Returns the notice, in
     /// mission time; `None` once the flight is over.
     pub fn note_pause(&mut self, lasted: Duration) -> Option<Notice> {
-        if self.ended.is_some() {
+        if self.is_over() {
             return None;
         }
         if let Some(recorder) = &mut self.recorder {
@@ -223,9 +222,12 @@ impl Flight {
         self.journal.take().pop()
     }
 
-    /// How it ended; `None` while it lasts.
-    pub fn outcome(&self) -> Option<Outcome> {
-        self.ended
+    pub fn outcome(&self) -> FlightOutcome {
+        self.outcome
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.outcome.is_over()
     }
 
     /// The seed of everything random in the mission.
@@ -335,7 +337,7 @@ impl Flight {
     fn scene(&self) -> ObjectiveScene<'_> {
         ObjectiveScene {
             now: self.elapsed,
-            over: self.ended.is_some() || self.elapsed >= self.mission.time_limit,
+            over: self.is_over() || self.elapsed >= self.mission.time_limit,
             vehicles: &self.crafts,
             surveys: self.surveys.all(),
             world: &self.world,

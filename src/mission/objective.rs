@@ -225,7 +225,7 @@ impl FileTable<'_> {
         self.need(
             "radius",
             number(0.5, 1000.0, "m"),
-            "greatest distance that counts",
+            "maximum distance that counts",
         )
     }
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::fake::{Pilot, do_nothing, fly_the_cells};
 use super::*;
 use crate::debrief;
-use crate::scoring::{EventKind, Medal};
+use crate::scoring::{Component, EventKind, FlightOutcome, Medal};
 use crate::text::Locale;
 
 const AIR_SAMPLE: &str = include_str!("../../missions/01-air-sample.toml");
@@ -53,7 +53,7 @@ fn flying_all_cells_earns_gold_whatever_the_seed() {
 #[test]
 fn a_good_flight_ends_by_itself_two_seconds_after_the_disarm() {
     let flight = fly_the_cells(1);
-    assert_eq!(flight.flight.outcome(), Some(Outcome::Passed));
+    assert_eq!(flight.flight.outcome(), FlightOutcome::Passed);
     let after = flight
         .now
         .saturating_sub(flight.disarmed_at.expect("it landed"));
@@ -64,7 +64,7 @@ fn a_good_flight_ends_by_itself_two_seconds_after_the_disarm() {
 fn arming_and_doing_nothing_fails_with_a_low_score() {
     let report = do_nothing().report();
     assert!(!report.passed);
-    assert_eq!(report.outcome, "timed out");
+    assert_eq!(report.outcome, FlightOutcome::TimedOut);
     assert_eq!(report.medal, None);
     assert!(
         report.score < 250,
@@ -140,7 +140,7 @@ fn motors_stopped_in_the_air_lose_the_vehicle_and_the_mission() {
     pilot.take_off(20.0);
     pilot.set_armed(false);
     pilot.tick();
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
     let report = pilot.report();
     assert!(
         report
@@ -151,7 +151,7 @@ fn motors_stopped_in_the_air_lose_the_vehicle_and_the_mission() {
     let safety = report
         .components
         .iter()
-        .find(|c| c.name == "safety")
+        .find(|c| c.component == Component::Safety)
         .expect("it applies");
     assert!((safety.value - 0.4).abs() < 1e-9);
 }
@@ -224,7 +224,7 @@ fn leaving_the_fence_costs_more_the_longer_it_lasts() {
     let safety = report
         .components
         .iter()
-        .find(|c| c.name == "safety")
+        .find(|c| c.component == Component::Safety)
         .expect("it applies");
     assert!((0.77..0.80).contains(&safety.value), "{}", safety.value);
 }
@@ -236,7 +236,7 @@ fn landing_off_the_pad_fails_the_recovery() {
     pilot.survey();
     pilot.goto(5.0, 0.0, 5.0);
     pilot.land();
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
     let report = pilot.report();
     assert!(!report.objectives[2].met);
     assert!(
@@ -303,7 +303,7 @@ fn a_flight_can_be_given_up() {
     pilot.take_off(20.0);
     pilot.flight.abandon();
     pilot.tick();
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Abandoned));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Abandoned);
     let report = pilot.report();
     assert!(report.given_up && report.score == 0);
     let words = debrief::text(&report, &Locale::default());
@@ -352,7 +352,7 @@ fn after_a_failsafe_the_hint_says_what_happened_and_what_is_possible() {
     pilot.tick();
     assert!(hint(&pilot).contains("slow enough"), "it still flies");
     pilot.land();
-    assert_eq!(pilot.flight.outcome(), None);
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Flying);
     let said = hint(&pilot).to_string();
     let expected = "a failsafe has landed 1 (battery low): take off again";
     assert!(said.starts_with(expected), "{said}");

@@ -7,6 +7,7 @@ use crate::debrief::explanation;
 use crate::language::ranges;
 use crate::moment::Moment;
 use crate::notice::sanitised;
+use crate::record::MissionClock;
 use crate::scoring::Report;
 use crate::text;
 use crate::text::{Locale, Text, clock};
@@ -22,6 +23,8 @@ pub struct ReviewedFlight<'a> {
     pub report: Option<&'a Report>,
     /// The moments of the flight, earliest first.
     pub moments: &'a [Moment],
+    /// The mission's clock, by which the page shows times; empty without a mission.
+    pub clock: &'a MissionClock,
 }
 
 /// A review in a language: the four questions, their answers, and the explanation of the score if the pilot has
@@ -40,7 +43,7 @@ pub fn markdown(review: &Review, flight: ReviewedFlight<'_>, locale: &Locale) ->
     page.happened(flight);
     page.answer("review-why", &review.why);
     page.answer("review-next", &review.next);
-    page.points(review);
+    page.points(review, flight.clock);
     if let Some(report) = flight.report.filter(|_| review.is_answered()) {
         page.explained(report);
     }
@@ -97,7 +100,7 @@ impl MarkdownPage<'_> {
         if let Some(report) = flight.report {
             let line = text!(
                 "review-result",
-                outcome = &report.outcome,
+                outcome = report.outcome.title(),
                 score = report.score
             );
             self.paragraph(&self.locale.text(&line));
@@ -108,7 +111,10 @@ impl MarkdownPage<'_> {
             let words = [moment.kind.text(), vehicles.into(), moment.text.clone()];
             let words = words.into_iter().filter(|it| !it.is_empty()).collect();
             let what = self.locale.text(&Text::joined(": ", words));
-            self.item(&format!("{} {what}", clock(moment.at)));
+            self.item(&format!(
+                "{} {what}",
+                clock(flight.clock.flight_time(moment.at))
+            ));
         }
     }
 
@@ -121,11 +127,11 @@ impl MarkdownPage<'_> {
         self.paragraph(&answer);
     }
 
-    fn points(&mut self, review: &Review) {
+    fn points(&mut self, review: &Review, times: &MissionClock) {
         for kind in PointKind::ALL {
             let points: Vec<String> = review
                 .points_of(kind)
-                .map(|it| format!("{} ({})", it.text, clock(it.at())))
+                .map(|it| format!("{} ({})", it.text, clock(times.flight_time(it.at()))))
                 .collect();
             if points.is_empty() {
                 continue;

@@ -242,7 +242,11 @@ fn slot(verb: &'static Verb) -> Option<Slot> {
     match verb.counts_as {
         CountsAs::Task => Some(Slot::Task),
         CountsAs::Setting => Some(Slot::Setting(verb.name)),
-        CountsAs::Question | CountsAs::Report | CountsAs::Word | CountsAs::SelfReport => None,
+        CountsAs::Question
+        | CountsAs::Report
+        | CountsAs::Word
+        | CountsAs::Pledge
+        | CountsAs::SelfReport => None,
     }
 }
 

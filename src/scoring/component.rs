@@ -2,6 +2,9 @@
 
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
+
 use super::{Facts, ScoreRules, attention, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
@@ -14,7 +17,11 @@ pub const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
 const MISSED_MANDATORY_CAP: f64 = 0.5;
 
 /// One part of the score.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, IntoStaticStr,
+)]
+#[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Component {
     /// The share of the objectives reached.
     Objective,
@@ -49,16 +56,7 @@ impl Component {
 
     /// Its name in mission files and reports.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Objective => "objective",
-            Self::Quality => "quality",
-            Self::Time => "time",
-            Self::Energy => "energy",
-            Self::Safety => "safety",
-            Self::Command => "command",
-            Self::Attention => "attention",
-            Self::Utilisation => "utilisation",
-        }
+        self.into()
     }
 
     /// Its name on the screen.
@@ -135,7 +133,7 @@ pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     let objective = reached.0;
     let values: [Option<(f64, Text)>; 8] = [
         Some(reached),
-        quality(facts),
+        quality(facts).map(|product| if_flown(facts, |_| product)),
         Some(time(rules, facts.elapsed, objective)),
         facts.energy_wh.map(|used| energy(rules, used, objective)),
         Some(if_flown(facts, |facts| {

@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse,
+    AlertFact, AlertLevel, Component, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse,
     WorkloadReport,
 };
 use crate::ledger::RowState;
@@ -16,7 +16,7 @@ mod kind;
 mod row_state;
 mod soundness;
 
-pub use kind::{EventKind, FlightBackend, FlownBy, MissionFile, ScoreGrade};
+pub use kind::{EventKind, FlightBackend, FlightOutcome, FlownBy, MissionFile, ScoreGrade};
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -60,8 +60,7 @@ pub struct Report {
     pub events: Vec<EventReport>,
     /// Title of the mission.
     pub title: Text,
-    /// `passed`, `failed`, `timed out`, `abandoned`, or `flying` for a flight that is not over.
-    pub outcome: Text,
+    pub outcome: FlightOutcome,
     /// The grade of the score.
     pub grade: ScoreGrade,
     /// The number of vehicles.
@@ -132,8 +131,8 @@ pub struct ObjectiveReport {
 /// One component of the score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ComponentReport {
-    /// Name of the component.
-    pub name: Text,
+    #[serde(rename = "name")]
+    pub component: Component,
     /// Its weight after the redistribution.
     pub weight: f64,
     /// Its value, 0 to 1.

@@ -13,10 +13,10 @@ use crate::language::GhostSource;
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::Journal;
+use crate::record::{Journal, MissionClock};
 use crate::replay::Replay;
 use crate::review::Review;
-use crate::store::{self, RecordFiles, read_run, user_path};
+use crate::store::{self, RecordFiles, Records, read_run};
 use crate::text;
 use crate::text::Text;
 
@@ -54,7 +54,8 @@ impl Console {
         let id = shown.mission.id.clone();
         let plan = match source {
             GhostSource::File(path) => {
-                let files = RecordFiles::beside(Path::new(&user_path(&path)));
+                let records = self.options.preferences.records.as_ref();
+                let files = Records::find(records, &path)?;
                 let run = files
                     .run
                     .ok_or_else(|| text!("ghost-no-run", file = path))?;
@@ -129,7 +130,7 @@ impl Console {
 fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> {
     journal.map_or_else(Vec::new, |journal| {
         let recorded: Vec<Moment> = journal.bookmarks().collect();
-        FlightBookmark::of_moments(&review.bookmarks(&recorded), journal)
+        FlightBookmark::of_moments(&review.bookmarks(&recorded), &MissionClock::of(journal))
     })
 }
 

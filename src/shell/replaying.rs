@@ -10,7 +10,7 @@ use crate::app::event::{CareerEvent, Event, LinkEvent};
 use crate::app::room::messages;
 use crate::record::Happening;
 use crate::replay::Replay;
-use crate::store::user_path;
+use crate::store::Records;
 use crate::text;
 use crate::text::Text;
 
@@ -22,8 +22,9 @@ impl Console {
     /// the current session's, otherwise the trainee's newest.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
-            let path = user_path(path);
-            return self.open_replay(Path::new(&path), review);
+            let records = self.options.preferences.records.as_ref();
+            let files = Records::find(records, path)?;
+            return self.open_replay(files.frames()?, review);
         }
         let path = match &self.running {
             Some(running) => running.record().map(Path::to_owned),

@@ -162,6 +162,16 @@ impl Runs {
         scored.max_by_key(|(score, _)| *score).map(|(_, path)| path)
     }
 
+    /// Whether a flight of this mission with this seed is under way: its world must stay hidden from everyone.
+    pub fn is_flown_now(&self, mission: &str, seed: u64) -> bool {
+        let mut written = self.files().into_iter().filter(|path| is_written(path));
+        written.any(|path| {
+            outline(&path).is_ok_and(|(head, end)| {
+                end.is_none() && head.mission == mission && head.seed == seed
+            })
+        })
+    }
+
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()
     }
@@ -239,11 +249,6 @@ pub(super) fn run_id(path: &Path) -> &str {
 }
 
 /// Whether a file has the name of a run.
-/// Whether a program still writes a run.
-pub fn is_run_written(path: &Path) -> bool {
-    is_written(path)
-}
-
 fn is_run(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut stamp = name.bytes().zip(STAMP.bytes());

@@ -73,6 +73,11 @@ impl Locale {
         self.format(id, &[])
     }
 
+    /// A message without arguments in words, if the language has it.
+    pub fn find(&self, id: &str) -> Option<String> {
+        self.bundle.has_message(id).then(|| self.say(id))
+    }
+
     fn format(&self, id: &str, arguments: &[(&'static str, TextArgument)]) -> String {
         #[cfg(test)]
         if super::said::is_wordless() {

@@ -3,27 +3,54 @@
 
 use std::sync::Arc;
 
-use mavlink::dialects::ardupilotmega::MavFrame;
+use mavlink::dialects::ardupilotmega::{MavCmd, MavFrame};
 
 use crate::geo::LatLon;
 
 /// The items that fences and rally points consist of.
 mod command {
-    pub const FENCE_RETURN_POINT: u16 = 5000;
-    pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
-    pub const FENCE_POLYGON_EXCLUSION: u16 = 5002;
-    pub const FENCE_CIRCLE_INCLUSION: u16 = 5003;
-    pub const FENCE_CIRCLE_EXCLUSION: u16 = 5004;
-    pub const RALLY_POINT: u16 = 5100;
+    use super::MavCmd;
+
+    pub const FENCE_RETURN_POINT: u16 = MavCmd::MAV_CMD_NAV_FENCE_RETURN_POINT as u16;
+    pub const FENCE_POLYGON_INCLUSION: u16 =
+        MavCmd::MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION as u16;
+    pub const FENCE_POLYGON_EXCLUSION: u16 =
+        MavCmd::MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION as u16;
+    pub const FENCE_CIRCLE_INCLUSION: u16 = MavCmd::MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION as u16;
+    pub const FENCE_CIRCLE_EXCLUSION: u16 = MavCmd::MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION as u16;
+    pub const RALLY_POINT: u16 = MavCmd::MAV_CMD_NAV_RALLY_POINT as u16;
+    pub const TAKEOFF: u16 = MavCmd::MAV_CMD_NAV_TAKEOFF as u16;
+    pub const VTOL_TAKEOFF: u16 = MavCmd::MAV_CMD_NAV_VTOL_TAKEOFF as u16;
+    #[expect(deprecated, reason = "plans may still have it")]
+    pub const ROI: u16 = MavCmd::MAV_CMD_NAV_ROI as u16;
+    #[expect(deprecated, reason = "plans may still have it")]
+    pub const SET_ROI: u16 = MavCmd::MAV_CMD_DO_SET_ROI as u16;
+    /// The last one that the vehicle flies to; higher numbers only name a place.
+    pub const LAST_FLOWN: u16 = MavCmd::MAV_CMD_NAV_PAYLOAD_PLACE as u16;
 }
 
 /// Commands of a plan whose x and y are a place: the navigation commands with one, the regions of interest,
 /// setting home, and the start of a landing sequence. Source: MAVLink's `MAV_CMD`, `hasLocation`.
 const WITH_PLACE: &[u16] = &[
-    16, 17, 18, 19, 21, 22, 25, 31, 36, 80, 82, 84, 85, 94, 179, 189, 195, 201,
+    MavCmd::MAV_CMD_NAV_WAYPOINT as u16,
+    MavCmd::MAV_CMD_NAV_LOITER_UNLIM as u16,
+    MavCmd::MAV_CMD_NAV_LOITER_TURNS as u16,
+    MavCmd::MAV_CMD_NAV_LOITER_TIME as u16,
+    MavCmd::MAV_CMD_NAV_LAND as u16,
+    MavCmd::MAV_CMD_NAV_TAKEOFF as u16,
+    MavCmd::MAV_CMD_NAV_FOLLOW as u16,
+    MavCmd::MAV_CMD_NAV_LOITER_TO_ALT as u16,
+    MavCmd::MAV_CMD_NAV_ARC_WAYPOINT as u16,
+    command::ROI,
+    MavCmd::MAV_CMD_NAV_SPLINE_WAYPOINT as u16,
+    MavCmd::MAV_CMD_NAV_VTOL_TAKEOFF as u16,
+    MavCmd::MAV_CMD_NAV_VTOL_LAND as u16,
+    MavCmd::MAV_CMD_NAV_PAYLOAD_PLACE as u16,
+    MavCmd::MAV_CMD_DO_SET_HOME as u16,
+    MavCmd::MAV_CMD_DO_LAND_START as u16,
+    MavCmd::MAV_CMD_DO_SET_ROI_LOCATION as u16,
+    command::SET_ROI,
 ];
-/// The last command number that the vehicle flies to; higher numbers only name a place.
-const LAST_FLOWN: u16 = 94;
 
 /// The kind of list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -151,12 +178,14 @@ pub struct PlanItem {
 impl PlanItem {
     /// Whether the vehicle flies to its place, so that it belongs to the path.
     pub fn is_waypoint(&self) -> bool {
-        self.at_point.is_some() && self.command <= LAST_FLOWN && self.command != 80
+        self.at_point.is_some()
+            && self.command <= command::LAST_FLOWN
+            && self.command != command::ROI
     }
 
     /// Whether it is a takeoff, which has a height even without a place.
     pub fn is_takeoff(&self) -> bool {
-        matches!(self.command, 22 | 84)
+        matches!(self.command, command::TAKEOFF | command::VTOL_TAKEOFF)
     }
 
     /// Whether commands of that number have a place.

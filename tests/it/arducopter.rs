@@ -180,7 +180,7 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
             .await;
         let (bytes, words) = download(&mut console, &folder.path().join("files")).await;
         assert!(
-            words.contains("by log messages, check sum verified"),
+            words.contains("by log messages, checksum verified"),
             "{words}"
         );
         assert!(bytes == fs::read(&log).expect("SITL's own"));

@@ -184,11 +184,15 @@ fn a_drill_is_flown_by_its_number() {
 #[test]
 fn a_flight_that_is_not_over_has_no_debrief() {
     let folder = folder_with(&[]);
-    let runs = folder.path().join("runs");
-    let record = runs.to_string_lossy();
-    let arguments = ["run", "d00", "--pilot", "d00", "--record", &record];
+    let runs = folder.path().join("sortie/runs");
+    let arguments = ["run", "d05", "--pilot", "d05", "--seed", "3", "--json"];
     let flown = sortie_in(folder.path(), &arguments);
     assert!(flown.status.success(), "{}", text(&flown.stderr));
+    let truth = |output: &Output| {
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        report["truth"]["objects"].as_array().map_or(0, Vec::len)
+    };
+    assert!(truth(&flown) > 0, "{}", text(&flown.stdout));
     let mut entries = fs::read_dir(&runs).expect("recorded").flatten();
     let is_run = |path: &PathBuf| path.to_string_lossy().ends_with(".run.jsonl");
     let path = entries.find_map(|it| Some(it.path()).filter(is_run));
@@ -208,6 +212,13 @@ fn a_flight_that_is_not_over_has_no_debrief() {
         assert!(refused.stdout.is_empty());
         assert!(text(&refused.stderr).contains("this flight is not over"));
     }
+    // Nor does a script that flies the same world show it, nor a copy of the record.
+    let again = sortie_in(folder.path(), &[&arguments[..], &["--no-record"]].concat());
+    assert_eq!(truth(&again), 0, "{}", text(&again.stdout));
+    let copy = folder.path().join("copy.run.jsonl");
+    fs::copy(&path, &copy).expect("copied");
+    let refused = sortie_in(folder.path(), &["debrief", &copy.to_string_lossy()]);
+    assert!(text(&refused.stderr).contains("this flight is not over"));
     drop(writing);
     let shown = sortie_in(folder.path(), &["debrief", &path]);
     assert!(!shown.stdout.is_empty());

@@ -60,6 +60,23 @@ fn what_differed_is_named_by_its_time_and_its_cost() {
 }
 
 #[test]
+fn the_same_command_differs_neither_by_its_targets_nor_by_blanks() {
+    let lines = "wait 5s\nall guided\nall arm\nwait 5s\nall disarm\n";
+    let first_command = |lines: &str| {
+        let all = differences(
+            &flown(lines, "own"),
+            &flown("wait 5s\n1 guided\n1 arm\n", "other"),
+        );
+        let of = |it: &Text| it.to_string() == "first command that differs";
+        let found = all.into_iter().find(|it| of(&it.what));
+        found.map(|it| [it.own.to_string(), it.other.to_string()])
+    };
+    let [own, other] = first_command(lines).expect("one of them disarms");
+    assert_eq!([own.as_str(), other.as_str()], ["all disarm", "none"]);
+    assert_eq!(first_command("wait 5s\nall  guided\n1 arm\n"), None);
+}
+
+#[test]
 fn a_flight_is_the_same_from_its_record() {
     let mission = first_mission();
     let pilot = store::pilot("00-first-flight").expect("it is shipped");

@@ -9,8 +9,8 @@ use sortie::mission::{
     Progress, Reading,
 };
 use sortie::scoring::{
-    ComponentReport, EventKind, EventReport, FlightBackend, FlownBy, MissionFile, ObjectiveReport,
-    Report, ScoreGrade, SwarmFigures, TruthReport, WorkloadReport,
+    Component, ComponentReport, EventKind, EventReport, FlightBackend, FlightOutcome, FlownBy,
+    MissionFile, ObjectiveReport, Report, ScoreGrade, SwarmFigures, TruthReport, WorkloadReport,
 };
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
@@ -236,7 +236,7 @@ pub fn report() -> Report {
             points_max: 60.0,
         }],
         components: vec![ComponentReport {
-            name: "objective".into(),
+            component: Component::Objective,
             weight: 0.35,
             value: 1.0,
             points: 350.0,
@@ -251,7 +251,7 @@ pub fn report() -> Report {
             about: None,
         }],
         title: "Air sample at the yard".into(),
-        outcome: "passed".into(),
+        outcome: FlightOutcome::Passed,
         grade: ScoreGrade::B,
         vehicles: 1,
         time_limit_s: 600.0,

@@ -14,7 +14,7 @@ mod mutants;
 
 /// The refusal of each file of `tests/data/bad_missions`: one fault each, without faults that only follow from it.
 const REFUSALS: &[&str] = &[
-    "bad-id.toml:2:6: a mission's id is 1 to 40 small letters, digits and `-`",
+    "bad-id.toml:2:6: a mission's id is 1 to 40 lower-case letters, digits and `-`",
     "duplicate-id.toml:41:6: the id `cells` is used twice",
     "far-point.toml:19:10: `source` must lie within 20000 m of the origin, as [east, north]",
     "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",
@@ -23,7 +23,7 @@ const REFUSALS: &[&str] = &[
     "heights.toml:36:11: `heights` must be [low, high], 0 to 1000 m",
     "infinite.toml:21:8: `rate` must lie between 0.000001 and 1000000, not inf",
     "latitude.toml:9:18: `lat` must lie between -85 and 85, not 95",
-    "medals.toml:50:10: medals must rise from bronze to gold, 1000 at most",
+    "medals.toml:50:10: medals must rise from bronze to gold, up to 1000",
     "missing-field.toml:1:1: missing field `brief`",
     "missing-section.toml:1:1: the section `scoring` is missing",
     "nan.toml:11:18: `speed` must lie between 0 and 60, not NaN",

@@ -57,7 +57,7 @@ fn what_was_flown_is_replayed_and_takes_no_commands() {
         .see("2 takeoff 10")
         .see("refused");
     replay.press(":").see("command").press("all arm\r");
-    replay.see("a replay takes no commands").press("\u{1b}");
+    replay.see("a replay accepts no commands").press("\u{1b}");
     replay.see_no_more("command to");
     replay.press("m").see("bookmark").see("as planned");
     replay.press("\u{1b}").see_no_more("Moments");

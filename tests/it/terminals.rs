@@ -296,6 +296,15 @@ fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
 }
 
 #[test]
+fn a_wait_in_a_pipe_takes_flight_time() {
+    // By the wall clock, 30 s would be five minutes of the mission, which then is over.
+    let lines = "wait 30s\nall guided\nall arm\n";
+    let (said, _) = plain(&["fly", "00", "--plain", "--speedup", "10"], lines);
+    let met = "objective met: armed within a minute";
+    assert!(said.contains(met), "{met:?} in:\n{said}");
+}
+
+#[test]
 fn a_person_is_prompted_and_sees_no_escape_sequence() {
     let mut terminal = Terminal::start_with(&["fly", "--plain"], 80, 24, &[("TERM", "dumb")]);
     terminal.see("plain console").see("EKF position good");

@@ -25,7 +25,7 @@ const NAMES: &[&str] = &[
     "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
-    "Ctrl Enter Esc Tab R1 w3 p3",
+    "Ctrl Enter Esc Tab R1 g1 w3 p3",
     // Units that are not part of an argument.
     "B B/s cr g in kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
     // Kinds of batteries and radios.

@@ -32,6 +32,8 @@ const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 const SUMMARY_LEAST: u16 = 6;
 const SUMMARY_MOST: u16 = 10;
+/// Rows of a compact summary besides its components: title, outcome, strip and a blank line.
+const COMPACT_HEAD: u16 = 4;
 
 #[derive(Debug, Clone)]
 pub struct Debrief {
@@ -44,6 +46,15 @@ pub struct Debrief {
     pub(in crate::app) since: Duration,
     /// The greatest height of any vehicle in metres, at equal intervals.
     pub(in crate::app) heights: Heights,
+}
+
+/// The result at a glance, above the text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Summary {
+    pub rows: u16,
+    /// Whether the components are stacked beside a curve of the height; otherwise they are in two columns above the
+    /// strip.
+    pub is_tall: bool,
 }
 
 impl Debrief {
@@ -66,13 +77,17 @@ impl Debrief {
         self.heights.all()
     }
 
-    /// The rows of the summary above the text, on a screen of this height; 0 where the text needs them all.
-    pub fn summary_rows(&self, height: u16) -> u16 {
-        if height < TALL {
-            return 0;
-        }
+    /// The summary above the text, on a screen of this height.
+    pub fn summary(&self, height: u16) -> Summary {
         let components = self.report.components.iter().filter(|it| it.weight > 0.0);
-        SUMMARY_HEAD + (components.count() as u16).clamp(SUMMARY_LEAST, SUMMARY_MOST)
+        let components = components.count() as u16;
+        let is_tall = height >= TALL;
+        let rows = if is_tall {
+            SUMMARY_HEAD + components.clamp(SUMMARY_LEAST, SUMMARY_MOST)
+        } else {
+            COMPACT_HEAD + components.div_ceil(2)
+        };
+        Summary { rows, is_tall }
     }
 
     /// The lines of the result and of the rewards, in a language.
@@ -87,17 +102,10 @@ impl Debrief {
             .collect()
     }
 
-    /// The lines shown on a screen of this height: with a summary, the result is left out.
-    pub fn shown_lines(
-        &self,
-        reward: Option<&Reward>,
-        locale: &Locale,
-        height: u16,
-    ) -> Vec<DebriefLine> {
+    /// The lines below the summary, which shows the result.
+    pub fn lines_below(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<DebriefLine> {
         let mut lines = self.lines(reward, locale);
-        if self.summary_rows(height) > 0 {
-            lines.retain(|line| line.tone != DebriefTone::Head);
-        }
+        lines.retain(|line| line.tone != DebriefTone::Head);
         lines
     }
 
@@ -127,18 +135,18 @@ impl State {
 
 const HINTS: &[KeyHint] = &[
     footer_keys::SCROLL,
+    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
+    hint(&[Action::Replay(ReplayAction::ReviewNewest)], "hint-review"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
+    hint(&[Action::Again], "hint-new-try"),
+    hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
+    hint(&[Action::Leave], "hint-home"),
     hint(
         &[Action::Debrief(DebriefAction::NextSection)],
         "hint-section",
     ),
-    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
-    hint(&[Action::Again], "hint-new-try"),
     hint(&[Action::AgainAlike], "hint-alike"),
-    hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
-    hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
-    hint(&[Action::Replay(ReplayAction::ReviewNewest)], "hint-review"),
-    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     footer_keys::COMMAND,
     footer_keys::HELP,
 ];
@@ -230,9 +238,9 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     let height = state.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {
         // The header and the footer take a row each.
-        let free_rows = height.saturating_sub(2 + debrief.summary_rows(height));
+        let free_rows = height.saturating_sub(2 + debrief.summary(height).rows);
         let rows = usize::from(free_rows);
-        let lines = debrief.shown_lines(state.reward.as_ref(), &state.locale, height);
+        let lines = debrief.lines_below(state.reward.as_ref(), &state.locale);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
         let headings = lines
             .iter()

@@ -289,7 +289,7 @@ fn next_sort(state: &mut State) {
 
 /// Filters and sorts the rows. The vehicle under the cursor keeps its row even if the filter excludes it: the target
 /// of the next command must not change. A small change of a value does not move a row either.
-fn arrange(state: &mut State) {
+pub(in crate::app) fn arrange(state: &mut State) {
     let sort = sorted_by(state);
     let session = &state.session;
     let fly = &mut state.rooms.fly;

@@ -58,7 +58,28 @@ pub struct Parameters {
     asked: BTreeMap<VehicleId, Duration>,
 }
 
+/// The values of all vehicles at one time, and those that commands tried to set.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct ParametersSnapshot {
+    lists: BTreeMap<VehicleId, ParameterSnapshot>,
+    edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
+}
+
 impl Parameters {
+    /// Cheap: no value is copied.
+    pub(in crate::app) fn snapshot(&self) -> ParametersSnapshot {
+        ParametersSnapshot {
+            lists: self.lists.clone(),
+            edits: self.edits.clone(),
+        }
+    }
+
+    /// Goes back to the values of a time; the view stays.
+    pub(in crate::app) fn restore(&mut self, snapshot: ParametersSnapshot) {
+        self.lists = snapshot.lists;
+        self.edits = snapshot.edits;
+    }
+
     /// The known parameters of each vehicle.
     pub fn lists(&self) -> &BTreeMap<VehicleId, ParameterSnapshot> {
         &self.lists

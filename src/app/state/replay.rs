@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use crate::dataflash::LogCurves;
 use crate::moment::{Moment, MomentKind};
+use crate::record::MissionClock;
 use crate::review::Review;
 use crate::scoring::Report;
 use crate::vehicle::VehicleId;
@@ -21,6 +22,8 @@ pub struct ReplayView {
     /// Its start: microseconds since 1970 (UTC).
     pub began_unix_us: u64,
     pub length: Duration,
+    /// The mission's clock; empty without a mission.
+    pub clock: Arc<MissionClock>,
     /// The position in the recording, and the rate.
     pub position: ReplayPosition,
     /// The moments found so far, earliest first.
@@ -50,6 +53,8 @@ pub struct ReplayPosition {
     pub stops: Vec<MomentKind>,
     /// The length of the gap in the recording at this position, if there is one.
     pub gap: Option<Duration>,
+    /// The time that it is jumping to, while the jump is under way.
+    pub goal: Option<Duration>,
 }
 
 impl Default for ReplayPosition {
@@ -63,6 +68,7 @@ impl Default for ReplayPosition {
             looped: None,
             stops: Vec::new(),
             gap: None,
+            goal: None,
         }
     }
 }
@@ -74,6 +80,7 @@ impl ReplayView {
             name,
             began_unix_us,
             length,
+            clock: Arc::default(),
             position: ReplayPosition::default(),
             moments: Arc::default(),
             log_curves: Arc::default(),

@@ -7,9 +7,9 @@ use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use crate::app::State;
 use crate::app::room::Room;
-use crate::language::{self, Completion};
+use crate::language::{self, Completion, Kind, NameList};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 
 /// The maximum number of lines offered.
 const SHOWN: usize = 100;
@@ -70,7 +70,7 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut scored: Vec<(Nearness, u32, (String, Text))> = all
         .into_iter()
         .filter_map(|(line, hint)| {
-            let synonyms = synonyms(&line).map(|words| state.locale.text(&words));
+            let synonyms = synonyms(&line, &state.locale);
             let hint_words = state.locale.text(&hint);
             let meaning = format!("{hint_words} {}", synonyms.unwrap_or_default());
             let searched = format!("{line} {meaning}");
@@ -94,28 +94,14 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
         .collect()
 }
 
-/// Synonyms of a line's verb, or of the room it leads to, in the screen's language.
-fn synonyms(line: &str) -> Option<Text> {
+/// Synonyms of a line's verb, or the name of the room it leads to, in the screen's language.
+fn synonyms(line: &str, locale: &Locale) -> Option<String> {
     let mut words = line.split(' ');
-    let verb = language::row(words.next()?)?.name();
-    Some(match verb {
-        "show" => Room::named(words.next()?)?.title(),
-        "arm" => text!("words-arm"),
-        "disarm" => text!("words-disarm"),
-        "kill" => text!("words-kill"),
-        "takeoff" => text!("words-takeoff"),
-        "land" => text!("words-land"),
-        "rtl" => text!("words-rtl"),
-        "hold" => text!("words-hold"),
-        "goto" => text!("words-goto"),
-        "altitude" => text!("words-altitude"),
-        "speed" => text!("words-speed"),
-        "survey" => text!("words-survey"),
-        "formation" => text!("words-formation"),
-        "mark" => text!("words-mark"),
-        "hint" => text!("words-hint"),
-        _ => return None,
-    })
+    let row = language::row(words.next()?)?;
+    if row.takes(Kind::Name(NameList::Room)) {
+        return Some(locale.text(&Room::named(words.next()?)?.title()));
+    }
+    row.synonyms(locale)
 }
 
 /// Vehicles and groups to select.

@@ -7,7 +7,7 @@ use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, parameters, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay};
-use crate::commands::{Act, Deed, Order};
+use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Context, Meaning, Statement, ranges};
 use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
@@ -15,7 +15,7 @@ use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
-use crate::verb::Danger;
+use crate::verb::{CountsAs, Danger};
 
 /// The most targets listed one by one.
 const NAMED_TARGETS: usize = 12;
@@ -98,19 +98,11 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
 
 /// Whether a line needs no time to pass: it asks for a hint, rates the workload, or pledges something before launch.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
-    match &statement.meaning {
-        Meaning::Act(act) if is_word(act) => state.can_pledge(),
-        Meaning::Act(act) => is_question(act),
-        Meaning::Wait(_) | Meaning::Console(_) => false,
+    match (&statement.meaning, statement.verb.counts_as) {
+        (Meaning::Act(_), CountsAs::Pledge) => state.can_pledge(),
+        (Meaning::Act(_), counts_as) => counts_as.is_said_to_mission(),
+        (Meaning::Wait(_) | Meaning::Console(_), _) => false,
     }
-}
-
-fn is_word(act: &Act) -> bool {
-    matches!(act, Act::Deed(Deed::Predict { .. } | Deed::Goal(_)))
-}
-
-fn is_question(act: &Act) -> bool {
-    matches!(act, Act::Deed(Deed::Hint | Deed::Workload { .. }))
 }
 
 /// What Enter does with an order, as text.
@@ -207,7 +199,7 @@ pub struct SentOrder {
 /// Opens the ledger's entry of an order.
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
-    if !is_word(&order.act) && !is_question(&order.act) {
+    if !order.verb.counts_as.is_said_to_mission() {
         state.session.leave_brief();
     }
     let entry = state.session.open(now, order.given(), &order.targets);

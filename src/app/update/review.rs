@@ -85,6 +85,7 @@ fn export(state: &State, path: String) -> Effects {
         began: &utc_of(view.began_unix_us),
         report: view.report.as_deref(),
         moments: &view.moments,
+        clock: &view.clock,
     };
     Effects::from(Effect::File(FileEffect::Write {
         kind: FileKind::Review,

@@ -260,20 +260,23 @@ pub fn answer(state: &mut State, text: Text) {
 
 pub fn failed(state: &mut State, text: Text) {
     state.touch();
-    if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
-        prompt.fault = Some(text.clone());
-    } else {
-        state.say(Severity::Error, text.clone());
+    // In a replay, the notices are those of the recorded flight.
+    if state.replay.is_none() {
+        let notice = Notice::general(state.now, Severity::Error, text.clone());
+        state.notices.push(notice);
     }
-    state
-        .notices
-        .push(Notice::general(state.now, Severity::Error, text));
+    if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
+        prompt.fault = Some(text);
+    } else {
+        state.say(Severity::Error, text);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::app::Setup;
+    use crate::app::state::ReplayView;
 
     fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
         let mut state = State::new(Setup::default());
@@ -303,5 +306,17 @@ mod tests {
         assert_eq!(said_in(Room::Fly, None, Severity::Warning), None);
         assert_eq!(said_in(Room::Mission, None, Severity::Info), None);
         assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
+    }
+
+    #[test]
+    fn a_failure_in_a_replay_is_none_of_the_recorded_notices() {
+        let fault = || Text::from("no such moment");
+        let mut state = State::new(Setup::default());
+        failed(&mut state, fault());
+        assert_eq!(state.notices.lines().count(), 1);
+        state.replay = Some(ReplayView::new("a".to_owned(), 0, Duration::ZERO));
+        failed(&mut state, fault());
+        assert_eq!(state.notices.lines().count(), 1);
+        assert_eq!(state.message().map(|it| it.text.clone()), Some(fault()));
     }
 }

@@ -23,6 +23,7 @@ fn a_new_mission_is_advised_before_another_try_at_a_known_one() {
         evidence: vec![Evidence {
             skill: Skill::K5,
             outcome: 0.0,
+            basis: None,
             what: Text::default(),
         }],
         ..flight(&course, "links", 600, 1)

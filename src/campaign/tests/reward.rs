@@ -42,7 +42,7 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
     let failed = flight(&course, "three", 300, 1);
     assert_eq!(
         unpaid(failed),
-        "no credits: the mission is not passed; 1233 now"
+        "no credits: the mission was not passed; 1233 now"
     );
     let practice = CareerFlight {
         stake: Stake::Practice,

@@ -69,9 +69,9 @@ pub(in crate::cli) fn campaign(options: &CampaignArguments) -> Result<ExitCode, 
     if options.json {
         say!("{}", serde_json::to_string_pretty(&laps)?)?;
     } else if career.is_complete() {
-        say!("All missions are passed.")?;
+        say!("All missions were passed.")?;
     } else {
-        say!("There are missions that were not passed.")?;
+        say!("Some missions were not passed.")?;
     }
     Ok(ExitCode::from(u8::from(!career.is_complete())))
 }

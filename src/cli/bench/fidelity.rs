@@ -21,7 +21,7 @@ const NAMED: usize = 6;
 #[command(after_help = "Examples:\n  \
     sortie bench fidelity\n  \
     sortie bench fidelity --against recordings --json\n\n\
-    A recording is NAME.tlog, what a vehicle said, and NAME.tx.tlog, what a ground station sent to it.")]
+    A recording has two files: NAME.tlog from the vehicle, and NAME.tx.tlog, which was sent to it.")]
 pub(in crate::cli) struct FidelityArguments {
     /// Compare with the recordings in this folder [default: tests/data/fidelity, in a checkout of the sources].
     #[arg(long, value_name = "FOLDER")]

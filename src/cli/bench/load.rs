@@ -93,7 +93,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
     }))?;
     let [start, end] = marks.as_slice() else {
         return Err(Failure::Failed(anyhow::anyhow!(
-            "this system does not tell a process its processor time in /proc/self/task: {}",
+            "this system does not show the processor time of a process in /proc/self/task: {}",
             unreadable.map_or(String::new(), |error| error.to_string())
         )));
     };

@@ -41,9 +41,9 @@ const MOST_ARDUPILOT: u16 = 1024;
 #[derive(Debug, Args)]
 #[command(
     after_help = "The measurement: vehicles are started and, once all can be armed, stream GLOBAL_POSITION_INT and\n\
-    ATTITUDE at 10 Hz each. They are switched to GUIDED, armed, take off, and are sent to a place 1 km away at\n\
-    200 m. Then the processor time of the simulator and of the console's model update is taken. A repeat in which\n\
-    a vehicle does not move does not count. Beyond 254 vehicles, the console has a fleet and a thread for each 254.\n\n\
+    ATTITUDE at 10 Hz each. They switch to GUIDED, arm, take off, and fly to a place 1 km away at a height of\n\
+    200 m. Then the processor time of the simulator and of the console's model update is measured. A repeat in\n\
+    which a vehicle does not move does not count. The console has one fleet and one thread for each 254 vehicles.\n\n\
     Examples:\n  \
     sortie bench scale\n  \
     sortie bench scale --backend ardupilot --svg scale.svg\n  \

@@ -196,7 +196,7 @@ impl SimSwarm {
             return Ok(());
         }
         Err(Failure::Failed(anyhow::anyhow!(
-            "the measurement is void: {flying} of {vehicles} vehicles fly, and {heard} of {expected} messages came"
+            "the measurement is void: {flying} of {vehicles} vehicles fly, and {heard} of {expected} messages arrived"
         )))
     }
 }

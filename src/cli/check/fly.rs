@@ -167,25 +167,25 @@ impl CheckFlight {
         let score = self.score;
         match self.pilot {
             CheckPilot::Reference if !self.passed => {
-                format!("the reference did not pass and earned {score}: it has to pass with silver")
+                format!(
+                    "the reference pilot did not pass and earned {score}: it has to earn silver"
+                )
             }
             CheckPilot::Reference => {
                 format!(
-                    "the reference earned {score} and less than silver: `medals` or `par` ask too much"
+                    "the reference pilot earned {score}, less than silver: `medals` or `par` are too strict"
                 )
             }
             CheckPilot::Naive => {
-                format!("the naive pilot earned {score} and a medal: it has to stay below bronze")
+                format!("the naive pilot earned {score} and a medal: it must stay below bronze")
             }
             CheckPilot::DoNothing if self.passed => {
                 format!(
-                    "doing nothing passed with {score}: a `mandatory` objective has to be worked for"
+                    "idle vehicles passed with {score}: a `mandatory` objective must require a flight"
                 )
             }
             CheckPilot::DoNothing => {
-                format!(
-                    "doing nothing earned {score}: an objective is reached in part without a flight"
-                )
+                format!("idle vehicles earned {score}: an objective is partly met without a flight")
             }
         }
     }

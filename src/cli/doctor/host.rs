@@ -26,7 +26,7 @@ pub(super) fn folders(settings: &CliSettings) -> Vec<HostFinding> {
     let Some(folders) = &settings.folders else {
         return vec![HostFinding::fault(
             "folders",
-            "there is no home folder",
+            "no home folder",
             "set HOME, or XDG_CONFIG_HOME, XDG_DATA_HOME and XDG_STATE_HOME",
         )];
     };
@@ -62,15 +62,15 @@ fn folder(about: &str, path: &Path) -> HostFinding {
         " (made when it is needed)"
     };
     if !there.is_dir() {
-        let mend = format!("move {} away: it is no folder", there.display());
-        return HostFinding::fault(about, format!("{name} cannot be made"), mend);
+        let mend = format!("move {} away: it is not a folder", there.display());
+        return HostFinding::fault(about, format!("{name} cannot be created"), mend);
     }
     if let Err(error) = nix::unistd::access(
         there,
         nix::unistd::AccessFlags::W_OK | nix::unistd::AccessFlags::X_OK,
     ) {
         let mend = format!(
-            "chmod u+wx {}, or name another by the XDG variables",
+            "chmod u+wx {}, or set another folder with the XDG variables",
             there.display()
         );
         return HostFinding::fault(about, format!("{name} cannot be written: {error}"), mend);
@@ -79,7 +79,7 @@ fn folder(about: &str, path: &Path) -> HostFinding {
         Some(free) if free < LEAST_FREE_MIB => HostFinding::note(
             about,
             format!("{name}{made}, {free} MiB free"),
-            "make room: the logs of SITL soon fill it",
+            "free some space: the logs of SITL will soon fill it",
         ),
         Some(free) => HostFinding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
         None => HostFinding::ok(about, format!("{name}{made}")),
@@ -106,7 +106,7 @@ fn on_network(mounts: &str, data: &Path, there: &Path) -> Option<HostFinding> {
     Some(HostFinding::note(
         "profiles",
         format!("{} is on a network folder ({kind})", data.display()),
-        "use the profiles from one machine at a time, or name a folder of this machine: --data, SORTIE_DATA",
+        "use the profiles from one machine at a time, or choose a folder on this machine: --data, SORTIE_DATA",
     ))
 }
 
@@ -142,7 +142,7 @@ pub(super) fn machine() -> Vec<HostFinding> {
         let (free_mib, fit) = (free_kib / 1024, free_kib / MEMORY_KIB);
         let found = format!("{free_mib} MiB free: room for about {fit} SITL (8 MiB each)");
         all.push(if fit < 4 {
-            HostFinding::note("memory", found, "end something else first")
+            HostFinding::note("memory", found, "end other programs first")
         } else {
             HostFinding::ok("memory", found)
         });
@@ -177,11 +177,7 @@ fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> Hos
             about,
             format!("{hard} at most: room for about {} SITL", fit(hard)),
         ),
-        Err(error) => HostFinding::note(
-            about,
-            format!("unknown: {error}"),
-            "nothing needs to be done",
-        ),
+        Err(error) => HostFinding::note(about, format!("unknown: {error}"), "no action is needed"),
     }
 }
 
@@ -208,24 +204,24 @@ pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
     Some(match fs::metadata(&path) {
         Err(_) if !is_named => HostFinding::ok(
             about,
-            format!("{name} is not there: made when the service needs it"),
+            format!("{name} does not exist yet: the service creates it"),
         ),
         Err(error) => HostFinding::note(
             about,
             format!("{name}: {error}"),
-            "start `sortie hangar`, which makes it",
+            "start `sortie hangar`, which creates it",
         ),
         Ok(facts) if facts.permissions().mode() & 0o077 != 0 => HostFinding::fault(
             about,
             format!("others can read {name}, and start and stop vehicles with it"),
-            format!("rm {name}, so that a new one is made"),
+            format!("rm {name}: a new one is created"),
         ),
         Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => HostFinding::fault(
             about,
             format!("{name} belongs to another user"),
             "name another with the setting hangar.token_file",
         ),
-        Ok(_) => HostFinding::ok(about, format!("{name}, for you alone")),
+        Ok(_) => HostFinding::ok(about, format!("{name}, readable by you alone")),
     })
 }
 

@@ -37,7 +37,7 @@ pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
             Err(missing) => findings.push(HostFinding::fault(
                 kind.program(),
                 missing.to_string(),
-                "name another, or nothing so that one is looked for",
+                "name another one, or none: then sortie searches for one",
             )),
         }
     }
@@ -97,7 +97,7 @@ async fn program(kind: SitlKind, file: &std::path::Path, by: &str) -> Vec<HostFi
 fn purpose(socket: &ListeningSocket) -> String {
     match socket.protocol {
         Protocol::Udp => {
-            "a UDP port for RC input on all interfaces (its number differs every time)".to_owned()
+            "a UDP port for RC input on all interfaces (a different number each time)".to_owned()
         }
         Protocol::Tcp => format!("TCP port {} on all interfaces", socket.at.port()),
     }
@@ -130,7 +130,7 @@ pub(super) fn ports() -> Vec<HostFinding> {
         let found = format!("in use, {whose}: {}", ports.join(", "));
         let is_open = of_user.clone().any(|socket| !socket.is_loopback());
         if uid == own && is_open {
-            let mend = "whoever reaches this machine can connect to them: the hangar's vehicles have no such ports";
+            let mend = "anyone who can reach this machine can connect to them; the hangar's vehicles have no such ports";
             HostFinding::note("ports", format!("{found}, open to others"), mend)
         } else {
             HostFinding::note(
@@ -164,22 +164,18 @@ pub(super) fn leftovers(settings: &CliSettings) -> Vec<HostFinding> {
             HostFinding::fault(
                 "leftovers",
                 format!(
-                    "process {} ({}) of a hangar that is gone still runs in {}",
+                    "process {} ({}) of an earlier hangar still runs in {}",
                     leftover.pid, leftover.program, leftover.folder
                 ),
-                format!("kill {}; the next hangar ends it too", leftover.pid),
+                format!("kill {}; the next hangar also ends it", leftover.pid),
             )
         })
         .collect();
     findings.extend(skipped.into_iter().map(|text| {
-        HostFinding::note(
-            "leftovers",
-            text,
-            "look at it and remove it, if it is yours",
-        )
+        HostFinding::note("leftovers", text, "check it, and remove it if it is yours")
     }));
     if findings.is_empty() {
-        findings.push(HostFinding::ok("leftovers", "none of earlier hangars"));
+        findings.push(HostFinding::ok("leftovers", "none from earlier hangars"));
     }
     findings
 }

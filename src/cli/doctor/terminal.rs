@@ -47,12 +47,12 @@ fn kind(term: Option<&str>) -> HostFinding {
 
 fn room(size: Option<(u16, u16)>) -> HostFinding {
     match size {
-        None => HostFinding::ok("size", "standard output is no terminal"),
+        None => HostFinding::ok("size", "standard output is not a terminal"),
         Some((columns, rows)) if columns < LEAST.0 || rows < LEAST.1 => HostFinding::note(
             "size",
             format!("{columns} columns, {rows} rows"),
             format!(
-                "make it {} by {} or larger: less hides columns and curves",
+                "make it {} by {} or larger: a smaller one hides columns and curves",
                 LEAST.0, LEAST.1
             ),
         ),
@@ -68,10 +68,10 @@ fn colours(term: Option<&str>, more: Option<&str>) -> HostFinding {
             return HostFinding::note(
                 "colours",
                 "none",
-                "the theme monochrome does without: --theme monochrome",
+                "the theme monochrome needs none: --theme monochrome",
             );
         }
-        _ => "16, or what the terminal does not tell",
+        _ => "16, or unknown",
     };
     HostFinding::ok("colours", found)
 }
@@ -89,8 +89,8 @@ fn locale(found: Option<String>) -> HostFinding {
     };
     HostFinding::note(
         "locale",
-        format!("{said}: no UTF-8, so that maps and curves are drawn with ASCII"),
-        "export LC_ALL=C.UTF-8, also on the side of ssh",
+        format!("{said}: no UTF-8: maps and curves are drawn in ASCII"),
+        "export LC_ALL=C.UTF-8, also on the machine that runs ssh",
     )
 }
 

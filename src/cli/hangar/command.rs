@@ -186,7 +186,7 @@ pub(super) fn command(
     if let Some(missing) = missing {
         tell!("sortie: {missing}");
         tell!(
-            "sortie: the script says `{program}`: put it on the PATH, or name it with --{program}"
+            "sortie: the script starts `{program}`: put it on the PATH, or name it with --{program}"
         );
     }
     say!("{}", script(options, &orders).trim_end())?;

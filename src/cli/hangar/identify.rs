@@ -89,7 +89,7 @@ async fn ask(file: &Path, wanted: Option<SitlKind>, by: Option<String>) -> Ident
         && wanted != identity.kind
     {
         fault = Some(format!(
-            "it is a {}, and stands where a {} is expected",
+            "it is a {}, but a {} is expected here",
             identity.kind.name(),
             wanted.name()
         ));

@@ -143,7 +143,7 @@ fn config(options: &ServeArguments, settings: &CliSettings) -> Result<HangarSetu
         .or_else(|| set.folder.clone().map(PathBuf::from));
     let in_state = || Some(settings.folders.as_ref()?.state.join("hangar"));
     let folder = folder.or_else(in_state).ok_or_else(|| {
-        Failure::Invalid("sortie: there is no home folder: name one with --folder".to_owned())
+        Failure::Invalid("sortie: no home folder: name one with --folder".to_owned())
     })?;
     let limits = HangarLimits {
         instances: options.instances.unwrap_or(set.instances),
@@ -221,7 +221,7 @@ fn warn(address: SocketAddr, options: &ServeArguments) {
     }
     if options.expose {
         log(format_args!(
-            "warning: --expose lets every user of this machine fly the vehicles: their ports ask for no token"
+            "warning: --expose lets every user of this machine fly the vehicles: their ports need no token"
         ));
     }
 }

@@ -64,7 +64,7 @@ pub(super) fn token_file(named: Option<&Path>, settings: &CliSettings) -> Result
         .map(Path::to_owned)
         .or_else(in_state)
         .ok_or_else(|| {
-            let words = "sortie: there is no home folder: name the file of the hangar's token";
+            let words = "sortie: no home folder: name the hangar's token file with --hangar-token";
             Failure::Invalid(words.to_owned())
         })
 }

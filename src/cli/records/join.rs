@@ -64,6 +64,6 @@ impl RecordsCommands {
             path = stored.display().to_string()
         );
         say!("{}", self.locale.text(&text))?;
-        self.say_moments(&moments)
+        self.say_moments(&moments, film.clock())
     }
 }

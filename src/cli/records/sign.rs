@@ -105,6 +105,6 @@ fn key_folder() -> Result<PathBuf, Failure> {
     let named = env::var_os("MINISIGN_CONFIG_DIR").map(PathBuf::from);
     let own = || env::home_dir().map(|home: PathBuf| Path::new(&home).join(".minisign"));
     let folder = named.filter(|path| !path.as_os_str().is_empty());
-    let none = || Failure::Failed(anyhow::anyhow!("there is no home folder: name the key"));
+    let none = || Failure::Failed(anyhow::anyhow!("no home folder: name the key with --key"));
     folder.or_else(own).ok_or_else(none)
 }

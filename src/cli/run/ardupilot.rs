@@ -238,13 +238,13 @@ fn find(all: &Seen, wanted: InstancePlace) -> Option<&Instance> {
 /// The state of a vehicle, and what it still waits for.
 fn words(instance: &Instance) -> String {
     let stage = match instance.stage {
-        SitlStage::Queued => "waits for its start".to_owned(),
+        SitlStage::Queued => "waiting to be started".to_owned(),
         SitlStage::Process => "its process runs".to_owned(),
         SitlStage::Heartbeat => "it is heard".to_owned(),
-        SitlStage::Parameters => format!("all {} parameters have come", instance.parameters[1]),
-        SitlStage::Position => "it knows where it is".to_owned(),
+        SitlStage::Parameters => format!("all {} parameters received", instance.parameters[1]),
+        SitlStage::Position => "its position is known".to_owned(),
         SitlStage::Ready => "it can be armed".to_owned(),
-        SitlStage::Stopping => "it is being ended".to_owned(),
+        SitlStage::Stopping => "its process is being stopped".to_owned(),
         SitlStage::Ended => "its process has ended".to_owned(),
     };
     match &instance.hint {

@@ -146,7 +146,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &air,
             &takeoff,
             4,
-            "takeoff refused: it is flying already",
+            "takeoff refused: it is already flying",
         ),
         (
             "disarm",

@@ -50,6 +50,7 @@ const SEEK: VerbRow = said(
         "seek -5",
         "seek end",
         "seek next refusal",
+        "seek mission 4:10",
     ],
     &[Form::new(
         &[Argument::value("time", Kind::Rest, "argument-seek")],
@@ -138,6 +139,7 @@ fn seek_target(word: &str) -> Option<SeekTarget> {
     let words: Vec<&str> = word.split_whitespace().collect();
     match words[..] {
         ["next", kind] => return MomentKind::named(kind).map(SeekTarget::Next),
+        ["mission", elapsed] => return time(elapsed).map(SeekTarget::Mission),
         ["previous", kind] => return MomentKind::named(kind).map(SeekTarget::Previous),
         _ => {}
     }
@@ -203,6 +205,8 @@ mod tests {
         assert_eq!(seek_target("end"), Some(SeekTarget::End));
         let refusal = SeekTarget::Previous(MomentKind::Refusal);
         assert_eq!(seek_target("previous refusal"), Some(refusal));
+        let elapsed = SeekTarget::Mission(Duration::from_secs(250));
+        assert_eq!(seek_target("mission 4:10"), Some(elapsed));
         assert_eq!(seek_target("next meal"), None);
         assert_eq!(seek_target("soon"), None);
     }

@@ -71,7 +71,7 @@ async fn a_vehicle_that_falls_silent_on_tcp_is_connected_to_anew() {
         .until(|s| matches!(s.state, LinkState::Waiting { .. }))
         .await;
     let reason = status.last_error.expect("a reason");
-    assert!(reason.contains("nothing was heard for 10 s"), "{reason}");
+    assert!(reason.contains("nothing was received for 10 s"), "{reason}");
     listener.accept().await.expect("the link comes back");
 }
 

@@ -12,7 +12,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         if clue.level == 1
             && let Some(line) = command_line(&clue.text.to_string())
         {
-            let fault = format!("a hint of level 1 makes one think: `{line}` belongs in level 3");
+            let fault = format!("a hint of level 1 is a question: `{line}` belongs in level 3");
             examined.add(written.span_of("text"), fault);
         }
     }

@@ -14,15 +14,14 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     for (objective, written) in mission.objectives.iter().zip(tables) {
         let standing = objective.kind.start(&world).standing(&untouched);
         if standing.met && standing.settled {
-            let fault = "this is met before anybody has flown";
+            let fault = "this is met before any vehicle has flown";
             examined.add(written.span.clone(), fault);
             return;
         }
         all &= standing.met || !objective.mandatory;
     }
     if let Some(first) = tables.first().filter(|_| all) {
-        let fault =
-            "the mission is passed by doing nothing: no mandatory objective has to be worked for";
+        let fault = "idle vehicles pass the mission: no mandatory objective requires a flight";
         examined.add(first.span.clone(), fault);
     }
 }

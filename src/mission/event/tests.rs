@@ -2,8 +2,7 @@
 
 use crate::mission::Mission;
 use crate::mission::fake::Pilot;
-use crate::mission::flight::Outcome;
-use crate::scoring::{Report, SafetyKind};
+use crate::scoring::{FlightOutcome, Report, SafetyKind};
 use crate::session::{RadioFault, Want};
 
 /// The first mission with more text appended.
@@ -227,7 +226,7 @@ fn whoever_hurts_somebody_has_failed() {
     let mut pilot = pilot(event, 1);
     pilot.take_off(20.0);
     let report = pilot.report();
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
     assert!(
         report.score <= 300 && report.medal.is_none(),
         "{}",
@@ -262,7 +261,7 @@ fn instructors_may_do_what_the_mission_allows() {
     assert_eq!(pilot.flight.progress().movers.len(), 1);
     pilot.flight.inject("own").expect("it is allowed");
     pilot.wait(1.0);
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
     assert!(pilot.flight.inject("gust").is_err());
 }
 

@@ -83,11 +83,11 @@ fn fail(table: &mut FileTable<'_>) -> Option<Action> {
 fn alert(table: &mut FileTable<'_>) -> Option<Action> {
     let level = table.need("alert", word(&LEVELS), "level of the alert");
     let text = table.need_text("text", "text of the alert");
-    let ok = table.may("ok", condition(), "condition that answers it");
+    let ok = table.may("ok", condition(), "condition that answers the alert");
     let within = table.may(
         "within",
         seconds(1.0, 3600.0),
-        "time to answer; without it 60, 30 or 10 s by level",
+        "time to answer (default 60, 30 or 10 s, by level)",
     );
     if within.is_some() && !table.is_written("ok") {
         let message = "`within` needs an `ok`: the condition that answers the alert";
@@ -110,7 +110,7 @@ fn set(table: &mut FileTable<'_>) -> Option<Action> {
     let lasts = table.may(
         "for",
         time(),
-        "time until the old value returns; without it, permanent",
+        "time until the old value returns (default permanent)",
     );
     let ((element, range), to) = (quantity?, to?);
     if !range.contains(&to) {
@@ -155,25 +155,25 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
         |name| MOVERS.iter().find(|(known, ..)| *known == name),
     );
     let mover = table.need("spawn", mover_form, "`person`, `aircraft` or `intruder`");
-    let id = table.may("id", text(""), "name for conditions; without it, its kind");
+    let id = table.may("id", text(""), "name for conditions (default its kind)");
     let path = table.need("path", list(point(), 2, MOST_POINTS), "points of the path");
     let speed_m_s = table.need("speed", number(0.1, 300.0, "m/s"), "speed along the path");
     let height_m = table.may(
         "height",
         number(0.0, 5000.0, "m"),
-        "height; without it 0, 80 or 30 by kind",
+        "height (default 0, 80 or 30 m, by kind)",
     );
     let keep_out_m = table.may(
         "keep_out",
         number(0.0, 1000.0, "m"),
-        "distance that vehicles must keep; without it 15, 60 or 15 by kind",
+        "distance that vehicles must keep (default 15, 60 or 15 m, by kind)",
     );
     let jitter = number(0.0, 1000.0, "m");
     let jitter_m = table.or(
         "jitter",
         jitter,
         0.0,
-        "the seed moves the whole path by up to this",
+        "the seed moves the whole path by up to this distance",
     );
     let &(name, kind, usual_height_m, usual_keep_out_m) = mover?;
     Some(Action::Spawn(Spawn {
@@ -198,16 +198,16 @@ fn fault(table: &mut FileTable<'_>) -> Option<Action> {
         },
     );
     let kind = table.need("fault", kind_form, "kind of fault");
-    let victim = table.need("vehicle", VictimValue, "vehicle concerned");
+    let victim = table.need("vehicle", VictimValue, "vehicle in which the fault occurs");
     let to = table.may(
         "to",
         number(-1e6, 1e6, ""),
-        "severity, in the unit of the fault; without it, the default",
+        "severity, in the unit of the fault (by default, the usual one)",
     );
     let lasts = table.may(
         "for",
         time(),
-        "time until it works again; without it, permanent",
+        "time until the fault ends (default permanent)",
     );
     let (_, kind, usual, range) = kind?;
     if let Some(to) = to.filter(|to| !range.contains(to)) {

@@ -37,31 +37,31 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let phase = table.may(
         "phase",
         word(&Phase::WORDS),
-        "with this key alone the hint shows by itself: on the ground, when armed, in the air, when only the landing is left",
+        "without `level`, the hint appears automatically in this phase: on the ground, armed, in the air, or with only the landing left",
     );
     let level = table.may(
         "level",
         whole(1, 3, ""),
-        "the hint has to be asked for (`1 hint`) and costs: 1 (a question to think about) 2 %, 2 (where to look) 5 %, \
-         3 (how to do it) 10 % of the score, 30 % at most; on the first try only 3 costs, and nothing does in missions \
-         of tier 0; the mildest is given first",
+        "the trainee has to request the hint (`1 hint`), which costs a share of the score: 1 (a question to think about) \
+         2 %, 2 (where to look) 5 %, 3 (how to do it) 10 %, and at most 30 % in all; on the first try only 3 costs \
+         points, and in missions of tier 0 none does; the lowest level is given first",
     );
     let objective_form = text("id of an objective");
     let objective = table.may(
         "objective",
         objective_form,
-        "the hint is given until this is met",
+        "the hint is available until this is met",
     );
     let until = table.may(
         "until",
         condition(),
-        "a condition as in events: of the hints of a phase that show by themselves, the first whose `until` does not hold \
+        "a condition as in events; of the automatic hints of a phase, the first whose `until` does not hold \
          is shown",
     );
     let english = table.need(
         "text",
         text(""),
-        "text of the hint; `{next_cell}` becomes the next cell to sample",
+        "text of the hint; `{next_cell}` is replaced by the next cell to sample",
     );
     let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
     let no_cells = table.draft().surveys.is_empty() && table.draft().faults.is_empty();
@@ -84,17 +84,14 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let Some(level) = level else {
         // Automatic advice needs a phase.
         let Some(phase) = phase else {
-            let fault = "a hint needs a `phase` to be shown in, or a `level`";
+            let fault = "a hint needs a `phase` in which it is shown, or a `level`";
             table.fault_of("text", fault);
             return None;
         };
         return Some(OneAdvice::Shown(Hint { phase, until, text }));
     };
     if until.is_some() {
-        table.fault_of(
-            "until",
-            "a hint that has to be asked for has an `objective` instead",
-        );
+        table.fault_of("until", "a hint with a `level` has an `objective` instead");
     }
     if let Some(id) = &objective {
         table.draft().check_declared("objective", id);

@@ -30,7 +30,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let medals = table.may(
         "medals",
         medals_form,
-        "missions that need this medal or a better one",
+        "missions in which this medal or a better one is required",
     );
     let skills_form = map("skill, `K1` to `K12`", number(0.0, 1.0, ""));
     let skills = table.may(
@@ -79,11 +79,15 @@ pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
     let xp_tier = table.may(
         "xp_tier",
         tier,
-        "tier by which experience is counted; without it, `tier`",
+        "tier that sets the experience earned (default `tier`)",
     );
     let unlock_form = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
     let unlock = table
-        .may("unlock", unlock_form, "what passing makes available")
+        .may(
+            "unlock",
+            unlock_form,
+            "parts, missions and threats that a pass unlocks",
+        )
         .unwrap_or_default();
     let own = table.draft().tier;
     let unlocked = unlock.iter().filter_map(|name| unlocked(table, name));
@@ -109,7 +113,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
             Some(Unlock::Part(name))
         }
         "part" => {
-            let fault = "a part's id is 1 to 40 small letters, digits, `-` and `_`";
+            let fault = "a part's id is 1 to 40 lower-case letters, digits, `-` and `_`";
             faults.add(written.span(), fault);
             None
         }
@@ -136,7 +140,7 @@ pub(super) const fn design_id() -> TextValue {
     text_by(
         "id of a design",
         is_part,
-        "a design's id is 1 to 40 small letters, digits, `-` and `_`",
+        "a design's id is 1 to 40 lower-case letters, digits, `-` and `_`",
     )
 }
 
@@ -148,7 +152,7 @@ fn is_part(id: &str) -> bool {
 /// Reads a mission's id. Whether the mission exists can only be checked with all missions of its folder.
 fn mission(table: &mut FileTable<'_>, id: &str, written: &Spanned<String>) {
     if !is_mission_id(id) {
-        let fault = "a mission's id is 1 to 40 small letters, digits and `-`";
+        let fault = "a mission's id is 1 to 40 lower-case letters, digits and `-`";
         table.draft().faults.add(written.span(), fault);
     }
 }

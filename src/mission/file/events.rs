@@ -30,21 +30,21 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
     if let Some(id) = &id {
         table.draft().add_id("events", id);
     }
-    let title = table.may_text("title", "title shown to instructors; without it, the id");
+    let title = table.may_text("title", "title shown to instructors (default the id)");
     let trigger = WrittenTrigger::of(table).trigger(table);
-    let once = table.or("once", flag(), true, "whether it happens only once");
+    let once = table.or("once", flag(), true, "whether the event happens only once");
     let jitter = table.or(
         "jitter",
         time(),
         Duration::ZERO,
-        "the seed moves its time by up to this, either way",
+        "the seed moves the time of the event by up to this, in either direction",
     );
     let chance_form = number(0.0, 1.0, "");
     let chance = table.or(
         "p",
         chance_form,
         1.0,
-        "probability that it happens when its time has come",
+        "probability that the event happens when it is due",
     );
     let actions_form = list(table_of(action::action), 1, MOST_ACTIONS);
     let actions = table.need(
@@ -71,18 +71,23 @@ impl WrittenTrigger {
             when: table.may(
                 "when",
                 condition(),
-                "it happens when this becomes true (checked twice a second)",
+                "the event happens when this becomes true (checked twice a second)",
             ),
             after: table.may(
                 "after",
                 text("id of an event"),
-                "it happens after this event",
+                "the event happens after this one",
             ),
-            delay: table.or("delay", time(), Duration::ZERO, "delay after that event"),
+            delay: table.or(
+                "delay",
+                time(),
+                Duration::ZERO,
+                "delay after the event in `after`",
+            ),
             by: table.may(
                 "by",
                 word(&[("instructor", ())]),
-                "it happens when an instructor triggers it",
+                "the event happens when an instructor triggers it",
             ),
         }
     }

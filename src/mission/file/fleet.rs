@@ -99,17 +99,17 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
     let budget = table.may(
         "budget",
         whole(1, MOST_CREDITS, "credits"),
-        "maximum cost of the fleet; must suffice for the cheapest one",
+        "maximum cost of the fleet; must be enough for the cheapest one",
     );
     let loaners = table
         .may(
             "loaner",
             list(design_id(), 0, usize::MAX),
-            "designs that are lent to trainees without a suitable one, one per pad at most",
+            "designs lent to trainees without a suitable one, at most one per pad",
         )
         .unwrap_or_default();
     if pads.is_some_and(|pads| loaners.len() > pads) {
-        table.fault_of("loaner", "`loaner` lends one design for each pad at most");
+        table.fault_of("loaner", "`loaner` lends at most one design for each pad");
     }
     Outlay {
         budget,

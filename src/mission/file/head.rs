@@ -30,15 +30,15 @@ impl FileHead {
         let id = table.need(
             "id",
             id_form,
-            "must equal the name of a shipped file, without its ending",
+            "unique id; in shipped missions, the file name without its ending",
         );
         let rev = table.need(
             "rev",
             whole(0, u32::MAX, ""),
-            "results are compared within one revision only; raise it when a change makes the mission harder or easier",
+            "results are compared only within one revision; raise it when a change makes the mission harder or easier",
         );
         let title = title(table);
-        let brief = table.need_text("brief", "text shown before launch");
+        let brief = table.need_text("brief", "briefing text, shown before launch");
         let tier = table.or(
             "tier",
             whole(0, 255, ""),
@@ -53,7 +53,7 @@ impl FileHead {
             );
             table.may(key, names, about).unwrap_or_default()
         };
-        let tags = names("tags", "subjects, for lists");
+        let tags = names("tags", "subjects of the mission");
         let authors = names("authors", "names of the authors");
         let drill_of = table.may(
             "drill_of",
@@ -91,7 +91,7 @@ fn title(table: &mut FileTable<'_>) -> Option<Text> {
     Some(faults.translated(english?, ukrainian, "title_uk"))
 }
 
-const TOO_LONG: &str = "a name may have 60 characters";
+const TOO_LONG: &str = "a name may have up to 60 characters";
 
 fn is_short(name: &str) -> bool {
     name.chars().count() <= 60
@@ -100,9 +100,9 @@ fn is_short(name: &str) -> bool {
 /// The id of a mission.
 pub(super) const fn mission_id() -> crate::mission::format::TextValue {
     text_by(
-        "1 to 40 small letters, digits and `-`",
+        "1 to 40 lower-case letters, digits and `-`",
         is_mission_id,
-        "a mission's id is 1 to 40 small letters, digits and `-`",
+        "a mission's id is 1 to 40 lower-case letters, digits and `-`",
     )
 }
 

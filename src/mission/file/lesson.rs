@@ -8,7 +8,7 @@ pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
     let when = table.may(
         "when",
         condition(),
-        "condition for showing the step, as in events; without it, always",
+        "condition for showing the step, as in events (default always)",
     );
     let until = table.may(
         "until",
@@ -18,13 +18,13 @@ pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
     let english = table.need(
         "text",
         text(""),
-        "instruction; `{key}` becomes the key in force",
+        "instruction; `{key}` is replaced by the current key",
     );
     let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
     let key_form = text("an action of the keymap such as `map`, or a verb such as `takeoff`");
-    let key = table.may("key", key_form, "action or verb whose key is named");
+    let key = table.may("key", key_form, "action or verb whose key replaces `{key}`");
     if !table.is_written("when") && !table.is_written("until") {
-        table.fault("a step without `when` and `until` would be shown for ever");
+        table.fault("a step without `when` and `until` would be shown forever");
     }
     for written in english.iter().chain(&ukrainian) {
         let rest = written.get_ref().replace(STEP_KEY, "");

@@ -12,7 +12,7 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
         "mandatory",
         flag(),
         false,
-        "whether the mission fails without it; at least one objective must be mandatory",
+        "whether the mission fails if this is not met; at least one objective must be mandatory",
     );
     let (_, kind) = table.need_kind("objective", objective::KINDS)?;
     table.draft().surveys.extend(kind.survey().cloned());

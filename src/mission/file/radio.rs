@@ -11,19 +11,19 @@ pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
     let station = table.may(
         "station",
         point(),
-        "position of the ground station; without it, the first pad",
+        "position of the ground station (default the first pad)",
     );
     let antenna = number(0.5, 100.0, "m");
     let antenna_m = table.or(
         "antenna",
         antenna,
         Radio::USUAL_ANTENNA_M,
-        "height of its antenna",
+        "height of the ground station's antenna",
     );
     let relays = table.may(
         "relays",
         flag(),
-        "whether vehicles in the air relay messages; without it, as the model does",
+        "whether vehicles in the air relay messages (by default, as set in the model)",
     );
     let set = Set::of(model?);
     let first_pad = table.draft().pads.first().copied();
@@ -53,7 +53,7 @@ pub(super) fn may_inject(table: &mut FileTable<'_>) -> Option<Vec<Standard>> {
         "may_inject",
         threats_form,
         "`gust` (7 m/s more for 20 s), `wind_shift` (60 degrees), `gnss_jam` and `link_loss` (one vehicle, 20 s), \
-         `motor_fail` (a motor keeps 75 %), `battery_cold` and `battery_cell` (94 % and 88 % of the voltage), \
+         `motor_fail` (a motor keeps 75 % of its thrust), `battery_cold` and `battery_cell` (94 % and 88 % of the voltage), \
          `person` and `aircraft` (pass through the first task zone)",
     );
     Some(threats.unwrap_or_default())

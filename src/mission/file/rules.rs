@@ -47,14 +47,14 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
         separation_m: table.may(
             "min_separation",
             number(0.0, 1000.0, "m"),
-            "minimum distance between vehicles in the air, 2 m without it; if written, surveys, formations and similar verbs keep it too (2 m at least) instead of 5 m",
+            "minimum distance between vehicles in the air (default 2 m); if set, surveys, formations and similar verbs also keep it (at least 2 m) instead of 5 m",
         ),
         pausable: table.or("pause", flag(), usual.pausable, "whether pausing is allowed"),
         most_speedup: table.or(
             "speedup",
             number(1.0, 100.0, ""),
             usual.most_speedup,
-            "maximum speed-up in flight; 1 forbids it",
+            "maximum speed-up in flight; 1 allows none",
         ),
         open_parameters: table
             .may(

@@ -27,17 +27,17 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
     let weights = table.may(
         "weights",
         table_of(weights),
-        "weights of the components, with a sum of 1; without it .35, .15, .10, .05, .20, .05, .05 and .05",
+        "weights of the components, with a sum of 1; default .35, .15, .10, .05, .20, .05, .05 and .05",
     );
     let par = table.need(
         "par",
         table_of(par),
-        "values that earn all points. Fly the reference script and take 1.35 (tier 0), 1.25 or 1.15 (tier 2 and 3) times its values",
+        "values that earn all points: fly the reference script and multiply its values by 1.35 (tier 0), 1.25 (tier 1) or 1.15 (tiers 2 and 3)",
     );
     let medals = table.may(
         "medals",
         table_of(medals),
-        "points for each medal, without it 850, 700 and 550; every medal needs the mandatory objectives",
+        "points for each medal (default 850, 700 and 550); every medal requires the mandatory objectives",
     );
     let gates_form = list(
         text("`NAME >= NUMBER`, with `>=`, `<=` or `==`"),
@@ -58,7 +58,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         "free_refusals",
         whole(0, 10, "refusals"),
         0,
-        "number of refused commands that cost nothing, because the lesson asks for them",
+        "number of refused commands that cost nothing, because the lesson requires them",
     );
     let par = par?;
     Some(ScoreRules {
@@ -116,24 +116,24 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
 fn about(component: Component) -> &'static str {
     match component {
         Component::Objective => {
-            "the objectives by `value`; .5 at most where a mandatory one was missed"
+            "the objectives, weighted by `value`; at most .5 if a mandatory one was missed"
         }
         Component::Quality => {
-            "quality of the product; without a product the others take its weight"
+            "quality of the product; without a product, the other components share its weight"
         }
         Component::Time => {
-            "1 up to `par.time`, 0 at the time limit; 0 under 60 % of the objectives"
+            "1 up to `par.time`, 0 at the time limit, and 0 below 60 % of the objectives"
         }
         Component::Energy => {
-            "1 up to `par.energy_wh`, 0 at 1.6 times; 0 under 80 % of the objectives"
+            "1 up to `par.energy_wh`, 0 at 1.6 times that, and 0 below 80 % of the objectives"
         }
         Component::Safety => "1 less the cost of broken rules",
-        Component::Command => "few refused, repeated and unanswered commands",
+        Component::Command => "falls with refused, repeated and unanswered commands",
         Component::Attention => {
-            "alerts with `ok` that were answered in time, by level 1, 2 or 4 times; no such alert, no weight"
+            "alerts with `ok` that were answered in time, weighted 1, 2 or 4 by level; without such alerts, the weight is 0"
         }
         Component::Utilisation => {
-            "vehicles in the air with a task; with a single vehicle the weight goes to safety"
+            "vehicles in the air with a task; with a single vehicle, the weight goes to safety"
         }
     }
 }
@@ -162,7 +162,7 @@ fn medals(table: &mut FileTable<'_>) -> Option<Medals> {
         bronze: bronze?,
     };
     if !(medals.bronze < medals.silver && medals.silver < medals.gold) {
-        table.fault("medals must rise from bronze to gold, 1000 at most");
+        table.fault("medals must rise from bronze to gold, up to 1000");
     }
     Some(medals)
 }

@@ -15,7 +15,7 @@ pub(super) struct MissionSite {
 
 pub(super) fn site(table: &mut FileTable<'_>) -> Option<MissionSite> {
     let limit = seconds(10.0, LONGEST_S);
-    let time_limit = table.need("time_limit", limit, "mission time allowed");
+    let time_limit = table.need("time_limit", limit, "maximum mission time");
     let origin = table.need("origin", table_of(origin), "position of `[0, 0]`");
     table.draft().time_limit = time_limit;
     Some(MissionSite {
@@ -27,7 +27,7 @@ pub(super) fn site(table: &mut FileTable<'_>) -> Option<MissionSite> {
 fn origin(table: &mut FileTable<'_>) -> Option<Origin> {
     let lat = table.need("lat", number(-85.0, 85.0, "degrees"), "latitude");
     let lon = table.need("lon", number(-180.0, 180.0, "degrees"), "longitude");
-    let altitude_amsl_m = table.need("alt", number(-500.0, 9000.0, "m"), "height above the sea");
+    let altitude_amsl_m = table.need("alt", number(-500.0, 9000.0, "m"), "height above sea level");
     let heading = number(0.0, 360.0, "degrees");
     let heading_deg = table.or("heading", heading, 0.0, "heading of parked vehicles");
     Some(Origin {
@@ -39,12 +39,12 @@ fn origin(table: &mut FileTable<'_>) -> Option<Origin> {
 
 pub(super) fn weather(table: &mut FileTable<'_>) -> Option<Weather> {
     let calm = Weather::CALM;
-    let wind = table.may("wind", table_of(wind), "mean wind; without it, calm");
+    let wind = table.may("wind", table_of(wind), "mean wind (default calm)");
     let gust_m_s = table.or(
         "gust",
         number(0.0, 20.0, "m/s"),
         calm.gust_m_s,
-        "how much the wind swings about its mean (standard deviation)",
+        "variation of the wind about its mean (standard deviation)",
     );
     let temperature = number(-40.0, 60.0, "degrees Celsius");
     let temperature_c = table.or("temp_c", temperature, calm.temperature_c, "air temperature");
@@ -52,7 +52,7 @@ pub(super) fn weather(table: &mut FileTable<'_>) -> Option<Weather> {
         "light",
         word(&Light::WORDS),
         calm.light,
-        "light for cameras; see the sensors",
+        "light for the cameras; see the sensors",
     );
     Some(Weather {
         wind: wind.unwrap_or(calm.wind),
@@ -66,12 +66,12 @@ fn wind(table: &mut FileTable<'_>) -> Option<Wind> {
     let speed_m_s = table.need(
         "speed",
         number(0.0, 60.0, "m/s"),
-        "for vehicles below 5 m it falls with the square root of the height",
+        "wind speed; below a height of 5 m it falls with the square root of the height",
     );
     let from_deg = table.need(
         "dir",
         number(0.0, 360.0, "degrees"),
-        "direction that it comes from",
+        "direction from which the wind blows",
     );
     Some(Wind {
         speed_m_s: speed_m_s?,

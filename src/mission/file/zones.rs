@@ -20,11 +20,11 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
     let jitter_m = table.may(
         "jitter",
         number(0.0, 1000.0, "m"),
-        "the seed moves the zone by up to this on each axis; not for `task` and `geofence`",
+        "the seed moves the zone by up to this distance on each axis; not for `task` and `geofence`",
     );
     let (_, kind) = table.need_kind("zone", ZONE_KINDS)?;
     if jitter_m.is_some() && is_fixed(kind) {
-        let message = "objectives and rules go by this zone: the seed cannot move it";
+        let message = "objectives and rules depend on this zone: the seed cannot move it";
         table.fault_of("jitter", message);
     }
     id?;
@@ -45,9 +45,17 @@ fn is_fixed(kind: ZoneKind) -> bool {
 /// The shape of a zone: `polygon`, or `center` and `radius`.
 fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
     let corners_form = list(point(), 3, MOST_CORNERS);
-    let corners = table.may("polygon", corners_form, "corners, instead of a circle");
-    let center = table.may("center", point(), "of a circle");
-    let radius_m = table.may("radius", number(0.1, POINT_RANGE, "m"), "of a circle");
+    let corners = table.may(
+        "polygon",
+        corners_form,
+        "corners of the zone, unless it is a circle",
+    );
+    let center = table.may("center", point(), "centre, if the zone is a circle");
+    let radius_m = table.may(
+        "radius",
+        number(0.1, POINT_RANGE, "m"),
+        "radius, if the zone is a circle",
+    );
     let is_circle = table.is_written("center") || table.is_written("radius");
     if is_circle == table.is_written("polygon") {
         table.fault("a zone has either `polygon`, or `center` and `radius`");
@@ -81,17 +89,17 @@ const ZONE_KINDS: &[KindOf<ZoneKind>] = &[
     },
     KindOf {
         name: "no_fly",
-        about: "flying in it is forbidden between two heights",
+        about: "an area in which flying is forbidden between two heights",
         read: no_fly,
     },
     KindOf {
         name: "gnss_jam",
-        about: "satellite navigation fails inside; a vehicle regains it 5 m outside",
+        about: "an area in which satellite navigation fails; a vehicle regains it 5 m outside",
         read: gnss_jam,
     },
     KindOf {
         name: "gnss_glitch",
-        about: "satellite navigation shows a wrong position inside",
+        about: "an area in which satellite navigation shows a wrong position",
         read: gnss_glitch,
     },
     KindOf {
@@ -120,8 +128,13 @@ fn geofence(table: &mut FileTable<'_>) -> Option<ZoneKind> {
 
 fn no_fly(table: &mut FileTable<'_>) -> Option<ZoneKind> {
     let height = number(0.0, HIGHEST_M, "m");
-    let floor_m = table.or("floor", height, 0.0, "flying below is allowed");
-    let ceiling_m = table.or("ceiling", height, HIGHEST_M, "flying above is allowed");
+    let floor_m = table.or("floor", height, 0.0, "flying below this height is allowed");
+    let ceiling_m = table.or(
+        "ceiling",
+        height,
+        HIGHEST_M,
+        "flying above this height is allowed",
+    );
     if floor_m >= ceiling_m {
         table.fault("the `floor` must lie below the `ceiling`");
     }
@@ -141,14 +154,18 @@ fn gnss_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
 }
 
 fn gnss_glitch(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let offset_m = table.need("offset", point(), "error of the position shown");
+    let offset_m = table.need("offset", point(), "error of the indicated position");
     Some(ZoneKind::GnssGlitch {
         offset_m: offset_m?,
     })
 }
 
 fn people(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let below_m = table.need("below", number(1.0, 1000.0, "m"), "minimum height above it");
+    let below_m = table.need(
+        "below",
+        number(1.0, 1000.0, "m"),
+        "minimum height above the area",
+    );
     Some(ZoneKind::People { below_m: below_m? })
 }
 
@@ -158,7 +175,7 @@ fn radio_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
         "edge",
         number(0.0, 1000.0, "m"),
         0.0,
-        "width of the rim in which it fades",
+        "width of the rim in which the noise fades",
     );
     Some(ZoneKind::RadioJam {
         noise_db: noise_db?,
@@ -172,7 +189,7 @@ fn comm_shadow(table: &mut FileTable<'_>) -> Option<ZoneKind> {
     let loss_db = table.may(
         "loss",
         loss,
-        "loss by walls and trees for all vehicles inside",
+        "loss through walls and trees, for all vehicles inside",
     );
     match (height_m, loss_db) {
         (Some(height_m), None) => Some(ZoneKind::CommShadow(Shadow::Ridge { height_m })),

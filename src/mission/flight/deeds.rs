@@ -30,7 +30,7 @@ impl Flight {
         if let Some(recorder) = &mut self.recorder {
             recorder.act(deed, vehicles);
         }
-        let outcomes = if self.ended.is_some() {
+        let outcomes = if self.is_over() {
             vec![Err(text!("deed-over")); vehicles.len()]
         } else {
             self.outcomes(deed, vehicles)

@@ -1,7 +1,8 @@
 //! The comparison of the trainee's prediction and goal with the result.
 
-use super::{Flight, Outcome};
+use super::Flight;
 use crate::commands::Goal;
+use crate::scoring::FlightOutcome;
 use crate::scoring::{CommandTally, Facts, GoalReport, PredictionReport, Score};
 use crate::text;
 use crate::text::Text;
@@ -21,7 +22,7 @@ impl Flight {
         let (kept, result) = self.goal_result(goal, facts, score);
         Some(GoalReport {
             text: goal.title(),
-            reached: kept && self.ended == Some(Outcome::Passed),
+            reached: kept && self.outcome == FlightOutcome::Passed,
             result,
         })
     }

@@ -4,11 +4,11 @@ use super::{Flight, ObjectiveStanding};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
-    AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport,
-    ObjectiveFact, ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements,
-    score,
+    AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, FlightOutcome, HintReport,
+    LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport,
+    improvements, score,
 };
-use crate::text;
+
 use crate::text::rounded;
 use crate::verb::CountsAs;
 
@@ -44,7 +44,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         vehicles: flight.mission.vehicles,
         usage: flight.vehicle_uses(),
         hints: flight.clues.used(&flight.mission),
-        given_up: flight.ended == Some(super::Outcome::Abandoned),
+        given_up: flight.outcome == FlightOutcome::Abandoned,
     }
 }
 
@@ -71,12 +71,12 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         backend: FlightBackend::Embedded,
         flown_by: flight.flown_by,
         mission_file: None,
-        passed: flight.ended == Some(super::Outcome::Passed),
+        passed: flight.outcome == FlightOutcome::Passed,
         given_up: facts.given_up,
         score: score.points,
         medal: score
             .medal
-            .filter(|_| flight.ended == Some(super::Outcome::Passed)),
+            .filter(|_| flight.outcome == FlightOutcome::Passed),
         sim_time_s: rounded(flight.elapsed.as_secs_f64(), 1),
         objectives: objectives(&facts),
         components: components(&score),
@@ -88,9 +88,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
             .collect(),
         events: flight.journal.events(place_of),
         title: mission.title.clone(),
-        outcome: flight
-            .ended
-            .map_or_else(|| text!("mission-flying"), super::Outcome::text),
+        outcome: flight.outcome,
         grade: ScoreGrade::of(score.points),
         vehicles: flight.crafts.len(),
         time_limit_s: rounded(mission.time_limit.as_secs_f64(), 1),
@@ -156,7 +154,7 @@ fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {
 
 fn components(score: &Score) -> Vec<ComponentReport> {
     let report = |component: &crate::scoring::ComponentScore| ComponentReport {
-        name: component.component.title(),
+        component: component.component,
         weight: rounded(component.weight, 3),
         value: rounded(component.value, 3),
         points: rounded(f64::from(component.points_tenths) / 10.0, 1),

@@ -181,7 +181,7 @@ fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
         battery.and_then(|it| it.remaining_percent) > Some(left_percent)
     };
     // Back and forth: it reports its battery while it flies.
-    while is_above(&mut pilot) && pilot.flight.outcome().is_none() {
+    while is_above(&mut pilot) && !pilot.flight.is_over() {
         pilot.goto(10.0, 0.0, 5.0);
         pilot.goto(0.0, 0.0, 5.0);
     }
@@ -222,7 +222,7 @@ fn not_to_land_is_never_safer_than_to_land() {
 fn a_vehicle_in_the_air_when_the_time_is_up_breaks_a_rule() {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);
-    while pilot.flight.outcome().is_none() {
+    while !pilot.flight.is_over() {
         pilot.tick();
     }
     let rules = pilot.flight.broken_rules();

@@ -131,7 +131,7 @@ impl Flight {
     /// # Errors
     /// No inject has that name, or the flight is over.
     pub fn inject(&mut self, name: &str) -> Result<Text, Text> {
-        if self.ended.is_some() {
+        if self.is_over() {
             return Err(text!("deed-over"));
         }
         if let Some(recorder) = &mut self.recorder {

@@ -6,38 +6,12 @@ use super::Flight;
 use super::journal::JournalEntry;
 use crate::mission::craft::Craft;
 use crate::mission::objective::{DOWN_FOR, ObjectiveStanding};
-use crate::scoring::EventKind;
+use crate::scoring::{EventKind, FlightOutcome};
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// The remaining times at which the trainee is warned, in seconds.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
-
-/// How a flight ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// All mandatory objectives are met.
-    Passed,
-    /// A mandatory objective is not met.
-    Failed,
-    /// The time was up before they were met.
-    TimedOut,
-    /// The trainee gave up.
-    Abandoned,
-}
-
-impl Outcome {
-    /// The outcome as text.
-    pub fn text(self) -> Text {
-        match self {
-            Self::Passed => text!("mission-passed"),
-            Self::Failed => text!("mission-failed"),
-            Self::TimedOut => text!("mission-timed-out"),
-            Self::Abandoned => text!("mission-abandoned"),
-        }
-    }
-}
 
 impl Flight {
     pub(super) fn warn_of_time(&mut self, previous: Duration) {
@@ -62,11 +36,11 @@ impl Flight {
         let mut broken = self.journal.broken_rules().iter();
         let harmed = broken.any(|event| event.kind.is_harm());
         if self.threats.have_failed_it() || harmed {
-            self.end(Outcome::Failed);
+            self.end(FlightOutcome::Failed);
         } else if all_lost || (settled && all_down) {
-            self.end(self.verdict(Outcome::Failed));
+            self.end(self.verdict(FlightOutcome::Failed));
         } else if now >= self.mission.time_limit {
-            self.end(self.verdict(Outcome::TimedOut));
+            self.end(self.verdict(FlightOutcome::TimedOut));
         }
     }
 
@@ -81,24 +55,24 @@ impl Flight {
     }
 
     /// The outcome if the flight ends now: `otherwise` if it has no mandatory objective.
-    fn verdict(&self, otherwise: Outcome) -> Outcome {
+    fn verdict(&self, otherwise: FlightOutcome) -> FlightOutcome {
         let standings = self.final_standings();
         if self.mandatory(&standings).all(|it| it.met) {
-            Outcome::Passed
+            FlightOutcome::Passed
         } else {
             otherwise
         }
     }
 
-    pub(super) fn end(&mut self, outcome: Outcome) {
+    pub(super) fn end(&mut self, outcome: FlightOutcome) {
         for craft in &self.crafts {
             for (kind, text) in craft.unlanded_breaches(&self.mission) {
                 self.journal.break_rule(kind, craft.id, &text);
             }
         }
-        self.ended = Some(outcome);
+        self.outcome = outcome;
         self.tell_goals(&self.standings());
-        let text = text!("mission-over", outcome = outcome.text());
+        let text = text!("mission-over", outcome = outcome.title());
         self.journal
             .say(JournalEntry::new(EventKind::Phase, Severity::Notice, text));
     }

@@ -26,13 +26,13 @@ impl Flight {
             .zip(&standings)
             .map(|(objective, standing)| ObjectiveProgress {
                 title: objective.title.clone(),
-                state: match (standing.met, self.ended) {
+                state: match (standing.met, self.is_over()) {
                     (true, _) => ObjectiveState::Met,
-                    (false, None) => ObjectiveState::Open,
-                    (false, Some(_)) => ObjectiveState::Missed,
+                    (false, false) => ObjectiveState::Open,
+                    (false, true) => ObjectiveState::Missed,
                 },
-                detail: match (&standing.outlook, self.ended) {
-                    (Some(outlook), None) => outlook.clone(),
+                detail: match (&standing.outlook, self.is_over()) {
+                    (Some(outlook), false) => outlook.clone(),
                     _ => standing.result.clone(),
                 },
                 fraction: standing.fraction,
@@ -81,7 +81,7 @@ impl Flight {
 
     /// The score so far; `None` on the ground, where points for unbroken rules would be confusing.
     fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
-        let begun = self.ended.is_some() || self.crafts.iter().any(|craft| craft.flown);
+        let begun = self.is_over() || self.crafts.iter().any(|craft| craft.flown);
         begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
     }
 
@@ -105,13 +105,13 @@ impl Flight {
             return None;
         }
         let step = self.mission.lesson.get(self.lesson_step?)?;
-        self.ended.is_none().then(|| step.clone())
+        (!self.is_over()).then(|| step.clone())
     }
 
     fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
         let phase = self.phase(standings);
         let grounding = self.grounding().filter(|_| phase == Phase::Ground);
-        if let Some(event) = grounding.filter(|_| self.ended.is_none()) {
+        if let Some(event) = grounding.filter(|_| !self.is_over()) {
             let vehicle = event.vehicle;
             return Some(text!(
                 "mission-grounded",
@@ -119,13 +119,13 @@ impl Flight {
                 reason = event.text.clone()
             ));
         }
-        if phase == Phase::Done && self.is_down_again() && self.ended.is_none() {
+        if phase == Phase::Done && self.is_down_again() && !self.is_over() {
             return Some(text!("mission-landed"));
         }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
         let mut hints = self.mission.hints.iter().enumerate();
         let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
-        self.ended.is_none().then(|| self.filled(&found.text))
+        (!self.is_over()).then(|| self.filled(&found.text))
     }
 
     /// Whether a vehicle has flown and none is still in the air.
@@ -226,7 +226,7 @@ impl Flight {
     }
 
     fn open_alerts(&self) -> Vec<OpenAlert> {
-        if self.ended.is_some() {
+        if self.is_over() {
             return Vec::new();
         }
         self.threats.engine().waiting(self.elapsed)

@@ -24,7 +24,7 @@ pub(in crate::mission) fn reference(file: &FileTableDescription) -> String {
         };
         let [open, close] = brackets;
         let needed = match section.presence {
-            Presence::Needed => " Needed.",
+            Presence::Needed => " Required.",
             Presence::Optional | Presence::Default(_) => "",
         };
         let (name, about) = (&section.name, section.about);
@@ -69,7 +69,7 @@ fn rows<'k>(keys: impl Iterator<Item = &'k FileKey>) -> String {
 fn add_rows(out: &mut String, before: &str, key: &FileKey) {
     let name = format!("{before}{}", key.name);
     let default = match &key.presence {
-        Presence::Needed => "needed",
+        Presence::Needed => "required",
         Presence::Optional => "none",
         Presence::Default(default) => default,
     };
@@ -132,12 +132,12 @@ impl FileShape {
             Self::List(of, least, most) => {
                 let of = of.words();
                 match (least, most) {
-                    (_, &usize::MAX) => format!("a list of: {of}"),
-                    (0, most) => format!("a list, up to {most}, of: {of}"),
-                    (least, most) => format!("a list, {least} to {most}, of: {of}"),
+                    (_, &usize::MAX) => format!("a list; each: {of}"),
+                    (0, most) => format!("a list of up to {most}; each: {of}"),
+                    (least, most) => format!("a list of {least} to {most}; each: {of}"),
                 }
             }
-            Self::Map(names, of) => format!("a table by {names}: {}", of.words()),
+            Self::Map(names, of) => format!("a table; for each {names}: {}", of.words()),
             Self::Table(_) => "a table".to_owned(),
         }
     }

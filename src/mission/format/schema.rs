@@ -14,7 +14,7 @@ pub(in crate::mission) fn schema(file: &FileTableDescription) -> String {
         "$schema".to_owned(),
         json!("https://json-schema.org/draft/2020-12/schema"),
     );
-    root.insert("title".to_owned(), json!("A mission of sortie"));
+    root.insert("title".to_owned(), json!("A sortie mission"));
     format!("{:#}", Value::Object(root))
 }
 

@@ -37,7 +37,7 @@ impl FileTable<'_> {
         let name = self.need(
             "zone",
             value::text("id of a task zone"),
-            "the zone concerned",
+            "zone to which this applies",
         )?;
         self.draft().task_zone(&name)
     }
@@ -74,7 +74,7 @@ impl FileTable<'_> {
         let asked = value::number(low, high, "");
         let met_at = self.need("target", asked, "result that earns all points");
         let from = value::number(0.0, high, "");
-        let partial_from = self.need("partial_from", from, "result from which points count");
+        let partial_from = self.need("partial_from", from, "result at which points begin");
         let target = ObjectiveTarget {
             met_at: met_at?,
             partial_from: partial_from?,
@@ -100,7 +100,7 @@ impl FileTable<'_> {
         let asked = value::whole(least, most, unit);
         let needed = self.need("target", asked, "result that earns all points");
         let from = value::whole(0, most, unit);
-        let partial_from = self.or("partial_from", from, 0, "result from which points count");
+        let partial_from = self.or("partial_from", from, 0, "result at which points begin");
         let met_at = needed?;
         if met_at <= partial_from {
             self.fault_of("target", "`target` must be above `partial_from`");

@@ -48,7 +48,7 @@ pub(in crate::mission) trait FileValue {
 /// The valid names, listed for a fault.
 pub(super) fn expected(names: &[&str]) -> String {
     match names {
-        [] => "there are no fields".to_owned(),
+        [] => "no fields are allowed here".to_owned(),
         [one] => format!("expected `{one}`"),
         [one, other] => format!("expected `{one}` or `{other}`"),
         _ => format!("expected one of `{}`", names.join("`, `")),

@@ -83,7 +83,7 @@ pub(crate) struct Fire {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "fire",
-    about: "a fire that spreads over a grid of cells, with the wind",
+    about: "a fire that spreads over a grid of cells, driven by the wind",
     read,
 };
 
@@ -94,7 +94,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "fuel",
         word(&Fuel::WORDS),
         Fuel::Grass,
-        "fuel on the ground; in a wind of 5 m/s fire spreads at 0.55 m/s in grass, 0.33 in shrub, 0.08 in timber; `bare` stops it",
+        "fuel on the ground; in a wind of 5 m/s, fire spreads at 0.55 m/s in grass, 0.33 in shrub, 0.08 in timber; `bare` stops it",
     );
     let patches_form = list(table_of(read_patch), 0, usize::MAX);
     let patches = table.may(
@@ -106,22 +106,22 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "moisture",
         number(0.0, 1.0, ""),
         0.05,
-        "share of water in the fuel; 0.15 halves the speed",
+        "share of water in the fuel; 0.15 halves the speed of the fire",
     );
     let embers = table.or(
         "embers",
         number(0.0, 1000.0, ""),
         1.0,
-        "factor on the usual number of embers",
+        "number of embers, as a multiple of the usual one",
     );
     let ignitions_form = list(table_of(read_ignition), 1, usize::MAX);
-    let ignitions = table.need("ignitions", ignitions_form, "places where it begins");
+    let ignitions = table.need("ignitions", ignitions_form, "places where the fire starts");
     let jitter = number(0.0, POINT_RANGE, "m");
     let jitter_m = table.or(
         "jitter",
         jitter,
         0.0,
-        "the seed moves each ignition by up to this",
+        "the seed moves each ignition by up to this distance",
     );
     let mut grid = ground(table, area?, side_m?, fuel)?;
     (grid.moisture, grid.embers) = (moisture, embers);
@@ -144,12 +144,17 @@ fn read_patch(table: &mut FileTable<'_>) -> Option<FuelPatch> {
 
 fn read_ignition(table: &mut FileTable<'_>) -> Option<Ignition> {
     let at = table.need("at", point(), "position");
-    let time = table.or("time", time(), Duration::ZERO, "mission time");
+    let time = table.or(
+        "time",
+        time(),
+        Duration::ZERO,
+        "mission time of the ignition",
+    );
     let radius_m = table.or(
         "radius",
         number(0.0, 1000.0, "m"),
         0.0,
-        "radius that burns at once",
+        "radius of the ground that burns at once",
     );
     Some(Ignition {
         at: at?,

@@ -34,23 +34,23 @@ struct Flood {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "flood",
-    about: "rising water around houses with people on their roofs; a person whom the water reaches without a kit is lost",
+    about: "rising water around houses with people on their roofs; a person is lost if the water arrives before a kit",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let zone = table.need_task_zone();
-    let houses = table.need(
-        "houses",
+    let houses = table.need("houses", whole(1, MOST_HOUSES, ""), "number of houses");
+    let people = table.need(
+        "people",
         whole(1, MOST_HOUSES, ""),
-        "number of houses, each with a roof",
+        "number of people, each on a separate roof",
     );
-    let people = table.need("people", whole(1, MOST_HOUSES, ""), "on roofs of their own");
     let animals = table.or(
         "animals",
         whole(0, MOST_HOUSES, ""),
         0,
-        "on roofs of their own",
+        "number of animals, each on a separate roof",
     );
     let gap_m = table.need(
         "min_gap",
@@ -66,7 +66,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     );
     let rise_m_min = table.need(
         "rise",
-        number(0.0, 60.0, "m a minute"),
+        number(0.0, 60.0, "m/min"),
         "speed at which the water rises",
     );
     let nodes_form = list(point(), 0, usize::MAX);

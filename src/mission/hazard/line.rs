@@ -67,17 +67,17 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "stains",
         stains_form,
         0,
-        "stains that look like defects from afar",
+        "stains that look like defects from a distance",
     );
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),
-        "minimum distance between them; together they may take half of the line",
+        "minimum distance between defects and stains; together they may take up half of the line",
     );
     let (pylons, height_m, sag_m) = (pylons?, height_m?, sag_m?);
     let mut spans = pylons.windows(2);
     if !spans.all(|pair| distance_m(pair[0], pair[1]) >= 5.0) {
-        let fault = format!("a line has 2 to {MOST_PYLONS} pylons, 5 m or more apart");
+        let fault = format!("a line has 2 to {MOST_PYLONS} pylons, at least 5 m apart");
         table.fault_of("pylons", fault);
         return None;
     }

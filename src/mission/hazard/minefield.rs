@@ -32,10 +32,15 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let mines = table.need(
         "count",
         table_of(read_mines),
-        "numbers of mines, at least one; at most 2000 objects",
+        "numbers of mines, at least 1 in all; at most 2000 objects with the scrap metal",
     );
     let scrap = whole(0, 2000, "pieces");
-    let clutter = table.or("clutter", scrap, 0, "scrap metal that looks like mines");
+    let clutter = table.or(
+        "clutter",
+        scrap,
+        0,
+        "pieces of scrap metal, which sensors may take for mines",
+    );
     let gap_m = table.need(
         "min_gap",
         number(0.0, 100.0, "m"),
@@ -81,11 +86,11 @@ fn read_mines(table: &mut FileTable<'_>) -> Option<[(ObjectClass, u32); 3]> {
     Some([
         (
             ObjectClass::MetalMine,
-            count("metal", "mines with much metal"),
+            count("metal", "mines with a high metal content"),
         ),
         (
             ObjectClass::MinimumMetalMine,
-            count("min_metal", "mines with very little metal"),
+            count("min_metal", "mines with a very low metal content"),
         ),
         (
             ObjectClass::SurfaceMine,

@@ -80,13 +80,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "meander",
         number(0.0, 60.0, "degrees"),
         0.0,
-        "swing of its axis, standard deviation",
+        "swing of the plume's axis (standard deviation)",
     );
     let intermittency = table.or(
         "intermittency",
         number(0.0, 2.0, ""),
         0.0,
-        "strength of its gusts: standard deviation of the logarithm of the reading; 0.5 is hard",
+        "fluctuation of the readings: standard deviation of their logarithm; 0.5 is difficult",
     );
     Some(Box::new(PlumeHazard {
         leak: leak?,

@@ -50,7 +50,7 @@ struct PuffsField {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "puffs",
-    about: "a leak like `plume`, made of single puffs that drift apart, so that the cloud bends where the wind has turned",
+    about: "a leak like `plume`, made of separate puffs that drift apart, so that the cloud bends where the wind has turned",
     read,
 };
 

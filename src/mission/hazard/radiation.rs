@@ -74,7 +74,7 @@ struct RadiationField {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "radiation",
-    about: "gamma sources, which walls shield",
+    about: "gamma sources, which walls can shield",
     read,
 };
 
@@ -83,7 +83,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let sources = table.need(
         "sources",
         sources_form,
-        "1 GBq gives 92.7 (`Cs-137`) or 351 uSv/h (`Co-60`) at 1 m",
+        "the sources; 1 GBq gives 92.7 (`Cs-137`) or 351 uSv/h (`Co-60`) at 1 m",
     );
     let walls = table.may(
         "walls",
@@ -102,7 +102,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "jitter",
         jitter,
         0.0,
-        "the seed moves each source by up to this",
+        "the seed moves each source by up to this distance",
     );
     Some(Box::new(RadiationHazard {
         sources: sources?,
@@ -135,8 +135,8 @@ fn read_source(table: &mut FileTable<'_>) -> Option<GammaSource> {
 }
 
 fn read_wall(table: &mut FileTable<'_>) -> Option<Wall> {
-    let from = table.need("from", point(), "one end");
-    let to = table.need("to", point(), "the other end");
+    let from = table.need("from", point(), "one end of the wall");
+    let to = table.need("to", point(), "other end of the wall");
     let height_m = table.need("height", number(0.1, 500.0, "m"), "height of the wall");
     let passes = table.need(
         "passes",

@@ -67,7 +67,7 @@ impl LeakPlan {
         let stability = table.need(
             "stability",
             word(&Stability::WORDS),
-            "stability of the air: `A` very unstable (sun, spreads fast) to `F` stable (clear night, stays narrow); `D` neutral",
+            "stability of the air: `A` very unstable (sun, spreads fast) to `F` stable (clear night, stays narrow); `D` is neutral",
         );
         let terrain = table.or(
             "terrain",
@@ -79,9 +79,9 @@ impl LeakPlan {
             "substance",
             word(&Substance::WORDS),
             Substance::Vapour,
-            "measured by `s_voc`, `s_gas4`, `s_tdlas` and `s_pm25`, in this order",
+            "substance that leaks; `s_voc`, `s_gas4`, `s_tdlas` and `s_pm25` measure these, in this order",
         );
-        let jitter = table.may("jitter", table_of(read_jitter), "what the seed changes");
+        let jitter = table.may("jitter", table_of(read_jitter), "variation by the seed");
         Some(Self {
             source: Plume {
                 source: source?,
@@ -116,12 +116,12 @@ fn read_jitter(table: &mut FileTable<'_>) -> Option<Jitter> {
     let position_m = table.need(
         "position",
         position,
-        "greatest shift of the source on each axis",
+        "maximum shift of the source on each axis",
     );
     let rate = table.need(
         "rate",
         number(0.0, 0.9, ""),
-        "greatest relative change of the rate",
+        "maximum relative change of the rate",
     );
     Some(Jitter {
         position_m: position_m?,

@@ -31,34 +31,29 @@ struct Survivors {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "survivors",
-    about: "people at random places in a zone, and animals that look like people from afar",
+    about: "people at random places in a zone, and animals that look like people from a distance",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let zone = table.need_task_zone();
     let count = table.need("count", whole(1, MOST_PEOPLE, ""), "number of people");
-    let animals = table.or(
-        "animals",
-        whole(0, MOST_PEOPLE, ""),
-        0,
-        "animals that look like people from afar",
-    );
+    let animals = table.or("animals", whole(0, MOST_PEOPLE, ""), 0, "number of animals");
     let cover_form = spread_values("[low, high]", number(0.0, 0.95, ""));
     let cover = table.may(
         "cover",
         cover_form,
-        "share hidden by trees; without it, none",
+        "least and greatest share of an object that trees hide (default none)",
     );
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),
-        "minimum distance between them",
+        "minimum distance between people and animals",
     );
     let lasts_s = table.may(
         "lasts",
         number(10.0, LONGEST_S, "s"),
-        "how long people survive (Weibull distribution, shape 2, this scale: few die early); without it, for ever",
+        "survival time: the scale of a Weibull distribution with shape 2, so few die early (default no limit)",
     );
     Some(Box::new(Survivors {
         shape: zone?.shape,

@@ -47,7 +47,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let within_s = table.need(
         "within",
         number(1.0, 3600.0, "s"),
-        "time after the vehicle became ready",
+        "maximum time after the vehicle became ready",
     );
     Some(Box::new(ArmTime {
         within_s: within_s?,

@@ -52,7 +52,7 @@ struct Sweep {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "coverage",
-    about: "met when the sensors have swept this share of the cells; a sensor sweeps a cell where it has at least half of its best probability of detection",
+    about: "met when the sensors have swept the share `target` of the cells; a sensor sweeps a cell where it has at least half of its best probability of detection",
     read,
 };
 

@@ -54,7 +54,7 @@ pub(crate) struct DetectTally {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
-    about: "met when the F-measure of the reports, less what the wrong ones cost, reaches the target. It is counted when the flight is over, and a flight is not over before the last report is 20 s old. Its reports are a product",
+    about: "met when the F-measure of the reports, less the cost of wrong ones, reaches the target. It is scored at the end of the flight, which comes at the earliest 20 s after the last report. Its reports are a product",
     read,
 };
 
@@ -66,18 +66,18 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         "2: a miss is much worse than a false alarm; 1: both are equally bad",
     );
     let radius = number(0.1, 1000.0, "m");
-    let radius_m = table.need("radius", radius, "greatest distance of a right report");
+    let radius_m = table.need("radius", radius, "maximum distance of a correct report");
     let budget = table.or(
         "budget",
         number(1.0, 100.0, ""),
         BUDGET,
-        "reports that count for each object",
+        "number of reports that count, for each object",
     );
     let false_cost = table.or(
         "false_cost",
         number(0.0, 10.0, ""),
         0.0,
-        "cost of a false report, in finds",
+        "cost of a false report, as a number of finds",
     );
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(Detect {
@@ -155,6 +155,20 @@ impl Tracker for Detect {
 
 impl Detect {
     fn result(&self, tally: DetectTally, score: f64) -> Text {
+        let cost = tally.cost(self.false_cost);
+        if cost > 0.0 {
+            return text!(
+                "detect-result-cost",
+                beta = format!("{:.0}", self.beta),
+                score = format!("{score:.2}"),
+                measure = format!("{:.2}", tally.f_beta(self.beta)),
+                cost = format!("{cost:.2}"),
+                found = tally.found,
+                there = tally.there,
+                wrong = tally.false_alarms,
+                repeated = tally.repeated,
+            );
+        }
         text!(
             "detect-result",
             beta = format!("{:.0}", self.beta),
@@ -265,10 +279,14 @@ impl DetectTally {
         }
     }
 
-    /// The F-measure, less the cost of wrong reports: `false_cost` finds each.
+    /// The cost of the wrong reports: `false_cost` finds each.
+    fn cost(self, false_cost: f64) -> f64 {
+        false_cost * self.false_alarms as f64 / self.there.max(1) as f64
+    }
+
+    /// The F-measure, less the cost of the wrong reports.
     fn worth(self, beta: f64, false_cost: f64) -> f64 {
-        let cost = false_cost * self.false_alarms as f64 / self.there.max(1) as f64;
-        (self.f_beta(beta) - cost).max(0.0)
+        (self.f_beta(beta) - self.cost(false_cost)).max(0.0)
     }
 
     fn advice(self) -> Text {

@@ -27,7 +27,7 @@ struct DoseTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "dose",
-    about: "met when no vehicle has received a higher dose; a dose twice as high is worth nothing",
+    about: "met when no vehicle has received more than this dose; twice the dose earns nothing",
     read,
 };
 
@@ -35,7 +35,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let limit_usv = table.need(
         "limit_usv",
         number(1e-3, 1e6, "uSv"),
-        "greatest dose of a vehicle",
+        "maximum dose of a vehicle",
     );
     Some(Box::new(Dose {
         limit_usv: limit_usv?,

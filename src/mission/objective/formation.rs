@@ -38,7 +38,7 @@ struct FormationTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "formation",
-    about: "met when the centre of all vehicles has passed the gates in their order, and each vehicle kept its distance to the nearest other for a share of the time",
+    about: "met when the centre of all vehicles has passed the gates in order, and each vehicle has kept its distance to the nearest other for the share `target` of the time",
     read,
 };
 

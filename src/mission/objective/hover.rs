@@ -50,7 +50,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let place_name = table.may(
         "place",
         text("id of a place"),
-        "place of the hover; without it, anywhere",
+        "place of the hover (default anywhere)",
     );
     let place = match place_name {
         Some(name) => Some(table.draft().named_place(&name)?),

@@ -22,14 +22,14 @@ struct LandOn {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "land_on",
-    about: "met when enough vehicles stand at the place, disarmed",
+    about: "met when enough vehicles have landed at the place and are disarmed",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let place = table.need("place", text("id of a place"), "place to land at");
     let radius_m = table.need_radius();
-    let count = table.or("count", whole(1, 250, ""), 1, "number of vehicles");
+    let count = table.or("count", whole(1, 250, ""), 1, "number of vehicles required");
     let fleet = table.draft().pads.len();
     if fleet > 0 && count as usize > fleet {
         let fault = format!("`count` must lie between 1 and the {fleet} vehicles of the fleet");

@@ -27,7 +27,7 @@ struct LinkObjective {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "link",
-    about: "met when vehicles have spent `time` in the zone, and for this share of it with at least this link margin",
+    about: "met when vehicles have spent `time` in the zone, and have had the link `margin` for the share `target` of it",
     read,
 };
 
@@ -37,7 +37,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let max_height_m = table.may(
         "max_height",
         number(1.0, 1000.0, "m"),
-        "vehicles that fly higher do not count; without it, all do",
+        "maximum height of vehicles that count (default all count)",
     );
     let time = seconds(1.0, LONGEST_S);
     let needed = table.need("time", time, "time in the zone, all vehicles together");

@@ -47,14 +47,14 @@ struct LocateReports {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak was reported near enough to its position, with at most one wrong report for each; the result is shown when the flight is over. Its reports are a product",
+    about: "met when each source or leak has been reported near enough to its position, with at most one wrong report for each; the result is shown after the flight. Its reports are a product",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let hazard = table.need_hazard("of", "hazard whose sources are to be located");
     let within = number(0.1, 10_000.0, "m");
-    let within_m = table.need("within", within, "greatest distance of a right report");
+    let within_m = table.need("within", within, "maximum distance of a correct report");
     let partial_to_m = table.need("partial_to", within, "distance at which points end");
     if partial_to_m <= within_m && partial_to_m.is_some() {
         table.fault_of("partial_to", "`partial_to` must be above `within`");

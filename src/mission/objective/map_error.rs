@@ -44,7 +44,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let of = table.need(
         "of",
         text("id of an earlier `sample_cells`"),
-        "survey that the map is made from",
+        "survey from which the map is made",
     );
     let height_m = table.need("height", number(0.0, 1000.0, "m"), "height of the map");
     let target = table.need_target([0.0, 10.0], BetterMeasure::Lower);

@@ -39,7 +39,7 @@ struct PerimeterTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "perimeter",
-    about: "met when the map of burnt ground, drawn from what the camera saw, agrees with the truth at these times: intersection over union, the mean of all times. Its map is a product",
+    about: "met when the map of burnt ground, drawn from what the camera saw, matches the truth at the given times: intersection over union, averaged over all times. Its map is a product",
     read,
 };
 
@@ -49,7 +49,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let times = table.need(
         "times",
         list(seconds(1.0, LONGEST_S), 1, 1000),
-        "mission times, rising",
+        "mission times, in ascending order",
     );
     let share = number(0.01, 1.0, "");
     let met_at = table.need("target", share, "result that earns all points");
@@ -57,7 +57,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         "partial_from",
         number(0.0, 1.0, ""),
         0.0,
-        "result from which points count",
+        "result at which points begin",
     );
     if met_at.is_some_and(|met_at| partial_from >= met_at) {
         table.fault_of(
@@ -69,7 +69,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     if !times.is_sorted_by(|a, b| a < b) {
         table.fault_of(
             "times",
-            "`times` must be rising seconds, the first at least 1",
+            "`times` must be seconds in ascending order, the first at least 1",
         );
     }
     let sensor = sensor?;

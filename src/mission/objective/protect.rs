@@ -43,7 +43,7 @@ fn read_protect(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 
 pub(super) const CONTAIN: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "contain",
-    about: "met when at most this share has burnt of what would burn without intervention",
+    about: "met when the burnt area is at most the share `target` of what would burn without intervention",
     read: read_contain,
 };
 

@@ -19,13 +19,13 @@ struct Recover {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "recover",
-    about: "met when all vehicles stand on the pads, disarmed, with enough battery left; nearly every mission has it",
+    about: "met when all vehicles are on the pads, disarmed, with enough charge left; nearly every mission has this objective",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let radius = number(0.5, 1000.0, "m");
-    let radius_m = table.need("radius", radius, "greatest distance from a pad");
+    let radius_m = table.need("radius", radius, "maximum distance from a pad");
     let charge = number(0.0, 100.0, "%");
     let battery_percent = table.need("battery_pct", charge, "minimum charge after landing");
     Some(Box::new(Recover {

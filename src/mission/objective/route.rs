@@ -22,13 +22,13 @@ pub(crate) struct GateRoute {
 impl GateRoute {
     /// Reads the keys of a route.
     pub(super) fn need(table: &mut FileTable<'_>) -> Option<Self> {
-        let gates = table.need("gates", list(gate(), 1, MOST_GATES), "gates in their order");
+        let gates = table.need("gates", list(gate(), 1, MOST_GATES), "gates, in order");
         let radius_m = table.need_radius();
         let jitter_m = table.or(
             "jitter",
             number(0.0, 1000.0, "m"),
             0.0,
-            "the seed moves each gate by up to this",
+            "the seed moves each gate by up to this distance",
         );
         Some(Self {
             gates: gates?,

@@ -21,13 +21,13 @@ struct SampleCells {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "sample_cells",
-    about: "met when enough cells were sampled; a cell is sampled once a vehicle has stayed in it for `dwell`, within the heights and the speed",
+    about: "met when enough cells have been sampled; a cell is sampled once a vehicle has stayed in it for `dwell`, within the limits of height and speed",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let sensor = table.need_sensor("sensor", "sensor that measures");
+    let sensor = table.need_sensor("sensor", "sensor that takes the samples");
     let side_m = table.need("cell", number(1.0, 1000.0, "m"), "side of a cell");
     let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "time in each cell");
     let max_speed_m_s = table.need(
@@ -35,7 +35,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         number(0.1, 100.0, "m/s"),
         "maximum speed while sampling",
     );
-    let heights_m = table.need("heights", heights(), "heights for sampling");
+    let heights_m = table.need("heights", heights(), "allowed heights while sampling");
     let target = table.need_count(1, 10_000, "cells");
     let cells = match (&zone, side_m) {
         (Some(zone), Some(side_m)) => grid(&zone.shape, side_m, table),
@@ -50,7 +50,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let sensor = sensor?;
     let probe = sensor.probe();
     if probe.is_none() {
-        let fault = format!("`{}` finds things, it measures nothing", sensor.id);
+        let fault = format!("`{}` finds things and does not measure anything", sensor.id);
         table.fault_of("sensor", fault);
     }
     Some(Box::new(SampleCells {

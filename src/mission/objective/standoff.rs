@@ -29,7 +29,7 @@ struct Standoff {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "standoff",
-    about: "met when vehicles kept the right distance for this share of their time near the line",
+    about: "met when vehicles have kept the right distance for the share `target` of their time near the line",
     read,
 };
 

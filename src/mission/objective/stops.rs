@@ -62,7 +62,7 @@ impl Stop {
 
 pub(super) const GATES: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "gates",
-    about: "met when a vehicle has flown through each gate, in their order; only one objective of a mission may have gates",
+    about: "met when a vehicle has flown through all gates in order; only one objective of a mission may have gates",
     read: read_gates,
 };
 
@@ -82,10 +82,15 @@ pub(super) const VISIT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let places_form = list(text("id of a place"), 1, MOST_PLACES);
-    let places = table.need("places", places_form, "places, each named once");
+    let places = table.need("places", places_form, "places, each only once");
     let radius_m = table.need_radius();
-    let dwell_s = table.or("dwell", number(0.0, 600.0, "s"), 0.0, "time to stay");
-    let heights_m = table.may("heights", heights(), "heights that count; without it, any");
+    let dwell_s = table.or(
+        "dwell",
+        number(0.0, 600.0, "s"),
+        0.0,
+        "time to stay at each place",
+    );
+    let heights_m = table.may("heights", heights(), "heights that count (default any)");
     let (places, radius_m) = (places?, radius_m?);
     let mut named = BTreeSet::new();
     let mut found = Vec::new();

@@ -4,7 +4,8 @@ use crate::commands::{Deed, FindKind, Spot, Subject};
 use crate::mission::fake::{Pilot, given};
 use crate::mission::ground_truth::Quantity;
 use crate::mission::world::World;
-use crate::mission::{Mission, ObjectiveState, Outcome, Point};
+use crate::mission::{Mission, ObjectiveState, Point};
+use crate::scoring::FlightOutcome;
 
 const PLUME: &str = include_str!("../../../missions/03-plume-source.toml");
 const WATCH: &str = include_str!("../../../missions/08-fire-watch.toml");
@@ -48,7 +49,7 @@ fn how_near_a_report_is_comes_out_after_landing_only() {
     assert!(first.fraction.abs() < 1e-9);
     assert_eq!(first.detail, "reported: 1");
     pilot.land();
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Passed));
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Passed);
     assert_eq!(pilot.report().objectives[0].result, "5 m off");
 }
 
@@ -100,7 +101,7 @@ fn in_flight_a_report_is_counted_but_not_judged() {
     );
     pilot.land();
     pilot.wait(30.0);
-    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed), "one of five");
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed, "one of five");
     let result = pilot.report().objectives[0].result.to_string();
     assert!(result.contains("1/5 found, 0 false"), "{result}");
 }
@@ -112,10 +113,14 @@ fn a_flight_ends_when_the_last_report_is_20_s_old_right_or_wrong() {
         let [east, north] = truth(SEARCH, 4);
         pilot.take_off(5.0);
         pilot.land();
-        assert_eq!(pilot.flight.outcome(), None, "nothing has been reported");
+        assert_eq!(
+            pilot.flight.outcome(),
+            FlightOutcome::Flying,
+            "nothing has been reported"
+        );
         let landed = pilot.now;
         mark_as(&mut pilot, [east + wrong_m, north], FindKind::Person);
-        while pilot.flight.outcome().is_none() {
+        while !pilot.flight.is_over() {
             pilot.tick();
         }
         pilot.now.saturating_sub(landed).as_secs()

@@ -79,6 +79,12 @@ impl Stored {
         Ok(stored)
     }
 
+    /// Whether the flight was paused.
+    pub(super) fn has_pauses(&self) -> bool {
+        let mut lines = self.lines.iter();
+        lines.any(|line| matches!(line, RecordLine::Pause { .. }))
+    }
+
     /// The recorded result, if the flight was flown to its end.
     pub fn end(&self) -> Option<&End> {
         self.lines.last().and_then(RecordLine::end)
@@ -256,7 +262,7 @@ impl Reenactment {
     /// Passes the steps without a line before that time, while the flight lasts: a damaged time may be years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
-            && self.flight.outcome().is_none()
+            && !self.flight.is_over()
         {
             self.step(next);
         }

@@ -359,7 +359,15 @@ impl RecordCheck {
             sim_time_s: report.sim_time_s,
         };
         match stored.end() {
+            Some(end)
+                if *end == again && stored.head.stake == Stake::Exam && stored.has_pauses() =>
+            {
+                Err(self.reflight.differs(None, text!("verify-exam-paused")))
+            }
             Some(end) if *end == again => Ok(()),
+            Some(end) if end.score == again.score => {
+                Err(self.reflight.differs(None, text!("verify-other-end")))
+            }
             Some(end) => {
                 let what = text!(
                     "verify-other-score",

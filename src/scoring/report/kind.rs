@@ -4,6 +4,9 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::text;
+use crate::text::Text;
+
 /// The kind of a timeline's event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -64,6 +67,41 @@ impl FlightBackend {
 impl fmt::Display for FlightBackend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
+    }
+}
+
+/// How far a flight of a mission has come, or how it ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FlightOutcome {
+    /// It is not over.
+    #[default]
+    Flying,
+    /// All mandatory objectives are met.
+    Passed,
+    /// A mandatory objective is not met.
+    Failed,
+    /// The time was up before they were met.
+    #[serde(rename = "timed out")]
+    TimedOut,
+    /// The trainee gave up.
+    Abandoned,
+}
+
+impl FlightOutcome {
+    pub fn is_over(self) -> bool {
+        self != Self::Flying
+    }
+
+    /// Its name for people.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Flying => text!("mission-flying"),
+            Self::Passed => text!("mission-passed"),
+            Self::Failed => text!("mission-failed"),
+            Self::TimedOut => text!("mission-timed-out"),
+            Self::Abandoned => text!("mission-abandoned"),
+        }
     }
 }
 

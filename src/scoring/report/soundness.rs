@@ -33,7 +33,7 @@ impl Report {
         let claimed = self
             .components
             .iter()
-            .find(|it| it.is(Component::Objective));
+            .find(|it| it.component == Component::Objective);
         let is_fair = |value: f64| share.is_some_and(|share| value <= share + SHARE_OFF);
         let most = self.subtotal * self.hint_factor;
         if weights > 1.0 + SHARE_OFF {
@@ -72,11 +72,6 @@ impl Report {
 }
 
 impl ComponentReport {
-    /// Whether a name is a component's; stored names are English.
-    pub fn is(&self, component: Component) -> bool {
-        self.name.to_string() == component.title().to_string()
-    }
-
     fn fault(&self) -> Option<String> {
         let points = PERFECT * self.weight * self.value;
         let is_fine = (0.0..=1.0).contains(&self.weight)
@@ -86,7 +81,7 @@ impl ComponentReport {
         (!is_fine).then(|| {
             format!(
                 "component {:?}: {given} points, not {points:.1}",
-                self.name.to_string()
+                self.component.name()
             )
         })
     }

@@ -131,9 +131,11 @@ impl LinkNews {
     fn of(status: &LinkStatus) -> Self {
         match (status.state, &status.last_error) {
             (LinkState::Up, _) => Self::Up,
-            (_, Some(error)) => Self::Down(error.clone()),
+            (LinkState::Connecting | LinkState::Waiting { .. } | LinkState::Ended, Some(error)) => {
+                Self::Down(error.clone())
+            }
             (LinkState::Ended, None) => Self::Ended,
-            _ => Self::Silent,
+            (LinkState::Connecting | LinkState::Waiting { .. }, None) => Self::Silent,
         }
     }
 

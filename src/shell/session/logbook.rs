@@ -63,7 +63,7 @@ impl Logbook {
         };
         let since = self.written.map(|written| now.saturating_sub(written));
         let is_due = since.is_none_or(|since| since >= WRITE_EVERY);
-        if !is_due && flight.outcome().is_none() {
+        if !is_due && !flight.is_over() {
             return None;
         }
         self.written = Some(now);

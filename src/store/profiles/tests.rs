@@ -2,6 +2,7 @@ mod hostile;
 mod imported;
 mod rescue;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
@@ -83,7 +84,7 @@ fn course() -> MissionCourse {
         credits: 400,
         parts: vec!["s_gpr".to_owned()],
         skills: Vec::new(),
-        objectives: Vec::new(),
+        objectives: BTreeMap::new(),
     }])
 }
 

@@ -27,7 +27,7 @@ impl RecordFiles {
     }
 
     /// The files of the logs that were joined to the record, by vehicle.
-    fn joined_paths(&self) -> Vec<PathBuf> {
+    pub fn joined_paths(&self) -> Vec<PathBuf> {
         let Some(name) = self.common_name() else {
             return Vec::new();
         };

@@ -36,18 +36,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.area
     };
     let height = panel.area.height + HEADER_AND_FOOTER;
-    let (lines, scroll) = (
-        debrief.shown_lines(state.reward(), &panel.look.locale, height),
-        debrief.scroll(),
-    );
+    let lines = debrief.lines_below(state.reward(), &panel.look.locale);
     let page = panel.at(centred(TEXT_WIDTH, page.height, page));
-    let summary = debrief.summary_rows(height);
-    if summary > 0 {
-        summary::draw(debrief, page.upper(summary), buffer);
-    }
-    let column = page.below(summary).area;
+    let summary = debrief.summary(height);
+    summary::draw(debrief, summary, page.upper(summary.rows), buffer);
+    let column = page.below(summary.rows).area;
     let rows = usize::from(column.height);
-    let first = scroll.min(lines.len().saturating_sub(rows));
+    let first = debrief.scroll().min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
         let role = tone_role(line.tone, debrief.report().passed);
         let line = Line::styled(line.text.as_str(), panel.style(role));

@@ -42,21 +42,27 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     list::draw(state, body.columns(1, list), buffer);
     let before = list + 3;
     let beside_list = body.columns(before, body.area.width.saturating_sub(before + 1));
-    let rest = draw_site(state, beside_list, buffer).area;
-    let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
-    if facts >= FACTS_WIDTH {
-        let text = columns(rest, 0, TEXT_WIDTH);
-        let beside = columns(rest, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));
-        about::draw(state, panel.at(text), Some(beside), buffer);
+    let facts = beside_list.area.width.saturating_sub(TEXT_WIDTH + 3);
+    let (middle, facts) = if facts >= FACTS_WIDTH {
+        let beside = columns(beside_list.area, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));
+        (beside_list.columns(0, TEXT_WIDTH), Some(beside))
     } else {
-        let text = columns(rest, 0, rest.width.min(TEXT_WIDTH));
-        about::draw(state, panel.at(text), None, buffer);
-    }
+        (beside_list, None)
+    };
+    let rest = draw_site(state, middle, facts.is_some(), buffer).area;
+    let text = columns(rest, 0, rest.width.min(TEXT_WIDTH));
+    about::draw(state, panel.at(text), facts, buffer);
 }
 
-/// Draws the site of the chosen mission below everything else if there is room; returns the rest above it.
-fn draw_site<'a>(state: &State, panel: Panel<'a>, buffer: &mut Buffer) -> Panel<'a> {
-    let text = if state.career().is_some() {
+/// Draws the site of the chosen mission below the text if there is room; returns the rest above it. The facts of a
+/// career need separate rows unless they are beside the text.
+fn draw_site<'a>(
+    state: &State,
+    panel: Panel<'a>,
+    facts_are_beside: bool,
+    buffer: &mut Buffer,
+) -> Panel<'a> {
+    let text = if state.career().is_some() && !facts_are_beside {
         CAREER_ROWS
     } else {
         TEXT_ROWS

@@ -261,7 +261,7 @@ fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
             muted,
         ),
     ]);
-    let explanation = row.explanation.as_ref().map(|text| look.text(text));
+    let explanation = row.remark().map(|text| look.text(&text));
     let reason = explanation.unwrap_or_default();
     let free = width.saturating_sub(head.width() + 1);
     if reason.is_empty() {

@@ -16,7 +16,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw as draw_map;
 use crate::ui::widget::replay::{moment_line, moment_text};
-use crate::ui::widget::{put, row_of, wrap};
+use crate::ui::widget::{clock, put, row_of, wrap};
 
 mod curves;
 
@@ -46,7 +46,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, panel.area, 0, &pages(view, shown, panel));
     let body = panel.below(HEAD_ROWS);
     if shown == ReviewPage::Happened {
-        draw_moments(state, body, buffer);
+        draw_moments(state, view, body, buffer);
     } else {
         draw_page(state, body, buffer);
     }
@@ -56,7 +56,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a> {
     let review = &view.review;
     let mut spans = vec![Span::raw(" ")];
-    for (number, page) in (1..).zip(ReviewPage::ALL) {
+    for page in ReviewPage::ALL {
         let is_done = match page {
             ReviewPage::Why => !review.why.is_empty(),
             ReviewPage::Next => !review.next.is_empty(),
@@ -73,15 +73,15 @@ fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a>
             Role::Text
         };
         let mark = if is_done { " ✓" } else { "" };
-        let title = format!(" {number} {}{mark} ", panel.say(page.title()));
+        let title = format!(" {}{mark} ", panel.say(page.title()));
         spans.push(Span::styled(title, panel.style(role)));
         spans.push(Span::raw(" "));
     }
     Line::from(spans)
 }
 
-/// The moments, and the map at the one under the cursor; below them how much there was to do.
-fn draw_moments(state: &State, all: Panel<'_>, buffer: &mut Buffer) {
+/// The moments, and the map at the one under the cursor; below them the workload.
+fn draw_moments(state: &State, view: &ReplayView, all: Panel<'_>, buffer: &mut Buffer) {
     let strips = state.workload_strips(&all.look.locale, all.width());
     let workload = strips.map_or_else(Vec::new, |strips| strips.lines());
     let rows = all.area.height.saturating_sub(workload.len() as u16);
@@ -112,7 +112,8 @@ fn draw_moments(state: &State, all: Panel<'_>, buffer: &mut Buffer) {
     inner.mark_list(first, moments.len(), true, buffer);
     for (row, moment) in moments.iter().skip(first).take(rows).enumerate() {
         let here = inner.at(row_of(inner.area, row as u16));
-        let line = moment_line(moment, here.width(), here.look);
+        let time = clock(view.clock.flight_time(moment.at));
+        let line = moment_line(&time, moment, here.width(), here.look);
         put(buffer, here.area, 0, &line);
         if first + row == cursor {
             here.mark_cursor(buffer);

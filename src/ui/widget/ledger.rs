@@ -236,7 +236,7 @@ fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
     let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &&LedgerRow| row.state != RowState::Superseded;
     for row in entry.rows.iter().filter(explained) {
-        let Some(text) = row.explanation.as_ref() else {
+        let Some(text) = row.remark() else {
             continue;
         };
         let text = text.regarding("");

@@ -51,6 +51,9 @@ fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
     let count = state.log_length(log);
     let name = match log {
         Log::Notices => panel.say("fly-notices"),
+        Log::Moments if state.replay().is_some_and(|it| !it.clock.is_empty()) => {
+            panel.say("replay-moments-mission")
+        }
         Log::Moments => panel.say("replay-moments"),
     };
     let place = if count == 0 {
@@ -129,10 +132,15 @@ fn blocks<'a>(
                 .collect()
         }
         Log::Moments => {
-            let moments = state.replay().into_iter().flat_map(|it| it.moments.iter());
-            let moments = moments.skip(which.start).take(count);
+            let Some(view) = state.replay() else {
+                return Vec::new();
+            };
+            let moments = view.moments.iter().skip(which.start).take(count);
             moments
-                .map(|moment| vec![replay::moment_line(moment, width, look)])
+                .map(|moment| {
+                    let time = replay::both_times(view, moment.at);
+                    vec![replay::moment_line(&time, moment, width, look)]
+                })
                 .collect()
         }
     }

@@ -33,10 +33,12 @@ const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns the position of the terminal's cursor.
 pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
-    let place = match prompt.purpose() {
-        Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, panel.look), panel.area),
+    let asks_for_addresses = matches!(prompt.purpose(), Purpose::Connect);
+    let place = if asks_for_addresses {
+        centred(WIDTH, HEIGHT + long_fault(prompt, panel.look), panel.area)
+    } else {
         // The subject of the line stays visible.
-        _ => at_the_bottom(panel.area),
+        at_the_bottom(panel.area)
     };
     let inner = panel
         .at(place)
@@ -53,14 +55,12 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
         );
         row += 1;
     }
-    match prompt.purpose() {
-        Purpose::Connect => draw_examples(state, panel.at(below(inner, row + 1)), buffer),
-        _ if prompt.fault().is_none() => {
-            let text = panel.text(&advice(state, prompt.purpose()));
-            let line = Line::styled(text, panel.style(Role::Muted));
-            put(buffer, inner, 1, &line);
-        }
-        _ => {}
+    if asks_for_addresses {
+        draw_examples(state, panel.at(below(inner, row + 1)), buffer);
+    } else if prompt.fault().is_none() {
+        let text = panel.text(&advice(state, prompt.purpose()));
+        let line = Line::styled(text, panel.style(Role::Muted));
+        put(buffer, inner, 1, &line);
     }
     cursor
 }

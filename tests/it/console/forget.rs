@@ -48,7 +48,7 @@ fn vehicles_whose_link_is_lost_can_be_forgotten() {
     let mut console = connected(None);
     console.give("3-4 arm").give("select 2-3");
     console.give("forget 2-9");
-    assert!(fault(&console).contains("2: heard now"));
+    assert!(fault(&console).contains("2: in contact"));
     assert_eq!(known(&console), [1, 2, 3, 4]);
     console.press("esc").give("forget 4-250");
     assert_eq!(

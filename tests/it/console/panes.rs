@@ -76,7 +76,7 @@ fn one_reason_of_many_vehicles_is_one_line() {
         console.explained_row(vehicle, RowState::Refused, Some(text));
     }
     let screen = console.screen(120, 40);
-    let merged = "vehicles 1-3: takeoff needs GUIDED: it is in LOITER; give `1-3 guided`";
+    let merged = "vehicles 1-3: takeoff needs GUIDED: it is in LOITER; use `1-3 guided`";
     assert!(screen.contains(merged), "{screen}");
 }
 

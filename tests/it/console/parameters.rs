@@ -178,13 +178,13 @@ fn what_the_type_cannot_hold_stays_in_the_prompt() {
     for (value, reason) in [
         (
             "40000",
-            "not sent: ANGLE_MAX takes -32768 to 32767 only (int16)",
+            "not sent: ANGLE_MAX accepts only -32768 to 32767 (int16)",
         ),
         (
             "1.5",
-            "not sent: ANGLE_MAX takes whole numbers only (int16)",
+            "not sent: ANGLE_MAX accepts only whole numbers (int16)",
         ),
-        ("nan", "not sent: ANGLE_MAX takes finite numbers only"),
+        ("nan", "not sent: ANGLE_MAX accepts only finite numbers"),
         ("fast", "`fast` is not a number"),
     ] {
         console.press("ctrl-u").write(value).press("enter");

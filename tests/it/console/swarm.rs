@@ -40,7 +40,7 @@ fn the_table_is_ordered_by_any_column_in_either_direction() {
     console.give("sort");
     assert_eq!(rows(&console), [1, 2, 3, 4]);
     console.press("s");
-    assert!(message(&console).contains("ordered by alert"));
+    assert!(message(&console).contains("sorted by alert"));
     console.give("sort colour");
     assert!(matches!(
         console.state().overlay(),

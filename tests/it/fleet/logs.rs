@@ -104,7 +104,7 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
     for id in all {
         console.until_done(order, id).await;
     }
-    let by_files = "by log messages, check sum verified";
+    let by_files = "by log messages, checksum verified";
     for id in all {
         let words = console.explanation(order, id);
         assert!(words.contains(by_files), "{words}");
@@ -174,10 +174,10 @@ async fn a_vehicle_that_hands_out_no_files_sends_its_log_in_messages() {
     // The option is heard of after the next connection; until then nothing answers.
     for (way, parameter) in [
         (
-            "by log messages, check sum verified",
+            "by log messages, checksum verified",
             "param set BRD_OPTIONS 2",
         ),
-        ("by log messages, no check sum: no answer", ""),
+        ("by log messages, no checksum: no answer", ""),
         ("by log messages", ""),
     ] {
         let folder = data.path().join(all.len().to_string());

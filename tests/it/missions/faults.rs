@@ -39,7 +39,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "brief = \"Bad.\"",
         "brief = \"Bad.\"\ndrill_of = \"Air Sample\"",
-        "6:12: a mission's id is 1 to 40 small letters, digits and `-`",
+        "6:12: a mission's id is 1 to 40 lower-case letters, digits and `-`",
     ),
     (
         "[fleet]",
@@ -124,7 +124,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[requires]\nmissions = [\"Lane 7\"]\n[fleet]",
-        "24:13: a mission's id is 1 to 40 small letters, digits and `-`",
+        "24:13: a mission's id is 1 to 40 lower-case letters, digits and `-`",
     ),
     (
         "[fleet]",
@@ -149,7 +149,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[fleet]\nloaner = [\"scout-450\", \"scout-450\"]",
-        "24:10: `loaner` lends one design for each pad at most",
+        "24:10: `loaner` lends at most one design for each pad",
     ),
 ];
 

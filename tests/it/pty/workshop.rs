@@ -50,7 +50,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
         let keys = way(&mut bench, part);
         terminal.press("\r").press(&keys).see(name).press("\r");
     }
-    terminal.see("none: it will fly").see("17.2 min");
+    terminal.see("none: it can fly").see("17.2 min");
 
     // The mission requires a sensor, which costs flight time.
     terminal.press("vvv").see("── First flight").press("]");

@@ -109,12 +109,12 @@ fn a_list_that_is_coming() {
     );
     let repeating = hear(Fetching::UnderWay { fruitless: 5 });
     assert!(
-        repeating.contains("500 of 1382; no answer, asked again (5)"),
+        repeating.contains("500 of 1382; no answer, requested again (5)"),
         "{repeating}"
     );
     let stalled = hear(Fetching::Stalled);
     assert!(
-        stalled.contains("500 of 1382 received, then no answer: r asks again"),
+        stalled.contains("500 of 1382 received, then no answer: r requests them again"),
         "{stalled}"
     );
     console.vehicle(lost);

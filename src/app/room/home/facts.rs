@@ -152,21 +152,27 @@ fn review(career: &Career, offer: &Offer) -> Option<Fact> {
 
 /// The skills that it trains, with the mastery of each; those not tried yet come together at the end.
 fn skills(career: &Career, offer: &Offer) -> Text {
-    let skill = |skill: &Skill| {
+    let mut tried = Vec::new();
+    let mut new = Vec::new();
+    for skill in &offer.skills {
         let known = career.standing.skill(*skill);
         let percent = (known.chance(career.day) * 100.0).round() as u32;
         let title = skill.title();
         match known.mastery(career.day) {
-            Mastery::Unknown => text!("fact-skill-new", skill = title),
-            Mastery::Mastered => {
-                text!("fact-skill-mastered", skill = title, percent = percent)
-            }
+            Mastery::Unknown => new.push(title),
+            Mastery::Mastered => tried.push(text!(
+                "fact-skill-mastered",
+                skill = title,
+                percent = percent
+            )),
             Mastery::Learning | Mastery::Due => {
-                text!("fact-skill", skill = title, percent = percent)
+                tried.push(text!("fact-skill", skill = title, percent = percent));
             }
         }
-    };
-    Text::joined(", ", offer.skills.iter().map(skill).collect())
+    }
+    let new = (!new.is_empty()).then(|| text!("fact-skills-new", skills = Text::joined(", ", new)));
+    let tried = (!tried.is_empty()).then(|| Text::joined(", ", tried));
+    Text::joined("; ", tried.into_iter().chain(new).collect())
 }
 
 fn pay(career: &Career, offer: &Offer) -> Text {

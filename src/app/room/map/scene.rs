@@ -155,7 +155,9 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
     if let Some(fence) = &plans.fence.content {
         sketches.extend(fenced(fence));
     }
-    if let Some(plan) = &plans.plan.content {
+    if let Some(plan) = &plans.plan.content
+        && plan.path().next().is_some()
+    {
         sketches.push(Sketch {
             kind: SketchKind::Plan,
             label: String::new(),

@@ -7,7 +7,7 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects};
 use crate::app::room::Room;
 use crate::app::state::Overlay;
-use crate::language::{self, VerbRow};
+use crate::language::{self, Kind};
 use crate::parameters::Fetching;
 use crate::vehicle::VehicleId;
 
@@ -60,7 +60,7 @@ fn candidates(state: &State) -> Vec<VehicleId> {
     }
     // The command line completes names once they are known.
     if let Some(Overlay::Palette(palette)) = &state.overlay
-        && language::begun(palette.input.value()).is_some_and(VerbRow::names_parameters)
+        && language::begun(palette.input.value()).is_some_and(|row| row.takes(Kind::Parameter))
     {
         wanted.extend(state.addressed().first());
     }

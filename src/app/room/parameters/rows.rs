@@ -26,7 +26,7 @@ impl Row<'_> {
             Some(ParameterFinding::Changed(_, other) | ParameterFinding::Missing(other)) => {
                 Some(other)
             }
-            _ => None,
+            Some(ParameterFinding::Extra(_)) | None => None,
         }
     }
 }

@@ -112,7 +112,7 @@ impl Page<'_> {
     fn outcome(&mut self, report: &Report) {
         let result = text!(
             "review-result",
-            outcome = &report.outcome,
+            outcome = report.outcome.title(),
             score = report.score
         );
         self.text.say(Tone::Plain, &result);
@@ -190,7 +190,10 @@ impl Page<'_> {
         }
         for (number, point) in (1..).zip(review.points()) {
             if point.kind == kind {
-                let lead = format!("{number} {} ", clock(point.at()));
+                let lead = format!(
+                    "{number} {} ",
+                    clock(self.view.clock.flight_time(point.at()))
+                );
                 self.text.item(Tone::Plain, &lead, &point.text);
             }
         }

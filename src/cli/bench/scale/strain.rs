@@ -57,7 +57,7 @@ fn part(sample: &ScaleSample) -> String {
     let busy = sample.machine_busy_percent;
     if busy < CROWDED_PERCENT {
         return format!(
-            "for no reason that shows (the machine is busy for {busy:.0} % only; {} messages never reached the \
+            "for an unknown reason (the machine is busy for only {busy:.0} %; {} messages never reached the \
              console)",
             sample.lost_before
         );
@@ -92,7 +92,7 @@ mod tests {
         };
         let cases: [(f64, Change, Option<&str>); 10] = [
             (0.99, |_| {}, None),
-            (0.96, |_| {}, Some("no reason that shows")),
+            (0.96, |_| {}, Some("for an unknown reason")),
             (
                 0.5,
                 |s| s.sim_most_percent = 99.0,

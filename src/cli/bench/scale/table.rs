@@ -23,7 +23,7 @@ pub(super) fn table(rows: &[ScaleRow], heading: &ScaleHeading<'_>) -> String {
             heading.seconds, heading.repeats, heading.cores
         ),
         "Streamed per drone: GLOBAL_POSITION_INT 10 Hz, ATTITUDE 10 Hz, HEARTBEAT 1 Hz;".to_owned(),
-        "beside them TIMESYNC every 5 s. GUIDED, climbing to 200 m, 1 km to the north.".to_owned(),
+        "also TIMESYNC every 5 s. GUIDED, climbing to 200 m, 1 km to the north.".to_owned(),
         "\n1. Processor time of the simulator".to_owned(),
         "drones   CPU ms  % of a core  % per drone  paper: % per drone   x real time".to_owned(),
     ];

@@ -189,7 +189,7 @@ pub(super) fn read(
         return Ok((question, function.is));
     };
     reader.sign(".")?;
-    let (token, span) = reader.next("what is asked of the vehicle")?;
+    let (token, span) = reader.next("the property of the vehicle")?;
     let fields = || FIELDS.iter().map(|(name, ..)| *name);
     let ExpressionToken::Name(name) = token else {
         let known = fields().collect::<Vec<_>>().join(", ");

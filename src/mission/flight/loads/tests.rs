@@ -39,7 +39,7 @@ fn balls_fall_from_the_air_only_not_from_too_high_and_not_when_there_are_none() 
     let (state, why) = act(&mut pilot, &Deed::Drop);
     assert_eq!(
         (state, why.as_str()),
-        (RowState::Refused, "50 m is too high: 40 m at most")
+        (RowState::Refused, "50 m is too high: at most 40 m")
     );
     assert_eq!(left(&pilot, "balls"), Some(2.0));
     pilot.land();

@@ -1,13 +1,15 @@
-//! The result at a glance: outcome, medal and score; a bar for each component; the height over time with the events of
-//! the flight.
+//! The result at a glance: outcome, medal and score; a bar for each component; and the events of the flight along its
+//! time, on tall screens with the height.
+
+use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use super::event_role;
-use crate::app::room::debrief::Debrief;
-use crate::debrief::{TimelineMark, strip};
+use crate::app::room::debrief::{Debrief, Summary};
+use crate::debrief::{self, TimelineMark, strip};
 use crate::scoring::{Medal, Report};
 use crate::text;
 use crate::ui::panel::Panel;
@@ -32,25 +34,64 @@ const GOOD: f64 = 0.8;
 const POOR: f64 = 0.5;
 
 /// Draws the summary into the whole panel.
-pub(super) fn draw(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
+pub(super) fn draw(debrief: &Debrief, summary: Summary, panel: Panel<'_>, buffer: &mut Buffer) {
     let report = debrief.report();
     put(buffer, panel.area, 0, &title(report, panel));
     put(buffer, panel.area, 1, &outcome(report, panel));
-    let below = panel.below(3);
-    for (row, line) in components(report, panel).iter().enumerate() {
-        let place = below.columns(1, COMPONENTS - 2).area;
-        put(buffer, place, row as u16, line);
+    let components = components(report, panel);
+    if summary.is_tall {
+        let below = panel.below(3);
+        for (row, line) in components.iter().enumerate() {
+            let place = below.columns(1, COMPONENTS - 2).area;
+            put(buffer, place, row as u16, line);
+        }
+        let flight = below.columns(
+            COMPONENTS,
+            panel.area.width - COMPONENTS.min(panel.area.width),
+        );
+        draw_flight(debrief, flight, buffer);
+    } else {
+        let rows = components.len().div_ceil(2);
+        for (at, line) in components.iter().enumerate() {
+            let column = COMPONENTS * (at / rows) as u16;
+            let place = panel.below(2).columns(1 + column, COMPONENTS - 2).area;
+            put(buffer, place, (at % rows) as u16, line);
+        }
+        draw_times_and_strip(report, panel.below(2 + rows as u16), buffer);
     }
-    let flight = below.columns(
-        COMPONENTS,
-        panel.area.width - COMPONENTS.min(panel.area.width),
-    );
-    draw_flight(debrief, flight, buffer);
 }
 
+/// Draws the strip between its times, in one row.
+fn draw_times_and_strip(report: &Report, panel: Panel<'_>, buffer: &mut Buffer) {
+    let muted = panel.style(Role::Muted);
+    let (start, end) = (clock(Duration::ZERO), clock(end(report)));
+    let room = panel.width().saturating_sub(start.len() + end.len() + 4);
+    let marks = strip(report, room);
+    let mut spans = vec![Span::styled(format!(" {start} "), muted)];
+    spans.extend(strip_line(&marks, panel).spans);
+    spans.push(Span::styled(format!(" {end}"), muted));
+    put(buffer, panel.area, 0, &Line::from(spans));
+}
+
+/// The length of the flight.
+fn end(report: &Report) -> Duration {
+    Duration::from_secs_f64(report.sim_time_s.max(0.0))
+}
+
+/// The mission's title; at the right, if there is room, its file, revision and seed, and the source of its commands.
 fn title(report: &Report, panel: Panel<'_>) -> Line<'static> {
-    let words = format!(" {}", panel.text(&report.title));
-    Line::styled(clip(&words, panel.width()), panel.style(Role::Title))
+    let title = format!(
+        " {}",
+        clip(&panel.text(&report.title), panel.width().saturating_sub(1))
+    );
+    let source = panel.text(&debrief::source(report));
+    let room = panel.width().saturating_sub(width(&title) + 1);
+    let mut spans = vec![Span::styled(title, panel.style(Role::Title))];
+    if width(&source) + 2 <= room {
+        let source = aligned(&source, room, true);
+        spans.push(Span::styled(source, panel.style(Role::Muted)));
+    }
+    Line::from(spans)
 }
 
 /// The outcome, such as `PASSED  ★★★ GOLD  ████████·· 887 / 1000  A`.
@@ -60,7 +101,7 @@ fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
     } else {
         Role::Danger
     };
-    let word = format!(" {} ", panel.text(&report.outcome).to_uppercase());
+    let word = format!(" {} ", panel.text(&report.outcome.title()).to_uppercase());
     let badge = panel
         .style(role)
         .add_modifier(Modifier::BOLD | Modifier::REVERSED);
@@ -120,7 +161,7 @@ fn components(report: &Report, panel: Panel<'_>) -> Vec<Line<'static>> {
     let shown = report.components.iter().filter(|it| it.weight > 0.0);
     shown
         .map(|it| {
-            let name = panel.text(&it.name);
+            let name = panel.text(&it.component.title());
             line(name, it.value, it.points, it.weight * PERFECT)
         })
         .collect()
@@ -173,11 +214,9 @@ fn strip_line(marks: &[Option<TimelineMark>], panel: Panel<'_>) -> Line<'static>
 
 /// The times at both ends of the strip.
 fn times(report: &Report, panel: Panel<'_>) -> Line<'static> {
-    let end = clock(std::time::Duration::from_secs_f64(
-        report.sim_time_s.max(0.0),
-    ));
-    let room = panel.width().saturating_sub(width("00:00"));
-    let line = format!("00:00{}", aligned(&end, room, true));
+    let start = clock(Duration::ZERO);
+    let room = panel.width().saturating_sub(start.len());
+    let line = format!("{start}{}", aligned(&clock(end(report)), room, true));
     Line::styled(line, panel.style(Role::Muted))
 }
 

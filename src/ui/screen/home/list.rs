@@ -159,7 +159,10 @@ fn item_line(
             (Some(Sign::of(career, id)), career_best(career, id))
         }
         (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions()[at].id)),
-        _ => (None, None),
+        (
+            HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit,
+            Some(_) | None,
+        ) => (None, None),
     };
     let mark = sign.map_or(' ', Sign::symbol);
     // The sign means the same as its word, so the name takes precedence over the word.
@@ -204,8 +207,11 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
             (_, Some(now)) if before == Some(now) => None,
             (_, Some(_)) if least == most => Some("home-missions"),
             (_, Some(now)) => Some(TIERS[usize::from(now).min(TIERS.len() - 1)]),
-            (HomeItem::Free, _) => Some("home-others"),
-            _ => None,
+            (HomeItem::Free, None) => Some("home-others"),
+            (
+                HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit | HomeItem::Mission(_),
+                None,
+            ) => None,
         };
         if let Some(heading) = heading {
             // In a long list, items take precedence over blank lines.

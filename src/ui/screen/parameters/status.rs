@@ -70,6 +70,14 @@ fn progress(
     let fetching = known.map(|known| known.fetching).unwrap_or_default();
     let (text, role) = match fetching {
         Fetching::Complete => (text!("parameters-complete", count = count), Role::Ok),
+        Fetching::Stalled | Fetching::NotAsked | Fetching::UnderWay { .. }
+            if state.replay().is_some() =>
+        {
+            // Values that nobody asked for have no index.
+            let received = known.map_or(0, |known| known.list.len());
+            let text = text!("parameters-recorded", received = received, count = count);
+            (text, Role::Muted)
+        }
         Fetching::Stalled => {
             let text = text!(
                 "parameters-stalled",

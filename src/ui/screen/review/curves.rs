@@ -23,6 +23,15 @@ const CURVES: [(&str, Reading, f64); 2] = [
     ("compare-battery", ComparedFlight::battery_percent, 100.0),
 ];
 
+/// The colours of both flights' curves and names.
+const OWN: Role = Role::Accent;
+const OTHER: Role = Role::Muted;
+
+/// Steps of a dash of the other flight's curve, with the gap after it.
+const DASH: usize = 4;
+/// The signs of both curves in the legend.
+const LINES: [&str; 2] = ["--", "- -"];
+
 /// Draws the curves beside each other, that of this flight over that of the other one.
 pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = panel.area.width / CURVES.len() as u16;
@@ -69,7 +78,12 @@ impl FlightCurves<'_> {
             .collect();
         let values = own.iter().chain(&other).flatten().copied();
         let high = values.fold(self.least_top, f64::max);
-        for (values, role) in [(&other, Role::Muted), (&own, Role::Accent)] {
+        // Dashed, so that the curves differ without colours.
+        let dashed: Vec<Option<f64>> = (0..)
+            .zip(&other)
+            .map(|(step, value)| value.filter(|_| step % DASH < DASH / 2))
+            .collect();
+        for (values, role) in [(&dashed, OTHER), (&own, OWN)] {
             let curve = Curve {
                 values,
                 low: 0.0,
@@ -82,8 +96,16 @@ impl FlightCurves<'_> {
         let scale = Line::from(vec![
             Span::styled(format!("0..{} ", figure(high, 0)), panel.style(Role::Muted)),
             Span::styled(
-                format!("00:00..{}", clock(length)),
+                format!("00:00..{}  ", clock(length)),
                 panel.style(Role::Muted),
+            ),
+            Span::styled(
+                format!("{} {}  ", LINES[0], panel.say("compare-own")),
+                panel.style(OWN),
+            ),
+            Span::styled(
+                format!("{} {}", LINES[1], panel.say("compare-other")),
+                panel.style(OTHER),
             ),
         ]);
         put(buffer, panel.area, last, &scale);

@@ -171,6 +171,36 @@ fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision(
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// The minimum distance of a drone's colour from one with a meaning, with all cones: the vehicle's number is next to
+/// it.
+const LEAST_OF_DRONES: f64 = 17.0;
+
+#[test]
+fn no_drone_has_the_colour_of_something_else_on_the_map() {
+    let mut faults = Vec::new();
+    for theme in themes() {
+        let fg = |role| colours(&theme, role).0;
+        for meaning in [
+            Role::Fence,
+            Role::Contact,
+            Role::Hazard,
+            Role::Warning,
+            Role::Ready,
+        ] {
+            for drone in Role::DRONES {
+                let apart = distance(&VISIONS[0].1, fg(drone), fg(meaning));
+                if apart < LEAST_OF_DRONES {
+                    let theme = theme.name();
+                    faults.push(format!(
+                        "{theme}: {drone:?} and {meaning:?} are {apart:.1} apart"
+                    ));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
 #[test]
 fn text_has_enough_contrast_wherever_it_stands() {
     let mut faults = Vec::new();

@@ -62,12 +62,14 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     for sketch in sketches(state) {
         draw_sketch(&sketch, view, &mut canvas, &mut labels);
     }
-    ways::draw_ghost(state, view, &mut canvas, &mut labels);
+    let ghosts = ways::draw_ghost(state, view, &mut canvas);
     ways::draw_trails(state, look, view, &mut canvas, &mut labels);
     ways::draw_targets(state, view, &mut canvas, &mut labels);
     draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));
+    // A ghost over a place is worth more than the place's name.
+    labels.extend(ghosts);
     let map = state.rooms().map();
     if let Some(mark) = map.mark() {
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);

@@ -7,8 +7,8 @@ use ratatui::text::{Line, Span};
 use super::canvas::Stroke;
 use super::ground::{RULER, stroke};
 use super::labels::blank;
-use super::markers::arrow;
-use super::ways::{target, trail};
+use super::markers::{LOST, arrow};
+use super::ways::{GHOST, target, trail};
 use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
@@ -98,7 +98,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
             "map-legend-armed",
         ),
         ("o".to_owned(), Role::Muted, "map-legend-disarmed"),
-        ("?".to_owned(), Role::Danger, "map-legend-lost"),
+        (LOST.into(), Role::Danger, "map-legend-lost"),
         ("[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
         ("3*".to_owned(), Role::Selected, "map-legend-selected"),
         ("3!".to_owned(), Role::Warning, "map-legend-alert"),
@@ -146,16 +146,18 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 13] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
     let trails = !map.hides_trails() && !map.trails().is_empty();
     let mut vehicles = state.session().vehicles().values();
+    let ghost = state.ghost_time().is_some();
     let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
     [
         (trails, trail(FIRST), "map-legend-trail"),
         (targets, target(FIRST), "map-legend-target"),
+        (ghost, GHOST, "map-legend-ghost"),
         (has(Task), stroke(Task), "map-legend-task"),
         (has(Fence), stroke(Fence), "map-legend-fence"),
         (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),

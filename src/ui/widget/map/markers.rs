@@ -155,10 +155,13 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
     }
 }
 
-/// An arrow for an armed vehicle, a ring for one that is not, a question mark for one that is not heard.
+/// The sign of a vehicle whose link is lost.
+pub const LOST: char = 'L';
+
+/// An arrow for an armed vehicle, a ring for one that is not, an `L` for one out of contact.
 fn sign(vehicle: &Vehicle, symbols: Symbols) -> char {
     if vehicle.link.lost {
-        return '?';
+        return LOST;
     }
     match vehicle.heading_deg() {
         Some(heading) if vehicle.armed() => arrow(heading, symbols),

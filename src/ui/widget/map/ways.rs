@@ -4,6 +4,7 @@ use super::canvas::{Canvas, Stroke};
 use super::labels::Label;
 use crate::app::State;
 use crate::app::room::map::leg;
+use crate::comparison::TrackPoint;
 use crate::config::Symbols;
 use crate::geo::maths;
 use crate::geo::{Dot, Viewport};
@@ -84,27 +85,30 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
     }
 }
 
-/// The other flight beside this one: its trails so far, and its vehicles with a `g` before their numbers.
-pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+/// The trails of the other flight beside this one.
+pub const GHOST: Stroke = Stroke::dotted(Role::Muted);
+
+/// Draws the trails of the other flight so far; returns its vehicles with a `g` before their numbers.
+pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas) -> Vec<Label> {
     let (Some(ghost), Some(time)) = (state.ghost(), state.ghost_time()) else {
-        return;
+        return Vec::new();
     };
-    let stroke = Stroke::dotted(Role::Muted);
     if !state.rooms().map().hides_trails() {
         for way in ghost.other.ways(time) {
             for pair in way.windows(2) {
-                canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
+                canvas.line(view.dot(pair[0]), view.dot(pair[1]), GHOST);
             }
         }
     }
     let places = ghost.other.at(time);
-    labels.extend(places.filter_map(|(vehicle, point)| {
+    let label = |(vehicle, point): (_, TrackPoint)| {
         Some(Label {
             cell: view.cell(point.place)?,
             text: format!("g{vehicle}"),
             role: Role::Muted,
         })
-    }));
+    };
+    places.filter_map(label).collect()
 }
 
 /// The vehicles with trails.

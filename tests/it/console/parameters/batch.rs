@@ -50,7 +50,7 @@ fn many_values_go_out_a_few_at_a_time_with_a_result_for_each() {
     assert_eq!(sent, 100);
     assert_eq!(
         said(&console),
-        "parameters set: 99 confirmed, 1 not: the list says why"
+        "parameters set: 99 confirmed, 1 not: the list shows why"
     );
 }
 
@@ -83,7 +83,7 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
     }
     assert_eq!(
         said(&console),
-        "parameters set: 3 confirmed, 1 not: the list says why"
+        "parameters set: 3 confirmed, 1 not: the list shows why"
     );
 }
 
@@ -125,6 +125,6 @@ fn a_value_that_was_not_answered_is_given_again_unless_the_vehicle_lacks_it() {
     assert!(console.effects.is_empty());
     assert_eq!(
         said(&console),
-        "parameters set: 0 confirmed, 2 not: the list says why"
+        "parameters set: 0 confirmed, 2 not: the list shows why"
     );
 }

@@ -12,7 +12,10 @@ impl Page<'_> {
     pub(super) fn awaits_launch(&self) -> bool {
         let session = &self.state.session;
         let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
-        session.activity.is_some() && !session.over && !session.mission.as_ref().is_some_and(flown)
+        self.state.replay.is_none()
+            && session.activity.is_some()
+            && !session.over
+            && !session.mission.as_ref().is_some_and(flown)
     }
 
     /// Whether the clock is stopped for the brief, or can be.
@@ -102,7 +105,7 @@ impl Page<'_> {
 
     fn then(&self) -> Option<Text> {
         let key = |action| self.state.key(action);
-        self.awaits_launch().then(|| {
+        self.state.session.is_reading().then(|| {
             text!(
                 "mission-then-is",
                 drones = key(Action::Submit),

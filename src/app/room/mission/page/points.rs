@@ -2,7 +2,7 @@
 
 use super::Page;
 use crate::app::room::page::Tone;
-use crate::review::PointKind;
+use crate::review::{PointKind, Review};
 use crate::text;
 use crate::text::wrap;
 
@@ -11,10 +11,16 @@ impl Page<'_> {
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let review = self.state.reviews.get(&self.mission.id);
-        let Some(review) = review.filter(|it| is_read && !it.points().is_empty()) else {
+        let says = |it: &&Review| is_read && (!it.points().is_empty() || !it.next.is_empty());
+        let Some(review) = review.filter(says) else {
             return;
         };
         self.text.title(&text!("mission-review"));
+        if !review.next.is_empty() {
+            let next = text!("mission-review-next", text = review.next.as_str());
+            let next = self.text.locale.text(&next);
+            self.text.paragraph(Tone::Hint, &next);
+        }
         let points = PointKind::ALL
             .into_iter()
             .flat_map(|kind| review.points_of(kind));
