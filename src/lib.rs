@@ -47,6 +47,7 @@
 //! | | [`hash`] | a hash that stays the same |
 //! | libraries | [`sim`] | simulated vehicles |
 //! | | [`wire`] | MAVLink frames |
+//! | | [`plan`] | items of plans, fences and rally points: their files, and the faults in them |
 //! | | [`geo`] | positions and maps |
 //!
 //! # A telemetry packet
@@ -114,5 +115,6 @@ pub mod verb;
 pub mod workshop;
 
 pub use sortie_geo as geo;
+pub use sortie_plan as plan;
 pub use sortie_sim as sim;
 pub use sortie_wire as wire;

@@ -1,0 +1,83 @@
+use sortie_geo::LatLon;
+
+/// Which list: each is uploaded, downloaded and cleared on its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ListKind {
+    /// What the mode AUTO flies.
+    Plan,
+    /// The areas in which the vehicle may or may not fly.
+    Fence,
+    /// Places other than home where RTL may end.
+    Rally,
+}
+
+impl ListKind {
+    /// All of them, in the order of `MAV_MISSION_TYPE`.
+    pub const ALL: [Self; 3] = [Self::Plan, Self::Fence, Self::Rally];
+
+    /// The list with this number in `MAV_MISSION_TYPE`.
+    pub fn numbered(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number)).copied()
+    }
+
+    /// Its number in `MAV_MISSION_TYPE`.
+    pub const fn number(self) -> u8 {
+        self as u8
+    }
+}
+
+/// An item of a list, with all fields of `MISSION_ITEM_INT` except its number, which is its place in the list.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Item {
+    /// The number of a `MAV_CMD`, also of one that is not in the dialect.
+    pub command: u16,
+    /// The number of a `MAV_FRAME`. Its `_INT` twin is another number for the same reference.
+    pub frame: u8,
+    /// Whether the vehicle goes on to the next item by itself.
+    pub auto_continue: bool,
+    /// The first four parameters of the command; NaN means "not set".
+    pub params: [f32; 4],
+    /// Latitude in 1e-7 degrees if the command has a place, otherwise the fifth parameter.
+    pub x: i32,
+    /// Longitude in 1e-7 degrees if the command has a place, otherwise the sixth parameter.
+    pub y: i32,
+    /// Altitude in metres above the reference of the frame, or the seventh parameter.
+    pub z: f32,
+}
+
+/// What an altitude is measured from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HeightFrame {
+    /// Mean sea level.
+    SeaLevel,
+    /// Home.
+    Home,
+    /// The ground below.
+    Terrain,
+    /// Another reference, or none (`MAV_FRAME_MISSION`, local frames).
+    Other,
+}
+
+impl HeightFrame {
+    /// The reference of a `MAV_FRAME` by its number. Older autopilots name the `_INT` spelling of a frame.
+    pub const fn of(frame: u8) -> Self {
+        match frame {
+            0 | 5 => Self::SeaLevel,
+            3 | 6 => Self::Home,
+            10 | 11 => Self::Terrain,
+            _ => Self::Other,
+        }
+    }
+}
+
+impl Item {
+    /// What its altitude is measured from.
+    pub const fn height_frame(&self) -> HeightFrame {
+        HeightFrame::of(self.frame)
+    }
+
+    /// Its x and y as a point, whether or not the command has a place.
+    pub fn point(&self) -> LatLon {
+        LatLon::from_e7(self.x, self.y)
+    }
+}
