@@ -109,7 +109,8 @@ pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
 /// A hangar within this program, with the SITL programs that are found.
 ///
 /// # Errors
-/// There is no `arducopter`.
+///
+/// `arducopter` was not found.
 pub(super) fn own(
     programs: &ProgramOptions,
     settings: &CliSettings,

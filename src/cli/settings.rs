@@ -240,7 +240,7 @@ impl CliSettings {
             let text = text!("config-log-level", error = error.to_string());
             return Err(Failure::Invalid(format!("sortie: {text}")));
         }
-        // A log that a file enables for every session belongs into the state folder, not into the current folder.
+        // A log that a file enables for every session belongs in the state folder, not in the current folder.
         if self.is_of_file("log.file")
             && let (Some(folders), Some(file)) = (&self.folders, &mut self.config.log.file)
         {

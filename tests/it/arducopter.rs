@@ -125,7 +125,7 @@ fn logging(folder: &Path, serial: &str) -> Sitl {
     Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
 }
 
-/// Downloads the log of the vehicle; the bytes and what the row says.
+/// Downloads the vehicle's log; returns its bytes and the row's explanation.
 async fn download(console: &mut Console, folder: &Path) -> (Vec<u8>, String) {
     let begun = Instant::now();
     let order = console.give(&format!("logs download to {}", folder.display()), &[7]);
@@ -167,7 +167,7 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
             .await;
         let off = console.give("param set LOG_DISARMED 0", &[7]);
         console.until_done(off, 7).await;
-        // It goes on for a while after it was turned off.
+        // Logging continues for a while after it is turned off.
         let (mut len, mut since) = (0, Instant::now());
         console
             .until("the log grows no more", |_| {

@@ -212,7 +212,7 @@ fn a_flight_that_is_not_over_has_no_debrief() {
         assert!(refused.stdout.is_empty());
         assert!(text(&refused.stderr).contains("this flight is not over"));
     }
-    // Nor does a script that flies the same world show it, nor a copy of the record.
+    // A script that flies the same world must not show it either, nor a copy of the record.
     let again = sortie_in(folder.path(), &[&arguments[..], &["--no-record"]].concat());
     assert_eq!(truth(&again), 0, "{}", text(&again.stdout));
     let copy = folder.path().join("copy.run.jsonl");

@@ -381,7 +381,7 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     fs::write(&file, &record).expect("it is written");
     fs::remove_file(name.replace(".run.", ".inputs.")).expect("it was there");
     assert_eq!(verify(1)["verdict"], "rescored");
-    // Called one of ArduPilot, it is taken at its word, but not as verified.
+    // A record that claims to be of ArduPilot is scored again, but not verified.
     let relabelled = record.replacen("\"backend\":\"embedded\"", "\"backend\":\"ardupilot\"", 1);
     assert_ne!(relabelled, record);
     fs::write(&file, relabelled).expect("it is written");

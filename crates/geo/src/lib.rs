@@ -1,8 +1,8 @@
 //! Positions on the earth and in the local north-east-down frame.
 //!
-//! Metres are converted to degrees with the WGS-84 radii of curvature at the reference latitude.
-//! Within 1 km of the reference the error is below 0.2 m, which is far less than a GPS fix is worth;
-//! ArduPilot's own spherical scale is 0.67 % off (6.7 m at 1 km).
+//! Metres are converted to degrees with the WGS-84 radii of curvature at the reference latitude. Within 1 km of the
+//! reference the error is below 0.2 m, far below the error of a GPS fix; ArduPilot's own spherical scale is 0.67 %
+//! off (6.7 m at 1 km).
 
 #![warn(missing_docs)]
 
@@ -20,7 +20,7 @@ const SEMI_MAJOR_AXIS_M: f64 = 6_378_137.0;
 /// WGS-84 first eccentricity squared.
 const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
 
-/// Metres per degree along the equator: for offsets in degrees, such as `SIM_GPS1_GLTCH_X`.
+/// Metres per degree along the equator, for offsets in degrees such as `SIM_GPS1_GLTCH_X`.
 pub const METRES_PER_DEGREE: f64 = 111_319.49;
 
 /// A point on the ellipsoid, in degrees.

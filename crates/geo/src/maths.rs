@@ -1,8 +1,8 @@
-//! Functions whose last bit is the same on every machine.
+//! Functions whose results are the same to the last bit on every machine.
 //!
-//! `+ - * /` and the square root are exact everywhere; those of `std` beyond them come from the platform's own library
-//! and differ between machines. What a score depends on has to be equal, so the whole workspace uses these, which are
-//! those of musl in Rust ([`libm`]). The linter forbids the others (`.clippy.toml`).
+//! `+ - * /` and the square root are exact everywhere; the other functions of `std` come from the platform's library
+//! and differ between machines. Scores must not depend on the machine, so the whole workspace uses these functions,
+//! which are musl's in Rust ([`libm`]). The linter forbids the others (`.clippy.toml`).
 
 /// Sine of an angle in radians.
 #[must_use]
@@ -28,19 +28,19 @@ pub fn tan(angle_rad: f64) -> f64 {
     libm::tan(angle_rad)
 }
 
-/// The angle of a sine, in radians.
+/// Arc sine, in radians.
 #[must_use]
 pub fn asin(sine: f64) -> f64 {
     libm::asin(sine)
 }
 
-/// The angle of a cosine, in radians.
+/// Arc cosine, in radians.
 #[must_use]
 pub fn acos(cosine: f64) -> f64 {
     libm::acos(cosine)
 }
 
-/// The angle of a tangent, in radians.
+/// Arc tangent, in radians.
 #[must_use]
 pub fn atan(tangent: f64) -> f64 {
     libm::atan(tangent)
@@ -143,7 +143,7 @@ pub fn hypot_f32(x: f32, y: f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Whatever this is built for.
+    /// The exact bits, on every target.
     #[test]
     fn the_bits_are_these() {
         let x = 0.732_421_875;

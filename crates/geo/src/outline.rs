@@ -3,7 +3,7 @@
 use super::LatLon;
 use crate::maths;
 
-/// Corners of the polygon that stands for a circle; at any size on a screen it looks round.
+/// The number of corners of the polygon that replaces a circle; enough to look round at any size on a screen.
 const CIRCLE_CORNERS: u32 = 48;
 
 /// The edge of an area.

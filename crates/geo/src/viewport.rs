@@ -1,8 +1,8 @@
-//! A piece of the earth on a grid of character cells: what a map draws and where.
+//! A part of the earth on a grid of character cells: what a map draws and where.
 //!
-//! A cell is taken to be twice as high as it is wide and carries two dots beside four, the dots of a braille
-//! pattern, so that a dot is square. Places are laid on a plane that touches the earth at the middle of the view;
-//! the same scale serves both ways, so that a place and its dot belong together exactly.
+//! A cell is assumed to be twice as high as it is wide and holds two by four dots, those of a braille pattern, so
+//! that a dot is square. Places are projected onto a plane that touches the earth at the middle of the view. Both
+//! directions use the same scale, so a place and its dot correspond exactly.
 
 use super::LatLon;
 use crate::maths;
@@ -17,8 +17,7 @@ const STEPS: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0];
 /// The steps of the ladder per key press.
 const STRIDE: i8 = 2;
 
-/// The width of a column on the ground, on a fixed ladder of widths, so that a fitted view does not change with every
-/// metre.
+/// The width of a column on the ground, from a fixed series, so that a fitted view does not change with every metre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Zoom(i8);
 
@@ -139,7 +138,7 @@ impl Viewport {
         }
     }
 
-    /// Where a place is; also outside the view.
+    /// The dot of a place, which may lie outside the view.
     pub fn dot(&self, place: LatLon) -> Dot {
         let end = self.end();
         let mut east_deg = place.lon_deg - self.centre.lon_deg;
@@ -203,7 +202,7 @@ impl Extent {
         }
     }
 
-    /// The smallest one around all the places.
+    /// The smallest extent that contains all places.
     pub fn around(places: impl IntoIterator<Item = LatLon>) -> Option<Self> {
         let mut places = places.into_iter();
         let mut extent = Self::at(places.next()?);
@@ -225,7 +224,7 @@ impl Extent {
         (0..2).all(|axis| (self.low_m[axis]..=self.high_m[axis]).contains(&at[axis]))
     }
 
-    /// The same with a share of its size, and at least `least_m`, added on every side.
+    /// The extent, enlarged on every side by a share of its size, at least by `least_m`.
     #[must_use]
     pub fn with_margin(mut self, share: f64, least_m: f64) -> Self {
         let size = self.size_m();
@@ -255,13 +254,13 @@ impl Extent {
         self.origin.moved(north_m, east_m)
     }
 
-    /// The closest view of so many cells that shows all of it.
+    /// The closest zoom at which a grid of this size shows the whole extent.
     pub fn zoom(&self, size: GridSize) -> Zoom {
         let [east_m, north_m] = self.size_m();
         let per_row = f64::from(DOTS_DOWN / DOTS_ACROSS);
         let columns = f64::from(size.columns.max(1));
         let rows = f64::from(size.rows.max(1));
-        // Half a cell is left free on each side: what lies on the edge shall be seen.
+        // Half a cell is left free on each side, so that places on the edge are visible.
         let across = east_m / (columns - 1.0).max(0.5);
         let down = north_m / (rows - 1.0).max(0.5) / per_row;
         Zoom::fitting(across.max(down))
@@ -273,8 +272,8 @@ impl Extent {
     }
 }
 
-/// The longest round length (1, 2 or 5 of a power of ten) that a bar of at most so many columns can stand for, in
-/// metres, and the bar's columns.
+/// The longest round length in metres (1, 2 or 5 times a power of ten) that a scale bar of at most `most_columns` can
+/// show, and the bar's width in columns.
 pub fn scale_bar(zoom: Zoom, most_columns: u16) -> (f64, u16) {
     let column_m = zoom.metres_per_column();
     let most_m = column_m * f64::from(most_columns.max(1));
@@ -327,7 +326,7 @@ mod tests {
             for place in &places {
                 prop_assert!(view.cell(*place).is_some(), "{place:?} is outside {view:?}");
             }
-            // One step closer and it would not fit any more.
+            // One step closer, it would no longer fit.
             let closer = Zoom(zoom.0 - 1).metres_per_column();
             let [east_m, north_m] = extent.size_m();
             let fits = east_m <= closer * f64::from(columns - 1)

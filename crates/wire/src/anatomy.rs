@@ -1,4 +1,4 @@
-//! The parts of a frame's bytes, for showing them.
+//! A frame's bytes split into their parts, for display.
 
 use mavlink::{MavlinkVersion, calculate_crc};
 
@@ -9,7 +9,7 @@ const V1_HEADER_LEN: usize = 6;
 const V2_HEADER_LEN: usize = 10;
 const CHECKSUM_LEN: usize = 2;
 
-/// One frame taken apart, without a look at what its payload means.
+/// The parts of one frame; the payload is not decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Anatomy<'a> {
     /// MAVLink 1 or 2.
@@ -31,7 +31,7 @@ pub struct Anatomy<'a> {
     checksum: u16,
 }
 
-/// The length of a whole frame in bytes, from its first three; `None` if no frame begins so.
+/// The length of a whole frame in bytes, from its first three; `None` if they do not begin a frame.
 pub fn frame_len(head: [u8; 3]) -> Option<usize> {
     let [start, payload_len, flags] = head;
     let (header_len, signature_len) = match start {
@@ -44,7 +44,7 @@ pub fn frame_len(head: [u8; 3]) -> Option<usize> {
 }
 
 impl<'a> Anatomy<'a> {
-    /// Takes the bytes of exactly one frame apart; `None` if they are not laid out as one.
+    /// Splits the bytes of exactly one frame; `None` if they are not a frame.
     pub fn of(bytes: &'a [u8]) -> Option<Self> {
         let (version, header_len, flags, id) = match *bytes {
             [STX_V1, _, _, _, _, id, ..] => (MavlinkVersion::V1, V1_HEADER_LEN, 0, u32::from(id)),

@@ -1,4 +1,4 @@
-//! Radio channels, for which messages have a field each.
+//! RC channels, each of which has its own field in the messages.
 
 /// The first 16 channels of a message with fields `chan1_raw`, `chan2_raw`..., in order.
 #[macro_export]

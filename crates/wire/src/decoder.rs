@@ -14,7 +14,7 @@ pub(super) const STX_V2: u8 = 0xFD;
 /// The only incompatibility flag that this program understands: the frame is signed.
 pub(super) const FLAG_SIGNED: u8 = 0x01;
 pub(super) const SIGNATURE_LEN: usize = 13;
-/// Consumed bytes are given back once this many have gathered.
+/// Consumed bytes are removed from the buffer once this many have accumulated.
 const COMPACT_AT: usize = 4096;
 
 /// Whether frames begin with a byte.
@@ -29,7 +29,7 @@ pub struct Counters {
     pub bytes: u64,
     /// Intact frames of the dialect.
     pub frames: u64,
-    /// Frames that were whole but whose checksum was wrong.
+    /// Complete frames with a wrong checksum.
     pub crc_errors: u64,
     /// Bytes that belonged to no frame.
     pub skipped_bytes: u64,
@@ -93,8 +93,8 @@ impl Decoder {
         self.counters
     }
 
-    /// Whether something that looks like the beginning of a frame waits for its rest. Ask when
-    /// [`Self::next_frame`] has returned `None`.
+    /// Whether the buffer holds what may be the beginning of a frame. Ask when [`Self::next_frame`] has returned
+    /// `None`.
     pub fn has_tail(&self) -> bool {
         self.position < self.buffer.len()
     }
@@ -177,7 +177,7 @@ impl Decoder {
         Candidate::Frame(layout)
     }
 
-    /// Checks a complete candidate and passes over it, or over its first byte where it turns out false.
+    /// Checks a complete candidate and skips it, or only its first byte if it turns out to be no frame.
     fn accept(&mut self, layout: &Layout) -> Option<Frame> {
         let end = layout.end();
         let bytes = &self.buffer[self.position..self.position + end];
@@ -187,7 +187,7 @@ impl Decoder {
             .get(self.position + end)
             .is_none_or(|&byte| is_frame_start(byte));
         if !is_known(layout.id) {
-            // No CRC seed, so only the surroundings tell a foreign message from noise.
+            // Without a CRC seed, only the neighbouring bytes distinguish an unknown message from noise.
             if !followed_by_start {
                 self.skip(1);
                 return None;
@@ -257,8 +257,8 @@ impl Decoder {
     }
 }
 
-/// Whether the dialect has the message. `extra_crc` answers 0 for what it does not know, and one known
-/// message really has the seed 0.
+/// Whether the dialect has the message. `extra_crc` returns 0 for unknown messages, and one known message has the
+/// seed 0.
 fn is_known(id: u32) -> bool {
     /// The id of `COMPONENT_INFORMATION`.
     const SEED_IS_ZERO: u32 = 395;

@@ -1,4 +1,4 @@
-//! Messages to bytes.
+//! Encodes messages as frames.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::{MavlinkVersion, Message as _, calculate_crc};
@@ -42,7 +42,7 @@ impl From<MavMessage> for Outgoing {
     }
 }
 
-/// Turns messages of one sender into frames, numbering them.
+/// Turns the messages of one sender into numbered frames.
 #[derive(Debug, Clone)]
 pub struct Encoder {
     system: SystemId,
@@ -54,7 +54,7 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// An encoder for a sender; MAVLink 2.
+    /// An encoder for a sender; it starts with MAVLink 2.
     pub fn new(system: SystemId, component: ComponentId) -> Self {
         Self {
             system,
@@ -70,7 +70,7 @@ impl Encoder {
         self.system
     }
 
-    /// Speaks MAVLink 1 or 2 from now on.
+    /// Sets the MAVLink version of the next frames.
     pub fn set_version(&mut self, version: MavlinkVersion) {
         self.version = version;
     }
@@ -99,7 +99,7 @@ impl Encoder {
         }
     }
 
-    /// [`Encoder::encode`] for a message that its owner keeps.
+    /// [`Encoder::encode`] for a borrowed message.
     pub fn encode_message(&mut self, message: &MavMessage, bytes: &mut Vec<u8>) -> usize {
         let id = message.message_id();
         let version = self.version_for(id);
@@ -164,14 +164,14 @@ impl Encoder {
     }
 }
 
-/// The content of a frame's first bytes, besides its sender.
+/// The fields of a frame's header, except the sender.
 #[derive(Debug, Clone, Copy)]
 struct Head {
     version: MavlinkVersion,
-    /// The number of the message.
+    /// The message id.
     id: u32,
     signed: bool,
-    /// Bytes of the payload.
+    /// Length of the payload in bytes.
     length: u8,
 }
 

@@ -1,8 +1,8 @@
-//! MAVLink on the wire: bytes to frames and back, with nothing hidden.
+//! MAVLink framing: bytes to frames and back, with a count of everything that is dropped.
 //!
-//! The mavlink crate supplies the dialect (payload layouts and CRC seeds). Framing is done here because
-//! a console that is used to debug links has to say what it dropped and why: the crate's reader skips bad
-//! CRCs, unknown message ids and noise without a trace.
+//! The mavlink crate supplies the dialect (payload layouts and CRC seeds). Framing is done here because a console for
+//! debugging links has to report what it dropped and why: the crate's reader silently skips bad CRCs, unknown message
+//! ids and noise.
 
 #![warn(missing_docs)]
 
@@ -35,7 +35,7 @@ pub type ComponentId = u8;
 pub struct MavAddress {
     /// The system; 0 for all.
     pub system: SystemId,
-    /// The component of it; 0 is every component.
+    /// The component; 0 for all.
     pub component: ComponentId,
 }
 
@@ -49,7 +49,7 @@ pub const GROUND_STATION_COMPONENT: ComponentId = 190;
 /// Messages with secrets: `SETUP_SIGNING` has a key, `WIFI_CONFIG_AP` a password.
 const SECRET: [u32; 2] = [256, 299];
 
-/// Whether messages with an id carry secrets, which are no part of any record.
+/// Whether messages with this id carry secrets, which must not be recorded.
 pub fn is_secret(id: u32) -> bool {
     SECRET.contains(&id)
 }
@@ -101,11 +101,11 @@ pub enum Content {
     Undecoded {
         /// The message id in the header.
         id: u32,
-        /// The payload in wire order, extended with zeros to the longest that there is.
+        /// The payload in wire order, padded with zeros to the maximum length.
         payload: Box<[u8; 255]>,
     },
-    /// An id that the dialect lacks. Its checksum cannot be verified, so nothing may be concluded from the
-    /// frame; only its place in its sender's numbering is worth noting.
+    /// An id that the dialect lacks. Its checksum cannot be verified, so the content is not reliable; only the
+    /// sequence number is used.
     Unknown {
         /// The message id in the header.
         id: u32,

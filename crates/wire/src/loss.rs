@@ -1,15 +1,15 @@
-//! Frames that never arrived.
+//! Counts frames that never arrived.
 
 use std::collections::BTreeMap;
 
 use super::{ComponentId, Frame, SystemId};
 
-/// A step in the numbering that is longer than this leads back: the frame is late, or the sender has restarted.
+/// A larger step between sequence numbers counts as a step back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
-/// So many numbers that have been heard before, each one above the last, are no doubled frames but a sender that counts
-/// anew.
+/// This many numbers in rising order that were all received before come from a restarted sender, not from duplicated
+/// frames.
 const RESTART_AFTER: u8 = 8;
-/// The largest step from one number to the next of a sender that counts anew.
+/// The largest step between the numbers of a sender that may have restarted.
 const LARGEST_GAP_ANEW: u8 = 8;
 
 /// The meaning of a frame's sequence number.
@@ -38,8 +38,8 @@ struct Numbering {
     missing: [bool; 256],
     /// The newest number behind the last one, if the last frame was late.
     behind: Option<u8>,
-    /// Of such numbers in a row, each the next after the one before: how many were heard a second time, and how many
-    /// were found again.
+    /// Of the late frames so far, if their numbers rise one by one: how many numbers were received before, and how
+    /// many had been missing.
     repeated: u8,
     found: u8,
 }
@@ -77,7 +77,7 @@ impl Numbering {
 
     /// The change in the number of missing frames.
     fn step_back_to(&mut self, sequence: u8) -> i16 {
-        // A sender that counts anew goes up, with a gap at most.
+        // After a restart the numbers rise, with small gaps at most.
         let follows = |before: u8| (1..=LARGEST_GAP_ANEW).contains(&sequence.wrapping_sub(before));
         if !self.behind.replace(sequence).is_some_and(follows) {
             (self.repeated, self.found) = (0, 0);
@@ -90,7 +90,7 @@ impl Numbering {
         if self.repeated < RESTART_AFTER {
             return 0;
         }
-        // What seemed to be found were new frames: those that were missing still are.
+        // The frames taken for late ones were new, so the missing ones are still missing.
         let found = self.found;
         self.missing = [false; 256];
         self.move_to(sequence);
@@ -106,7 +106,8 @@ impl Numbering {
 }
 
 impl LossMeter {
-    /// Counts a frame by its number. A frame of an unknown message may be noise and makes no sender known.
+    /// Counts a frame by its sequence number. A frame of an unknown message may be noise, so it introduces no new
+    /// sender.
     pub fn note(&mut self, frame: &Frame) -> SequenceStep {
         let sender = (frame.system, frame.component);
         if !frame.is_verified() && !self.senders.contains_key(&sender) {
@@ -185,7 +186,7 @@ mod tests {
 
     #[test]
     fn frames_that_overtake_each_other_by_far_are_not_lost() {
-        // Those that the very first frame to arrive has overtaken are not known to be missing.
+        // Frames that the very first one has overtaken cannot be known to be missing.
         assert_eq!(lost(shuffled(5000)), 0);
     }
 

@@ -13,9 +13,9 @@ const TIMESTAMP_LEN: usize = 6;
 /// The part of a signature that is unique per sender.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stamp {
-    /// The link; senders with several give each an id of its own.
+    /// The link id; a sender uses a different one for each of its links.
     pub link: u8,
-    /// Units of 10 microseconds since the beginning of 2015 (UTC); it only ever rises.
+    /// Units of 10 microseconds since the beginning of 2015 (UTC); it never decreases.
     pub timestamp: u64,
 }
 
@@ -37,7 +37,7 @@ impl Stamp {
     }
 }
 
-/// Whether a signed frame, as it lay on the wire, was signed with this key.
+/// Whether a signed frame, given as its bytes on the wire, was signed with this key.
 pub fn is_signed_with(key: &SigningKey, frame: &[u8]) -> bool {
     hash(key, frame).is_some_and(|hash| frame.ends_with(&hash))
 }

@@ -1,4 +1,4 @@
-//! `sortie bench campaign`: the course, played through by the reference pilots.
+//! `sortie bench campaign`: the whole course, flown by the reference pilots.
 
 use std::process::ExitCode;
 
@@ -29,7 +29,7 @@ pub(in crate::cli) struct CampaignArguments {
     json: bool,
 }
 
-/// Plays and prints; exit code 1 if the course was not completed.
+/// Flies the course and prints the results; exit code 1 if it was not completed.
 pub(in crate::cli) fn campaign(options: &CampaignArguments) -> Result<ExitCode, Failure> {
     let mut pilots = Vec::new();
     for offer in store::course().offers() {

@@ -115,7 +115,7 @@ fn measure(
     })
 }
 
-/// Types on the terminal of a program, and reads its output.
+/// Types into the terminal of a program and reads its output.
 struct Typist {
     child: Child,
     terminal: File,

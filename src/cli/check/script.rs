@@ -1,4 +1,4 @@
-//! The mission of a pilot's script, whose places and vehicles the check then knows.
+//! Finds the mission of a pilot's script, so that the check knows its places and vehicles.
 
 use std::path::{Path, PathBuf};
 

@@ -38,7 +38,7 @@ fn mount(line: &str) -> Option<(PathBuf, &str)> {
     let (before, after) = line.split_once(" - ")?;
     let at = before.split(' ').nth(4)?;
     let kind = after.split(' ').next()?;
-    // Blanks in a path are written as octal escapes.
+    // Spaces in a path are written as octal escapes.
     let at = at
         .replace("\\040", " ")
         .replace("\\011", "\t")

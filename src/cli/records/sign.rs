@@ -95,7 +95,7 @@ fn about(files: &RecordFiles) -> Result<String, Text> {
         about.extend(stored.end().map(|end| format!("score:{}", end.score)));
         about.push(format!("program:{}", head.program));
     }
-    // A record may have been written by hand: what it says must not add fields to the comment.
+    // A record may have been written by hand: its texts must not add fields to the comment.
     let about: Vec<_> = about.iter().map(|field| sanitised(field)).collect();
     Ok(about.join("\t"))
 }

@@ -12,7 +12,7 @@ use crate::text::{Locale, Text};
 
 /// A record is written in pieces of this many bytes, so that a fast run does not write every line.
 const PIECE_LEN: usize = 64 * 1024;
-/// A killed program loses no more than this.
+/// If the program is killed, it loses at most this much of the record.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
 /// The plan for reporting and recording a run.

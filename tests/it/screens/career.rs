@@ -1,4 +1,4 @@
-//! The campaign on the screen: the map on the home screen, the own progress, and the reward of a flight.
+//! The campaign on the screen: the map on the home screen, the trainee's progress, and the reward of a flight.
 
 use sortie::app::event::{CareerEvent, SessionEvent};
 use sortie::app::state::{Activity, Career};

@@ -264,7 +264,7 @@ fn everything_in_view_is_the_task_and_the_drones_but_not_the_fence() {
     );
 }
 
-/// Sensors must find the truth of a hazard: the map gets none of it.
+/// Sensors must find a hazard: the map shows nothing of it before.
 #[test]
 fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
     let source = include_str!("../../../missions/01-air-sample.toml");

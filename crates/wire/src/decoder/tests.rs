@@ -130,7 +130,7 @@ proptest! {
         found += std::iter::from_fn(|| decoder.next_frame_at_end())
                 .filter(Frame::is_verified)
                 .count();
-        // Noise may imitate a foreign message that swallows what follows; that costs at most the frames it covers.
+        // Noise may look like an unknown message and hide the frames that it covers, but no others.
         let foreign = decoder.counters().unknown_messages;
         prop_assert!(found >= noise.len() || foreign > 0, "{found} of {}", noise.len());
         let c = decoder.counters();
