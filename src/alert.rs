@@ -10,7 +10,7 @@ use crate::text::{Text, figure};
 /// Hitting the ground faster than this breaks a vehicle, in m/s.
 const HARD_LANDING_M_S: f32 = 3.0;
 
-/// What an alert is about. The names are those of the configuration and of the command line.
+/// The kind of an alert. The names are those of the configuration and of the command line.
 #[derive(
     Debug,
     Clone,
@@ -28,28 +28,28 @@ const HARD_LANDING_M_S: f32 = 3.0;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum AlertKind {
-    /// It has come down hard, or its motors have stopped in the air.
+    /// The vehicle has come down hard, or its motors have stopped in the air.
     Crash,
-    /// The process that simulates it has ended.
+    /// The process that simulates the vehicle has ended.
     Process,
-    /// Nothing is heard of it.
+    /// The vehicle's link is lost.
     LinkLost,
-    /// Its autopilot acts on a failure.
+    /// The autopilot responds to a failure.
     Failsafe,
-    /// It does not know its position by satellites.
+    /// The vehicle has no reliable satellite position.
     Gps,
-    /// Its filter's estimates contradict its sensors.
+    /// The filter's estimates contradict the sensors.
     Ekf,
     Battery,
-    /// The battery left is little more than the way home needs.
+    /// The remaining battery is little more than the way home needs.
     WayHome,
-    /// It is outside its fence.
+    /// The vehicle is outside its fence.
     Fence,
-    /// It shakes too much.
+    /// The vehicle vibrates too much.
     Vibration,
-    /// It would refuse to arm.
+    /// The vehicle would refuse to arm.
     Prearm,
-    /// A serious text about none of these.
+    /// A serious text that belongs to no other kind.
     Message,
 }
 
@@ -64,7 +64,8 @@ impl AlertKind {
     /// The kind with this name.
     ///
     /// # Errors
-    /// There is no such kind; the place is the whole word.
+    ///
+    /// The name is unknown; the place is the whole word.
     pub fn read(word: &str) -> Result<Self, Diagnostic> {
         word.parse().map_err(|_| {
             Diagnostic::new(0..word.len(), text!("alert-no-kind", word = word))
@@ -73,7 +74,7 @@ impl AlertKind {
         })
     }
 
-    /// What is said of several vehicles at once.
+    /// The text for an alert of several vehicles.
     pub fn title(self) -> Text {
         match self {
             Self::Crash => text!("alert-kind-crash"),
@@ -91,7 +92,7 @@ impl AlertKind {
         }
     }
 
-    /// What a vehicle's STATUSTEXT is about. A notice that this program makes says its kind itself.
+    /// The kind that a vehicle's STATUSTEXT belongs to. Notices of this program carry their kind.
     pub fn of_status_text(words: &str) -> Self {
         let has = |part: &str| words.contains(part);
         if has("link lost") {
@@ -118,7 +119,7 @@ impl AlertKind {
     }
 }
 
-/// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
+/// The alert for a status text about a crash, from ArduPilot's crash check or from the simulator.
 pub fn crash(text: &str) -> Option<Text> {
     if text.contains("Crash: Disarming") {
         return Some(text!("alert-crashed"));

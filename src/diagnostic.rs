@@ -1,4 +1,4 @@
-//! Errors in files and lines that people write: what is wrong, where exactly, and what to do.
+//! Errors in files and lines that people write: the fault, its exact place, and advice.
 
 use std::ops::Range;
 
@@ -11,10 +11,10 @@ use crate::text::Text;
 /// One fault in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Where it lies, in bytes of the text.
+    /// Its place, in bytes of the text.
     pub span: Range<usize>,
     pub message: Text,
-    /// What to do about it, if that is not plain.
+    /// Advice, unless the remedy is obvious.
     pub help: Option<Text>,
 }
 
@@ -28,14 +28,14 @@ impl Diagnostic {
         }
     }
 
-    /// The same with advice.
+    /// Adds advice.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// The same with "did you mean", where one of `names` is close to what was written, or begins like it.
+    /// Adds "did you mean" if one of `names` is close to the written word, or begins with it.
     #[must_use]
     pub fn with_nearest<'a>(self, written: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
@@ -45,10 +45,10 @@ impl Diagnostic {
         }
     }
 
-    /// The same fault of a line that stands as a string of `length` bytes at `quoted` of a file.
+    /// The same fault in a file: the line is a string of `length` bytes at `quoted`.
     #[must_use]
     pub fn in_string(mut self, quoted: Range<usize>, length: usize) -> Self {
-        // Escapes and triple quotes move what follows them: then the whole string is meant.
+        // Escapes and triple quotes shift the text after them; in that case the fault covers the whole string.
         self.span = if quoted.len() == length + 2 {
             let start = quoted.start + 1;
             start + self.span.start..start + self.span.end
@@ -58,12 +58,12 @@ impl Diagnostic {
         self
     }
 
-    /// A fault that the TOML reader found.
+    /// A fault reported by the TOML reader.
     pub fn from_toml(error: &toml::de::Error) -> Self {
         Self::new(error.span().unwrap_or(0..0), error.message())
     }
 
-    /// Line and column in `source`, both counted from 1; columns in characters.
+    /// Line and column in `source`, both counted from 1; columns are characters.
     pub fn line_column(&self, source: &str) -> (usize, usize) {
         let mut start = self.span.start.min(source.len());
         while !source.is_char_boundary(start) {
@@ -87,7 +87,7 @@ impl Diagnostic {
         format!("{file}:{line}:{column}: {}{help}", self.message)
     }
 
-    /// The same for people, in their language.
+    /// The same line as a text in the user's language.
     pub fn text(&self, file: &str, source: &str) -> Text {
         let (line, column) = self.line_column(source);
         let place = Text::verbatim(format!("{file}:{line}:{column}:"));
@@ -99,7 +99,7 @@ impl Diagnostic {
         Text::joined(" ", parts)
     }
 
-    /// The fault with the lines around it, for people to read.
+    /// The fault with the surrounding lines, for people.
     pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
         let start = self.span.start.min(source.len());
         let end = self.span.end.clamp(start, source.len());
@@ -124,17 +124,17 @@ impl Diagnostic {
     }
 }
 
-/// Faults of one file that are listed at most.
+/// The maximum number of faults listed per file.
 const MOST_SHOWN: usize = 50;
 
-/// The faults of a file that are worth showing, the first ones, and a line that says how many more there are.
+/// The first faults of a file, and a line with the number of those not shown.
 pub fn first_shown(faults: &[Diagnostic]) -> (&[Diagnostic], Option<Text>) {
     let more = faults.len().saturating_sub(MOST_SHOWN);
     let rest = (more > 0).then(|| text!("file-more-faults", count = more));
     (&faults[..faults.len() - more], rest)
 }
 
-/// The name closest to what was written, if one is close enough to be a typing error: by insertions, deletions,
+/// The name closest to the written word, if it is close enough to be a typing error: by insertions, deletions,
 /// substitutions and swaps of neighbours (optimal string alignment).
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let written = written.to_lowercase();
@@ -142,7 +142,7 @@ pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> O
     let distance = |name: &str| {
         let letters = name.chars().count();
         let most = (letters / 3).max(1);
-        // The distance is no less than the difference in length: long lines need not be compared at each key.
+        // The distance is at least the difference in length, so long lines need no comparison at each key.
         let is_near = length.abs_diff(letters) <= most;
         let distance = is_near.then(|| osa_distance(&written, &name.to_lowercase()));
         distance.filter(|&distance| distance <= most)
@@ -154,8 +154,8 @@ pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> O
         .map(|(_, name)| name)
 }
 
-/// The longest name that the written word begins with, else the only one that begins with the word: `bat` for
-/// `battery`, `heading` for `head`. Shorter than that many letters, it would be a guess.
+/// The longest name that the written word begins with, otherwise the only name that begins with the word: `bat` for
+/// `battery`, `heading` for `head`. Words shorter than the minimum would only be guesses.
 fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
     const LETTERS: usize = 3;
     let written = written.to_lowercase();

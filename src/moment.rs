@@ -10,16 +10,16 @@ use crate::vehicle::VehicleId;
 /// A moment worth coming back to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Moment {
-    /// When it was, from the beginning of the record.
+    /// Its time, from the beginning of the record.
     pub at: Duration,
-    /// Which vehicles it is about; none where it is about the flight.
+    /// The vehicles concerned; empty if it concerns the whole flight.
     pub vehicles: Vec<VehicleId>,
     pub kind: MomentKind,
-    /// What it is, in a few words.
+    /// A short description.
     pub text: Text,
 }
 
-/// What makes a moment one to come back to. The names are those of the command line.
+/// The kind of a moment. The names are those of the command line.
 #[derive(
     Debug,
     Clone,
@@ -39,7 +39,7 @@ pub enum MomentKind {
     Bookmark,
     /// A vehicle refused a command, or a command had no effect.
     Refusal,
-    /// Something was wrong with a vehicle.
+    /// An alert of a vehicle began.
     Alert,
     /// A vehicle changed its mode.
     Mode,
@@ -53,7 +53,7 @@ pub enum MomentKind {
     Event,
     /// Two vehicles that fly were closest to each other.
     Separation,
-    /// The log of a vehicle says so, which was joined to the record.
+    /// An event in a vehicle's log that was joined to the record.
     Log,
 }
 
@@ -65,12 +65,12 @@ impl MomentKind {
         self.into()
     }
 
-    /// What it is called.
+    /// Its name on the screen.
     pub fn text(self) -> Text {
         Text::new(format!("moment-kind-{}", self.name()), Vec::new())
     }
 
-    /// Whether a review names it: changes of modes and arming belong to every flight.
+    /// Whether a review lists it; changes of mode and arming happen in every flight and are left out.
     pub fn is_reviewed(self) -> bool {
         match self {
             Self::Mode | Self::Arming | Self::Log => false,
@@ -84,7 +84,7 @@ impl MomentKind {
         }
     }
 
-    /// How much it matters beside others: the least comes first.
+    /// Its importance compared with other kinds; the lowest comes first.
     pub fn weight(self) -> u8 {
         match self {
             Self::Mode | Self::Arming => 0,
@@ -96,13 +96,13 @@ impl MomentKind {
         }
     }
 
-    /// The kind of a name.
+    /// The kind with a name.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()
     }
 }
 
-/// What the times of two flights are laid upon each other by. The names are those of the command line.
+/// The event by which the times of two flights are aligned. The names are those of the command line.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Alignment {
@@ -117,24 +117,24 @@ pub enum Alignment {
     Alert,
     /// The first command that was refused.
     Refusal,
-    /// The first bookmark with the same text in both, else the first in each.
+    /// The first bookmark with the same text in both flights, otherwise the first bookmark of each.
     Bookmark,
 }
 
 impl Alignment {
-    /// The names of all of them.
+    /// All names.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// That of a name.
+    /// The alignment with a name.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()
     }
 
-    /// What it is called.
+    /// Its name on the screen.
     pub fn text(self) -> Text {
         Text::new(format!("alignment-{}", self.name()), Vec::new())
     }

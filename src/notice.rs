@@ -12,18 +12,18 @@ use crate::vehicle::VehicleId;
 pub struct Notice {
     /// When it happened, on the program's clock.
     pub at: Duration,
-    /// Which vehicle it is about, if one.
+    /// The vehicle concerned, if any.
     pub vehicle: Option<VehicleId>,
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
-    /// The alert that it is about, where known.
+    /// The kind of alert that it reports, if known.
     pub kind: Option<AlertKind>,
-    /// What is said; foreign words in it are free of control characters.
+    /// The message; foreign text in it is free of control characters.
     pub text: Text,
 }
 
 impl Notice {
-    /// One that is about no vehicle and no alert.
+    /// A notice that concerns no vehicle and no alert.
     pub fn general(at: Duration, severity: Severity, text: Text) -> Self {
         Self {
             at,
@@ -35,14 +35,14 @@ impl Notice {
     }
 }
 
-/// Makes foreign text safe to show in a line: control characters (escape sequences begin with one) and
-/// bidirectional overrides become `?`, and trailing blanks go.
+/// Makes foreign text safe to show in a line: control characters (escape sequences begin with one) and bidirectional
+/// overrides become `?`, and trailing blanks are removed.
 pub fn sanitised(text: &str) -> String {
     let cleaned: String = text.chars().map(harmless).collect();
     cleaned.trim_end().to_owned()
 }
 
-/// Makes a whole output safe to print: as [`sanitised`] does, but lines, tabs and blanks stay.
+/// Makes a whole output safe to print, as [`sanitised`] does, but keeps lines, tabs and blanks.
 pub fn sanitised_lines(text: &str) -> String {
     let mut letters = text.chars().peekable();
     let mut cleaned = String::with_capacity(text.len());

@@ -1,11 +1,11 @@
 //! Texts for people, in their language.
 //!
-//! A message to the user is a [`Text`]: an id with its arguments. It stays one until it is shown, where a [`Locale`]
-//! turns it into words. The words are Fluent messages in `locales/LANGUAGE/`; a test proves that no message is missing in
-//! any language.
+//! A message to the user is a [`Text`]: an id with its arguments. A [`Locale`] converts it to words only when it is
+//! shown. The words are Fluent messages in `locales/LANGUAGE/`; a test checks that no message is missing in any
+//! language.
 //!
-//! Text from outside (a vehicle, the operating system, a file of the user) is verbatim text: it cannot be translated, and
-//! may be an argument of a message.
+//! Text from outside (a vehicle, the operating system, a file of the user) is verbatim text: it cannot be translated,
+//! and may be an argument of a message.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -53,7 +53,7 @@ impl Language {
     }
 }
 
-/// Something said to a person. `Display` gives its English words, for logs and for programs.
+/// A text for people. `Display` gives its English words, for logs and for programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Text(TextContent);
 
@@ -68,16 +68,16 @@ enum TextContent {
         separator: &'static str,
         parts: Vec<Text>,
     },
-    /// A text written in several languages; English comes first.
+    /// A text given in several languages, English first.
     Written(Vec<(Language, String)>),
 }
 
-/// What goes into a message.
+/// An argument of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TextArgument {
-    /// A whole number, which may decide on the form of a noun.
+    /// A whole number, on which the form of a noun may depend.
     Number(i64),
-    /// A word as it is: a name, or a figure with its decimals.
+    /// A word used unchanged: a name, or a figure with its decimals.
     Word(String),
     Text(Text),
 }
@@ -94,7 +94,7 @@ macro_rules! text {
 pub use crate::text;
 
 impl Text {
-    /// A message by its id; [`text!`] is the shorter way.
+    /// A message by its id; [`text!`] is shorter.
     pub fn new(
         id: impl Into<Cow<'static, str>>,
         arguments: Vec<(&'static str, TextArgument)>,
@@ -110,7 +110,7 @@ impl Text {
         Self(TextContent::Verbatim(text.into()))
     }
 
-    /// A text written in English and possibly in other languages.
+    /// A text given in English and possibly in other languages.
     pub fn written(
         english: impl Into<String>,
         others: impl IntoIterator<Item = (Language, String)>,
@@ -121,7 +121,7 @@ impl Text {
         ))
     }
 
-    /// The same with a word in place of a mark, in every language that it was written in.
+    /// The text with a word in place of a mark, in each of its languages.
     #[must_use]
     pub fn filled(&self, mark: &str, word: &str) -> Self {
         let content = match &self.0 {
@@ -136,17 +136,17 @@ impl Text {
         Self(content)
     }
 
-    /// Whether it is foreign, not a message of the program's own.
+    /// Whether it is foreign text, not a message of this program.
     pub fn is_verbatim(&self) -> bool {
         matches!(self.0, TextContent::Verbatim(_))
     }
 
-    /// Several texts in a row.
+    /// Several texts, joined by a separator.
     pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
         Self(TextContent::Joined { separator, parts })
     }
 
-    /// Whether it says nothing.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
             TextContent::Verbatim(text) => text.is_empty(),
@@ -156,7 +156,7 @@ impl Text {
         }
     }
 
-    /// The same about other vehicles: wherever the argument `vehicle` stands in it, these are said.
+    /// The same text about other vehicles: they replace the argument `vehicle` wherever it occurs.
     #[must_use]
     pub fn regarding(&self, vehicles: &str) -> Self {
         Self(match &self.0 {
@@ -176,14 +176,14 @@ impl Text {
     }
 }
 
-/// Programs read English, whatever the language of the console.
+/// Serialised texts are English, whatever the language of the console.
 impl serde::Serialize for Text {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
-/// What comes from a file is foreign text.
+/// Deserialised texts are foreign text.
 impl<'de> serde::Deserialize<'de> for Text {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         String::deserialize(deserializer).map(Self::verbatim)
@@ -272,7 +272,8 @@ macro_rules! numbers {
 }
 numbers!(u8, u16, u32, u64, usize, i16, i32, i64);
 
-/// Tests may look at what is said. The program must not: what it decides on is a type, and a better word changes nothing.
+/// Tests may examine the words. The program must not: its decisions depend on types, so that rewording changes
+/// nothing.
 #[cfg(test)]
 pub mod said;
 

@@ -41,7 +41,7 @@ reward-licence = licence for { $before } -> { $after } drones
 reward-mission = new mission: { $mission }
 reward-parts = new parts on sale: { $parts }
 reward-skill = { $skill } { $before } % -> { $after } %: { $why }
-reward-skill-new = { $skill } { $after } %, first shown: { $why }
+reward-skill-new = { $skill } { $after } %, first evidence: { $why }
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = cannot store profiles in { $path }: { $error }
@@ -76,7 +76,7 @@ practice-airframes = the airframes are your own files
 practice-slow = time runs slower than real time
 exam-real-time = An exam runs in real time. Start sortie without --speedup
 exam-by-hand = An exam is flown by hand, not by a script. Start it from the home screen
-daily-by-hand = The seed of the day is flown by hand: a script would show where things are before the trainees have looked. Use `--seed N`
+daily-by-hand = The seed of the day is flown by hand: a script would reveal the layout before the trainees have searched it. Use `--seed N`
 flight-practice = { $mission }, practice
 flight-daily = { $mission }, seed of the day
 flight-exam = { $mission }, exam

@@ -38,7 +38,7 @@ journal-damaged = line { $line } of the journal is damaged: commands and bookmar
 record-frames-dropped = the disk is too slow for this flight: frames are missing from its record
 
 # `sortie verify`
-verify-other-start = the input log begins with another seed or other places
+verify-other-start = the input log begins with another seed or with other start positions
 verify-unfit-input = an impossible input
 verify-other-state = the state of the vehicle does not match
 verify-no-vehicle = unknown vehicle
@@ -62,11 +62,11 @@ verify-inputs-missing = re-scored from telemetry only: { $score } points; the ve
 verify-damaged = line { $line } of the input log is damaged
 verify-no-end = the input log is incomplete: its end is missing
 verify-other-clock = the clocks of the mission and of the simulator do not match
-verify-other-end = medal, result or time at its end are not those that follow from the record
+verify-other-end = medal, result or time at the end do not follow from the record
 verify-exam-paused = the flight counts as an exam, which has no pauses, but the record has one
 verify-own-airframes = the flight counts, but its airframes are not those of the mission
 verify-beyond-inputs = the record continues beyond the end of the input log
-verify-too-many = the input log names { $count } drones: no flight has more vehicles than 255
+verify-too-many = the input log names { $count } drones: no flight has more than 255 vehicles
 verify-other-parameter = { $name } does not have the value that the mission requires
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`

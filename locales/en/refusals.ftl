@@ -23,8 +23,8 @@ refused-no-place = { $lat }, { $lon } is not a valid position
 refused-not-finite = { $value } is not a number that can be sent
 refused-no-parameter = not sent: the vehicle has no parameter { $name }
 refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did you mean { $nearest }?
-refused-neither-parameter = not sent: the vehicle answers neither to { $name } nor to { $other }
-refused-neither-parameter-but = not sent: the vehicle answers neither to { $name } nor to { $other }; did you mean { $nearest }?
+refused-neither-parameter = not sent: the vehicle answered for neither { $name } nor { $other }
+refused-neither-parameter-but = not sent: the vehicle answered for neither { $name } nor { $other }; did you mean { $nearest }?
 refused-protected-parameter = { $parameter } is part of the task: it can be set in practice only
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 

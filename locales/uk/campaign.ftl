@@ -50,7 +50,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = не вдається зберігати профілі в { $path }: { $error }
 profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через --data
-profiles-older = { $path } створила старіша версія sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
+profiles-older = { $path } створено старішою версією sortie, тут можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`

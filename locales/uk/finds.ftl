@@ -25,8 +25,8 @@ detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
-detect-advice-missed = пропущено { $missed }, помилкових повідомлень { $wrong }: огляньте ще раз, нижче й повільніше, і підтверджуйте перед повідомленням
-detect-advice-wrong = помилкових повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
+detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }: огляньте ще раз, нижче й повільніше, і підтверджуйте перед повідомленням
+detect-advice-wrong = хибних повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
 
 # Прохід над зоною.
 coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
@@ -44,7 +44,7 @@ deliver-kits = допомогли: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
 deliver-kits-target = допомогти людям: { $target }
 deliver-nodes-target = установити вузлів: { $target }
-deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: допомога запізнилася: { $lost }.
+deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них; не дочекалися допомоги: { $lost }.
 deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
 people-kit-reached = доставлено людині за { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає

@@ -43,7 +43,7 @@ outcome-disarmed = двигуни деактивовано
 outcome-armed = двигуни активовано
 outcome-ended = завершено: { $by }
 outcome-not-sent = не надіслано: { $reason }
-outcome-too-late = не надіслано: { $seconds } s у черзі, строк минув
+outcome-too-late = не надіслано: строк у черзі ({ $seconds } s) минув
 outcome-queue-full = не надіслано: у черзі до апарата вже { $count ->
     [one] { $count } команда
     [few] { $count } команди
@@ -86,7 +86,7 @@ outcome-log-sum-other = прочитано двічі: контрольна су
 outcome-log-sum-grown = без контрольної суми: журнал відтоді виріс
 outcome-log-sum-none = без контрольної суми: { $reason }
 outcome-log-no-file = немає файлу вказаного розміру
-outcome-logs-stopped = зупинено; прочитане збережено, те саме завантаження продовжить із цього місця
+outcome-logs-stopped = зупинено; прочитане збережено; повторіть завантаження, щоб продовжити
 outcome-logs-silent = апарат не показує переліку журналів
 outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; завантажте ще раз, щоб продовжити
 outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й завантажте ще раз, щоб продовжити

@@ -19,7 +19,7 @@ threat-gnss-jam = супутникова навігація відмовила
 threat-link-loss = зв'язок утрачено
 threat-motor-fail = двигун відмовляє
 threat-battery-cold = холодний акумулятор
-threat-battery-cell = відмовила банка акумулятора
+threat-battery-cell = відмовив елемент акумулятора
 threat-person = на ділянку заходить людина
 threat-aircraft = ділянку перетинає літак
 

@@ -24,7 +24,7 @@ transport-no-serial = не вдається відкрити { $path } на { $b
 transport-without-serial = не вдається відкрити { $path }: програму зібрано без послідовних портів; зберіть її з --features serial
 transport-closed = закрито з іншого боку
 transport-takes-nothing = інший кінець більше не приймає даних
-transport-silent = тиша вже { $seconds } s
+transport-silent = нічого не надходить уже { $seconds } s
 transport-pipe-gone = іншого кінця каналу вже немає: { $reason }
 transport-fleet-busy = запити зараз не приймаються: сеанс завершується або перевантажений
 

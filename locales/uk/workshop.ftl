@@ -90,8 +90,8 @@ design-full = `{ $part }` — зайва деталь: `{ $slot }` вміщує 
 
 finding-missing = ще немає: { $slot }
 finding-propeller = пропелери { $diameter } in зачеплять один одного: ця рама вміщує { $most } in
-finding-motor-cells = в акумуляторі { $cells } банок, двигуни приймають від { $fewest } до { $most }
-finding-esc-cells = в акумуляторі { $cells } банок, регулятори витримують щонайбільше { $most }
+finding-motor-cells = в акумуляторі елементів: { $cells }; двигуни приймають від { $fewest } до { $most }
+finding-esc-cells = в акумуляторі елементів: { $cells }; регулятори витримують щонайбільше { $most }
 finding-esc-current = регулятори на { $current } A, двигуни беруть до { $peak } A: безпечно було б { $wanted } A
 finding-thrust = тяга становить { $ratio } ваги (маса { $mass } kg): апарат не втримається на вітрі (треба щонайменше { $least }, добре { $good })
 finding-weak = тяга становить { $ratio } ваги: у штиль досить, але пориви та набір висоти забирають її всю (добре { $good })
@@ -99,7 +99,7 @@ finding-collapse = напруга акумулятора падає вже в з
 finding-current = зависання бере { $current } A, акумулятор дає { $most } A: напруга впаде
 finding-hover-current = зависання бере { $current } A, більше ніж половину з { $most } A, які дає акумулятор: напруга просяде
 finding-sag = нижче { $charge } % заряду напруги не вистачить для зависання: сідайте до { $land } %
-finding-power-cells = в акумуляторі { $cells } банок, модуль живлення витримує щонайбільше { $most }
+finding-power-cells = в акумуляторі елементів: { $cells }; модуль живлення витримує щонайбільше { $most }
 finding-power-current = зависання бере { $current } A, модуль живлення витримує щонайбільше { $most } A
 
 measure-mass = маса

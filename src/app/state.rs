@@ -325,7 +325,7 @@ impl<R> State<R> {
         self.session.listing.as_deref()
     }
 
-    /// Whether the trainee is asked now how much there is to do: in the air, except in exams, until the question is
+    /// Whether the trainee is asked now for the workload: in the air, except in exams, until the question is
     /// answered.
     pub fn asks_workload(&self) -> bool {
         let session = &self.session;

@@ -1,16 +1,16 @@
-//! Numbers in writing.
+//! Numbers as text.
 
 use crate::geo::maths;
 use std::time::Duration;
 
 use chrono::DateTime;
 
-/// From this on a number is written by its power of ten, with decimals and without.
+/// From these values on, numbers are written with an exponent: numbers with decimals, and whole numbers.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
 
-/// A number with so many decimals, in a few digits whatever it is: `1e38` where it is beyond any that is measured, a
-/// dash where it is none. A zero has no sign of its own, which would flicker.
+/// A number with this many decimals, always in a few digits: `1e38` for values far beyond any measurement, a dash for
+/// values that are not numbers. Zero is written without a sign, which would flicker.
 pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
     let value = value.into();
     let long = if decimals == 0 {
@@ -33,7 +33,7 @@ pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
     }
 }
 
-/// A number rounded to so many decimals, for documents; 0 for what is not finite.
+/// A number rounded to this many decimals, for documents; 0 if it is not finite.
 pub fn rounded(value: f64, decimals: i32) -> f64 {
     let scale = maths::powi(10f64, decimals);
     let rounded = (value * scale).round() / scale;

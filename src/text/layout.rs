@@ -1,4 +1,4 @@
-//! Text in lines.
+//! Wrapping text.
 
 use unicode_width::UnicodeWidthStr as _;
 

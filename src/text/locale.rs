@@ -1,4 +1,4 @@
-//! From texts to words.
+//! Converts texts to the words of a language.
 
 use std::fmt;
 use std::sync::LazyLock;
@@ -9,7 +9,7 @@ use unic_langid::LanguageIdentifier;
 
 use super::{Language, Text, TextArgument, TextContent, messages};
 
-/// The words of one language.
+/// The messages of one language.
 #[derive(Clone, Copy)]
 pub struct Locale {
     language: Language,
@@ -18,17 +18,17 @@ pub struct Locale {
 
 type Bundle = FluentBundle<FluentResource>;
 
-/// Reading a language takes as long as drawing many screens, so it is read once.
+/// Parsing a language takes as long as drawing many screens, so it is done once.
 static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::English));
 static UKRAINIAN: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::Ukrainian));
 
 fn bundle(language: Language) -> Bundle {
     let id: LanguageIdentifier = language.code().parse().unwrap_or_default();
     let mut bundle = FluentBundle::new_concurrent(vec![id]);
-    // A terminal shows the marks that would keep right-to-left arguments apart as boxes.
+    // Terminals show the marks that would isolate right-to-left arguments as boxes.
     bundle.set_use_isolating(false);
     for (_, source) in messages(language) {
-        // A fault leaves its message out, which a test notices.
+        // A faulty message is left out; a test detects that.
         let resource =
             FluentResource::try_new((*source).to_owned()).unwrap_or_else(|(readable, _)| readable);
         drop(bundle.add_resource(resource));
@@ -37,7 +37,7 @@ fn bundle(language: Language) -> Bundle {
 }
 
 impl Locale {
-    /// The words of a language.
+    /// The messages of a language.
     pub fn new(language: Language) -> Self {
         let bundle: &'static Bundle = match language {
             Language::English => &ENGLISH,
@@ -46,12 +46,12 @@ impl Locale {
         Self { language, bundle }
     }
 
-    /// Which language it is.
+    /// The language of the messages.
     pub fn language(&self) -> Language {
         self.language
     }
 
-    /// A text in words.
+    /// The words of a text.
     pub fn text(&self, text: &Text) -> String {
         match &text.0 {
             TextContent::Verbatim(words) => words.clone(),
@@ -68,12 +68,12 @@ impl Locale {
         }
     }
 
-    /// A message without arguments in words.
+    /// The words of a message without arguments.
     pub fn say(&self, id: &str) -> String {
         self.format(id, &[])
     }
 
-    /// A message without arguments in words, if the language has it.
+    /// The words of a message without arguments, if the language has it.
     pub fn find(&self, id: &str) -> Option<String> {
         self.bundle.has_message(id).then(|| self.say(id))
     }

@@ -1,4 +1,4 @@
-//! What a text says, for tests, and a language without words.
+//! For tests: the words of a text, and a language in which every message is the same.
 
 use std::cell::Cell;
 
@@ -21,7 +21,7 @@ pub(super) fn is_wordless() -> bool {
 }
 
 impl Text {
-    /// Whether its English words contain others.
+    /// Whether its English words contain these.
     pub fn contains(&self, words: &str) -> bool {
         self.to_string().contains(words)
     }

@@ -44,7 +44,7 @@ struct LoadCost {
     bytes_per_s: f64,
 }
 
-/// The state of a measurement.
+/// The counters at one end of a measurement.
 struct LoadMark {
     at: Duration,
     cpu: Duration,

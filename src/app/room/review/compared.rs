@@ -11,7 +11,7 @@ use crate::text::{Text, clock};
 /// Columns of the time and of the points; the rest is shared.
 const TIME: usize = 6;
 const POINTS: usize = 8;
-/// The part of the rest for the difference, in units of `1 / SHARES`.
+/// The share of the remaining width for the difference, in units of `1 / SHARES`.
 const WHAT: usize = 2;
 const SHARES: usize = 5;
 

@@ -152,7 +152,7 @@ impl Page<'_> {
         self.text.add(Tone::Muted, counts.join("   "));
     }
 
-    /// How much there was to do, in words; its curves are below the moments.
+    /// The pilot's workload in words; its curves are below the moments.
     fn workload(&mut self) {
         let Some(report) = self.view.report.clone() else {
             return;

@@ -1,4 +1,4 @@
-//! How much there was to do, in a replay.
+//! The pilot's workload, in a replay.
 
 use super::Page;
 use crate::app::room::page::Tone;
