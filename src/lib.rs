@@ -1,71 +1,72 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only, and the parts of a module depend on each other one way only:
-//! `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What other
+//! Dependencies point down only, and the parts of a module depend on each other in one direction only:
+//! `tests/it/layering.rs` reads the sources and enforces both, for modules and their direct parts. What other
 //! programs could use as well is in libraries of the workspace, below everything else.
 //!
-//! | layer | module | home of |
+//! | layer | module | contents |
 //! | --- | --- | --- |
 //! | shell | [`cli`] | the subcommands, their options and what they print |
 //! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
-//! | | [`terminal`] | keys in, cells out: which features the terminal has, and how fast it is |
-//! | | [`replay`] | a recorded flight as the events that the console saw then; from any moment on |
+//! | | [`terminal`] | keys in, cells out: which features the terminal has, and its speed |
+//! | | [`replay`] | a recorded flight as the events that the console received then, from any moment on |
 //! | | [`ui`] | screens and widgets: state in, cells out |
-//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert holds, rings and is muted |
+//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
-//! | | [`hangar`] | SITL processes: started here, or by a service over HTTP |
+//! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
 //! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records |
-//! | pure | [`exercise`] | when a mission begins and by whose clock its time passes (in the console, too); a mission flown by a pilot script |
+//! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles, and back to the ledger |
-//! | | [`campaign`] | a career: what is unlocked, earned and owned, how surely each skill is mastered, and what a try counts for |
+//! | | [`campaign`] | a career: unlocks, earnings, possessions, the mastery of each skill, and what an attempt counts as |
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
-//! | | [`comparison`] | two flights of a mission side by side: where the other one was, what differed, what it cost |
+//! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
 //! | | [`debrief`] | a report as text |
-//! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, radio, objectives, events |
-//! | | [`scoring`] | marks, medals, and the report of a flight |
+//! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events |
+//! | | [`scoring`] | points, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
-//! | | [`record`] | what a session leaves beside the frames of its links: the journal (a mission's own record is in [`mission`]) |
+//! | | [`record`] | what a session stores besides the frames of its links: the journal (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
-//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end or are overtaken; plans, parameters, logs, files; when it counts as lost |
-//! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
+//! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
+//! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
-//! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
+//! | | [`commands`] | typed commands: when one is refused, how it is encoded, and which telemetry shows its effect |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
-//! | | [`ledger`], [`notice`], [`alert`], [`moment`] | what became of each command; what is said to people; the kinds of alerts; what is worth coming back to |
-//! | | [`vehicle`] | the model of one vehicle, and what its way home takes of the battery |
-//! | | [`doctor`] | what is wrong with a link (`sortie doctor`, about this machine, is in [`cli`]) |
-//! | | [`inspector`] | messages counted, and taken apart field by field |
+//! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
+//! | | [`vehicle`] | the model of one vehicle, and the battery that its way home needs |
+//! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
+//! | | [`inspector`] | messages, counted and decoded field by field |
 //! | | [`parameters`] | parameter lists, files, differences |
-//! | | [`workshop`] | parts, designs, and what a design can do: how long it flies, how far its radio reaches |
-//! | | [`config`] | settings and where each came from |
+//! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
+//! | | [`config`] | settings and the source of each |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
-//! | | [`hash`] | a hash that stays the same |
+//! | | [`hash`] | a hash that never changes |
 //! | libraries | [`sim`] | simulated vehicles |
 //! | | [`wire`] | MAVLink frames |
 //! | | [`plan`] | items of plans, fences and rally points: their files, and the faults in them |
 //! | | [`geo`] | positions and maps |
 //!
 //! # A telemetry packet
-//! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames
-//! to the vehicle's task, whose [`session`] gives each to [`messages`], which changes the [`vehicle`] model in place, and
-//! then to the command under way, which looks for its answer and its effect. The console takes a snapshot of what changed once per tick.
+//! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, and the hub of [`fleet`] passes the frames
+//! to the vehicle's task. Its [`session`] passes each frame to [`messages`], which changes the [`vehicle`] model in
+//! place, and then to the command under way, which looks for its answer and its effect. Once per tick, the console
+//! takes a snapshot of what has changed.
 //!
 //! # A keypress
-//! Event, [`app::App::update`], effect: [`language`] reads the palette's line. The app carries out what is said to the
-//! console itself; of the rest the [`operator`] makes an [`Order`](commands::Order), and the [`ledger`] opens a row per
-//! target. The [`shell`] gives the order to the [`operator`], which decides what follows for each vehicle and for the
-//! mission; each vehicle's session sends, waits, retries, and watches telemetry for the effect.
+//! Event, [`app::App::update`], effect: [`language`] reads the palette's line. The app carries out commands to the
+//! console itself. From any other line, the [`operator`] makes an [`Order`](commands::Order), and the [`ledger`]
+//! opens a row per target. The [`shell`] passes the order to the [`operator`], which decides what follows for each
+//! vehicle and for the mission. Each vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants
-//! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.
+//! - Pure modules use no clock, no randomness, no files and no sockets: `now` and seeds are arguments.
 //! - Only [`app::App::update`] changes what the console shows: the fields of [`app::State`] and of its parts are private
 //!   to [`app`], and everything else reads them through methods.
-//! - The shell feeds every event through one queue, and carries out every effect that comes of it.
+//! - The shell feeds every event through one queue, and carries out every resulting effect.
 //! - The same [`session`] runs in the console's tasks and in the lock step of an exercise, and the same [`operator`]
 //!   carries out the orders of both.
 //! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.

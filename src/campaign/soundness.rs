@@ -65,7 +65,7 @@ fn malformed(name: &str, id: &str, marks: &str) -> Option<String> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || marks.contains(c);
     let is_fine = (1..=LONGEST_ID).contains(&id.len()) && id.chars().all(plain);
     let shown = || id.chars().take(LONGEST_ID).collect::<String>();
-    (!is_fine).then(|| format!("`{name}` is {:?}, which is no id", shown()))
+    (!is_fine).then(|| format!("`{name}` is {:?}, which is not an id", shown()))
 }
 
 #[cfg(test)]

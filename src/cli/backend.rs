@@ -67,7 +67,7 @@ impl BackendArguments {
             return Ok(None);
         }
         if self.services.is_given() && self.programs.is_given() {
-            let text = "sortie: a hangar starts the program of its own host: leave out --hangar, or the program";
+            let text = "sortie: a hangar starts a program of its own host: leave out --hangar or the program";
             return Err(Failure::Invalid(text.to_owned()));
         }
         let services = if self.programs.is_given() {
@@ -145,6 +145,6 @@ fn missing_program(missing: &Missing) -> Failure {
     Failure::Invalid(format!(
         "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
          ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \
-         without it, --backend embedded flies the simulator within this program"
+         without it, use --backend embedded: the simulator within this program"
     ))
 }

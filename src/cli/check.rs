@@ -154,7 +154,7 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("toml" | "pilot") => Ok(()),
         _ => Err(Failure::Invalid(format!(
-            "sortie: cannot tell what {} is: expected a name ending in .toml or .pilot",
+            "sortie: cannot tell the kind of {}: expected a name ending in .toml or .pilot",
             path.display()
         ))),
     }

@@ -54,9 +54,7 @@ pub(super) fn config(
         let locale = Locale::new(settings.language());
         say!("{}", settings.keymap.show(&locale).trim_end())?;
     } else {
-        say!(
-            "# A value comes from the first that has it: flag, environment, file, the administrator's file, default."
-        )?;
+        say!("# Precedence: flag, environment, file, the administrator's file, default.")?;
         let own = paths(settings).into_iter();
         let system = system_paths(settings)
             .into_iter()

@@ -57,7 +57,7 @@ pub(super) fn debrief(
     };
     let text = store::read_run(&path).map_err(|error| faulty(error.to_string().into()))?;
     let stored = Stored::read(&text).map_err(faulty)?;
-    // The debrief shows the truth, which the flight is about; also a copy of its record would.
+    // A debrief shows the truth, which would help a flight that is still under way; so would the debrief of a copy.
     let head = &stored.head;
     if runs
         .iter()

@@ -112,7 +112,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
             say!("sending to {host}:{port} over UDP")?;
         }
         if usize::from(options.vehicles) > SYSTEMS {
-            say!("system ids repeat after {SYSTEMS}: only the TCP ports tell the vehicles apart")?;
+            say!("system ids repeat after {SYSTEMS}: only the TCP ports distinguish the vehicles")?;
         }
         say!("{} vehicle(s); stop with Ctrl-C", options.vehicles)?;
         tokio::signal::ctrl_c().await?;

@@ -172,7 +172,7 @@ fn int(data: &COMMAND_INT_DATA, real: &Observed) -> Option<(String, Aim)> {
 
 #[expect(
     deprecated,
-    reason = "the dialect calls the frame of the body outdated, and everybody uses it"
+    reason = "the dialect deprecates the body frame, but most programs use it"
 )]
 fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> (String, Aim) {
     let ignores = |bit| data.type_mask.contains(bit);

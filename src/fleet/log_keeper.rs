@@ -1,4 +1,4 @@
-//! Files of logs, off the event loop: a slow disk or network folder must hold up no other vehicle.
+//! Files of logs, written off the event loop, so that a slow disk or network folder does not delay other vehicles.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use tokio::task::block_in_place;
 use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, VehicleLog};
 use crate::text::Text;
 
-/// A keeper whose work blocks only the vehicle that it is for.
+/// A keeper whose work blocks only its own vehicle.
 #[derive(Debug)]
 pub(super) struct BlockingKeeper(pub Arc<dyn LogKeeper>);
 
@@ -30,12 +30,12 @@ impl LogKeeper for BlockingKeeper {
     }
 }
 
-/// Does blocking work while other threads go on with the other tasks.
+/// Does blocking work while other threads continue with the other tasks.
 fn off_the_loop<T>(work: impl FnOnce() -> T) -> T {
     let flavor = Handle::try_current().map(|it| it.runtime_flavor());
     match flavor {
         Ok(RuntimeFlavor::MultiThread) => block_in_place(work),
-        // A runtime of one thread has no other to hand its tasks to.
+        // A single-threaded runtime has no other thread for its tasks.
         Ok(_) | Err(_) => work(),
     }
 }

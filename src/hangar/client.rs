@@ -52,7 +52,7 @@ pub enum ClientError {
     NotAHangar { address: HangarAddress, why: String },
     /// It requires a token, or a different one.
     #[error(
-        "{address} wants its token ({why}): copy its token file here and name it with --hangar-token FILE"
+        "{address} requires its token ({why}): copy its token file here and name it with --hangar-token FILE"
     )]
     Unauthorised { address: HangarAddress, why: String },
     #[error("{}", problem.error)]
@@ -211,6 +211,6 @@ impl RemoteHangar {
     ) -> Result<T, ClientError> {
         let bytes = self.exchange(method, path, body).await?;
         serde_json::from_slice(&bytes)
-            .map_err(|error| self.not_a_hangar(format!("its answer makes no sense: {error}")))
+            .map_err(|error| self.not_a_hangar(format!("its answer is not valid: {error}")))
     }
 }

@@ -58,7 +58,7 @@ fn advice(error: &io::Error) -> &'static str {
             "a file is in the way: move it, or choose another folder for the hangar"
         }
         io::ErrorKind::TimedOut => "end it, or choose another folder for the hangar",
-        _ => "choose a folder for the hangar that is yours to write",
+        _ => "choose a folder for the hangar that you can write to",
     }
 }
 
@@ -90,7 +90,7 @@ impl Run {
     /// # Errors
     /// The root cannot be created or written, or others could write into it.
     pub fn open(root: &Path) -> Result<OpenedFolder, FolderError> {
-        make(root, true).map_err(cannot("make the folder", root))?;
+        make(root, true).map_err(cannot("create the folder", root))?;
         let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });
         is_safe.map_err(cannot("trust the folder", root))?;
         let (mut leftovers, mut skipped) = (Vec::new(), Vec::new());
@@ -124,7 +124,7 @@ impl Run {
             match make(&path, false) {
                 Ok(()) => break path,
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-                Err(error) => return Err(cannot("make the folder", &path)(error)),
+                Err(error) => return Err(cannot("create the folder", &path)(error)),
             }
         };
         let owner = path.join(OWNER);
@@ -147,7 +147,7 @@ impl Run {
     /// It cannot be created.
     pub fn vehicle(&self, id: InstanceId) -> Result<PathBuf, FolderError> {
         let path = self.path.join(format!("vehicle-{id:03}"));
-        make(&path, true).map_err(cannot("make the folder", &path))?;
+        make(&path, true).map_err(cannot("create the folder", &path))?;
         Ok(path)
     }
 
@@ -213,7 +213,7 @@ fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
             Err(TryLockError::Error(error)) => {
                 let path = gate.display();
                 skipped.push(format!(
-                    "cannot lock {path}: {error}; what earlier hangars have left is not looked for"
+                    "cannot lock {path}: {error}; processes left by earlier hangars are not searched for"
                 ));
                 return Ok(file);
             }
@@ -221,7 +221,7 @@ fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
     }
     Err(io::Error::new(
         io::ErrorKind::TimedOut,
-        "another hangar has held it for long; does it hang?",
+        "another hangar has held it for a long time and may hang",
     ))
 }
 

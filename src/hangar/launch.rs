@@ -37,7 +37,7 @@ pub struct Launch {
     /// The kind of vehicle.
     #[serde(default)]
     pub kind: SitlKind,
-    /// SITL's name of a model; by default what suits the kind and the airframe.
+    /// SITL's name of a model; by default the one that suits the kind and the airframe.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
     /// A frame file of ArduPilot's SITL.
@@ -46,7 +46,8 @@ pub struct Launch {
     /// The position and heading of its pad.
     #[serde(default)]
     pub home: LaunchHome,
-    /// The MAVLink system id, 1 to 254; the instance's number by default, or the lowest free one where that cannot be.
+    /// The MAVLink system id, 1 to 254; by default the instance's number, or the lowest free one if that number is
+    /// not available.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub system: Option<u8>,
     /// Simulated seconds per second, once it is ready; until then it goes faster if it can.
@@ -170,7 +171,7 @@ impl Launch {
             let is_name = (1..=NAME_LEN).contains(&name.len()) && name.chars().all(is_plain);
             require(is_name, || {
                 format!(
-                    "`{}` is no parameter: a name is 1 to {NAME_LEN} letters, digits and _",
+                    "`{}` is not a parameter: a name is 1 to {NAME_LEN} letters, digits and _",
                     name.escape_default()
                 )
             })?;
@@ -181,7 +182,7 @@ impl Launch {
             })?;
             // They are sent as single floats; one that is not finite ends a SITL.
             require((*value as f32).is_finite(), || {
-                format!("{name} is to be {value}, which is no number that a vehicle can have")
+                format!("{name} cannot be {value}: a vehicle cannot store this number")
             })?;
         }
         Ok(())
@@ -195,7 +196,7 @@ impl Launch {
                 && model.chars().all(is_plain)
                 && !model.starts_with('-');
             require(is_name, || {
-                format!("`{}` is no model of SITL", model.escape_default())
+                format!("`{}` is not a model of SITL", model.escape_default())
             })?;
         }
         let Some(frame) = &self.frame else {

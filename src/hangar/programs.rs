@@ -202,7 +202,7 @@ fn check(file: &Path) -> Result<(), String> {
         return Err("it is a folder: name the program in it".to_owned());
     }
     if !about.is_file() {
-        return Err("it is no file".to_owned());
+        return Err("it is not a file".to_owned());
     }
     if about.permissions().mode() & 0o111 == 0 {
         return Err(format!("it is not executable: chmod +x {}", file.display()));

@@ -11,13 +11,13 @@ use crate::text::Text;
 #[derive(Debug, thiserror::Error)]
 pub enum HangarRefusal {
     /// No instance has that number.
-    #[error("no instance {0}: the list names those that run")]
+    #[error("no instance {0}: the list shows those that run")]
     Unknown(InstanceId),
     /// The number is taken.
     #[error("instance {0} exists already: stop it first, or choose another number")]
     Taken(InstanceId),
     /// The hangar is full.
-    #[error("{0} instances run already, the limit: stop some, or raise it")]
+    #[error("{0} instances are running, which is the limit: stop some, or raise it")]
     Full(u16),
     /// No program for this kind of vehicle is known.
     #[error(

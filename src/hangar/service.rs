@@ -74,7 +74,7 @@ pub struct ServiceSetup {
     pub programs: Vec<Program>,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
-    /// What the hangar may use.
+    /// The limits of the hangar.
     pub limits: HangarLimits,
 }
 
@@ -122,22 +122,22 @@ pub struct Program {
     pub identity: String,
 }
 
-/// What a service says about itself.
+/// The status of a service.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Status {
     /// The version of the program.
     pub version: String,
-    /// Names this run of the service; after a restart it is another.
+    /// Identifies this run of the service; it changes with every restart.
     pub life: String,
-    /// What can be started.
+    /// The programs that can be started.
     pub programs: Vec<Program>,
-    /// How full it is.
+    /// The used and the free capacity.
     pub capacity: Capacity,
-    /// What it may use.
+    /// The limits of the hangar.
     pub limits: HangarLimits,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
-    /// Processes of an earlier life that were found.
+    /// Processes that an earlier run of the service left behind.
     pub leftovers: Vec<String>,
 }
 

@@ -135,13 +135,13 @@ impl Lack {
         match self {
             Self::Connection => format!("runs but has not connected for {seconds} s"),
             Self::Reconnection => {
-                format!("has closed its connection and not come back for {seconds} s")
+                format!("has closed its connection and not reconnected for {seconds} s")
             }
             Self::Heartbeat => format!("is connected but has sent no heartbeat for {seconds} s"),
-            Self::Sound => format!("has said nothing for {seconds} s"),
+            Self::Sound => format!("has sent nothing for {seconds} s"),
             Self::Parameters => format!("has sent no further parameters for {seconds} s"),
-            Self::Position => format!("has not found out where it is for {seconds} s"),
-            Self::Readiness => format!("knows where it is but cannot be armed for {seconds} s"),
+            Self::Position => format!("has had no position for {seconds} s"),
+            Self::Readiness => format!("has a position but could not be armed for {seconds} s"),
         }
     }
 }

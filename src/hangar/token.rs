@@ -37,7 +37,7 @@ pub enum TokenError {
     },
     /// Others may read the file, so that its token is not a secret.
     #[error(
-        "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
+        "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is created, or `chmod 600 {path}` if no one else has read it"
     )]
     Readable { path: PathBuf, mode: u32 },
     /// The file belongs to another user.
@@ -45,11 +45,11 @@ pub enum TokenError {
     Foreign { path: PathBuf },
     /// The file contains something else.
     #[error(
-        "{path} holds no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is made"
+        "{path} contains no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is created"
     )]
     Content { path: PathBuf },
     /// The system provides no random numbers.
-    #[error("the system gives no random numbers for a token: {0}")]
+    #[error("the system provides no random numbers for a token: {0}")]
     Random(String),
 }
 
@@ -96,7 +96,7 @@ impl HangarToken {
         };
         // Checked before opening, which would block on a pipe without a writer.
         if !fs::metadata(path).map_err(fail)?.is_file() {
-            return Err(fail(io::Error::other("it is no regular file")));
+            return Err(fail(io::Error::other("it is not a regular file")));
         }
         let file = File::open(path).map_err(fail)?;
         let facts = file.metadata().map_err(fail)?;
@@ -240,7 +240,7 @@ mod tests {
         nix::unistd::mkfifo(&pipe, private).expect("it is made");
         for path in [pipe.as_path(), folder.path(), Path::new("/dev/null")] {
             let error = HangarToken::load(path).expect_err("refused").to_string();
-            assert!(error.contains("no regular file"), "{error}");
+            assert!(error.contains("not a regular file"), "{error}");
         }
     }
 

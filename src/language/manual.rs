@@ -29,7 +29,7 @@ pub fn manual() -> String {
             let _ = writeln!(text, "    {only}");
         }
         if row.verb.danger == Danger::Confirm {
-            let _ = writeln!(text, "    asks for a second key");
+            let _ = writeln!(text, "    asks for confirmation");
         }
         let mut seen: Vec<String> = Vec::new();
         for argument in row.forms.iter().flat_map(|form| form.arguments) {

@@ -114,7 +114,7 @@ pub enum SimulatorError {
         reason: String,
     },
     /// The speed-up is not valid.
-    #[error("a speedup of {0} is not possible: it must be a number above 0 and at most 1000")]
+    #[error("a speed-up of {0} is not possible: it must be a number above 0 and at most 1000")]
     Speedup(f64),
 }
 
@@ -280,7 +280,8 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
         reason,
     };
     if port == 0 {
-        let reason = "nobody can be reached on port 0; give the one that the ground station listens on, often 14550";
+        let reason =
+            "port 0 cannot be reached; use the one that the ground station listens on, often 14550";
         return Err(failure(reason.to_owned()));
     }
     let target = resolve(host, port)

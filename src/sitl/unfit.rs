@@ -8,11 +8,10 @@ use crate::sim::AirframeError;
 pub enum SitlUnfit {
     #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
     System(u8),
-    #[error("SITL cannot go {0} times as fast: use 0.01 to 1000")]
+    #[error("SITL cannot run {0} times as fast as real time: use 0.01 to 1000")]
     Speedup(f64),
     #[error(
-        "a home is a latitude and longitude on earth, -1000 to 20000 m above sea level, and a heading; latitude 0 and \
-         longitude 0 together mean none to SITL"
+        "a home is a latitude and longitude on earth, -1000 to 20000 m above sea level, and a heading; SITL treats latitude 0, longitude 0 as no home"
     )]
     Home,
     #[error("instance {0} would need a port above 65535: use 0 to 5977")]
@@ -26,7 +25,7 @@ pub enum SitlUnfit {
     #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
     ParameterValue(String, f64),
     /// A frame file is given for a vehicle that is not a multirotor.
-    #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
+    #[error("only multirotors use a frame file, but this is a {}: leave it out", .0.name())]
     AirframeOf(SitlKind),
     #[error("the frame file, {0}")]
     Airframe(#[from] AirframeError),
@@ -40,7 +39,7 @@ pub enum SitlUnfit {
     },
     /// No model agrees with the airframe and the parameters.
     #[error(
-        "no model of a {}{} has the frame that the parameters ask for: leave FRAME_CLASS and FRAME_TYPE to the model",
+        "no model of a {}{} has the frame that the parameters require: leave FRAME_CLASS and FRAME_TYPE to the model",
         .kind.name(), .motors.map_or_else(String::new, |motors| format!(" with {motors} motors"))
     )]
     NoModel {
@@ -60,7 +59,7 @@ pub enum SitlUnfit {
     },
     /// The model requires another value of a parameter than requested.
     #[error(
-        "the model {model} flies with {parameter} {needed} and would turn over with {asked}: leave {parameter} out, or {}",
+        "the model {model} needs {parameter} {needed} and would flip over with {asked}: leave {parameter} out, or {}",
         advice(.fitting)
     )]
     Frame {

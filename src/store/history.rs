@@ -39,7 +39,7 @@ impl History {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
             Err(error) => return Err(error),
             Ok(file) if !file.is_file() || file.len() > LONGEST => {
-                let text = format!("{} is no history", self.path.display());
+                let text = format!("{} is not a history", self.path.display());
                 return Err(io::Error::new(io::ErrorKind::InvalidData, text));
             }
             Ok(_) => {}

@@ -51,7 +51,7 @@ fn end_of_links(path: &Path, user: u32) -> io::Result<PathBuf> {
             Ok(_) | Err(_) => return Ok(end),
         }
     }
-    Err(io::Error::other("too many links lead from one to the next"))
+    Err(io::Error::other("too many links follow one another"))
 }
 
 #[cfg(test)]

@@ -254,14 +254,10 @@ fn a_mission_that_others_name_and_nobody_has_is_a_fault_at_its_place() {
         .map(|fault| fault.one_line("m", &source))
         .collect();
     assert!(
-        lines[0]
-            .ends_with("there is no mission `00-first-fligt` (did you mean `00-first-flight`?)"),
+        lines[0].ends_with("unknown mission `00-first-fligt` (did you mean `00-first-flight`?)"),
         "{lines:?}"
     );
-    assert!(
-        lines[1].ends_with("there is no mission `nobody`"),
-        "{lines:?}"
-    );
+    assert!(lines[1].ends_with("unknown mission `nobody`"), "{lines:?}");
 }
 
 #[test]

@@ -247,7 +247,9 @@ fn the_administrator_sets_for_everybody_what_a_user_may_change() {
     let config = sortie(home.path(), &[], &["config"]);
     let printed = text(&config.stdout);
     assert!(
-        printed.starts_with("# A value comes from the first that has it: flag, environment, file, the administrator's file, default."),
+        printed.starts_with(
+            "# Precedence: flag, environment, file, the administrator's file, default."
+        ),
         "{printed}"
     );
     assert_eq!(config.status.code(), Some(0), "{}", text(&config.stderr));

@@ -159,7 +159,7 @@ fn answered(answers: &Answers) -> Result<(), Failure> {
     };
     let said = |text: &Option<String>| text.clone().unwrap_or_else(|| "nothing".to_owned());
     say!(
-        "{kind}: {recorded} recorded, {simulated} simulated; the first that differs is no. {} at {:.1} s: recorded {}, \
+        "{kind}: {recorded} recorded, {simulated} simulated; the first difference is no. {} at {:.1} s: recorded {}, \
          simulated {}",
         first.place + 1,
         first.at_s,

@@ -87,9 +87,9 @@ pub(in crate::cli) fn replay(options: &BenchReplayArguments) -> Result<ExitCode,
         cost.bytes / 1_000_000
     )?;
     say!("open                 {:>9.1} ms", cost.open_ms)?;
-    say!("gone through         {:>9.1} s", cost.index_s)?;
-    say!("to any moment, half  {:>9.1} ms", cost.seek_ms_p50)?;
-    say!("to any moment, 99 %  {:>9.1} ms", cost.seek_ms_p99)?;
+    say!("indexed              {:>9.1} s", cost.index_s)?;
+    say!("seek, median         {:>9.1} ms", cost.seek_ms_p50)?;
+    say!("seek, 99 %           {:>9.1} ms", cost.seek_ms_p99)?;
     say!("memory               {:>9.0} MB", cost.rss_mb)?;
     say!(
         "recording            {:>9.2} % of a core",

@@ -59,7 +59,7 @@ fn folder(about: &str, path: &Path) -> HostFinding {
     let made = if there == path {
         ""
     } else {
-        " (made when it is needed)"
+        " (created when needed)"
     };
     if !there.is_dir() {
         let mend = format!("move {} away: it is not a folder", there.display());
@@ -259,7 +259,7 @@ mod tests {
         let finding = folder("state", &within);
         assert_ne!(finding.verdict, Verdict::Fault);
         assert!(
-            finding.found.contains("made when it is needed"),
+            finding.found.contains("created when needed"),
             "{}",
             finding.found
         );

@@ -16,7 +16,7 @@ const APART: u16 = 10;
 const INSTANCES: u16 = 64;
 
 const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, then ./waf configure --board sitl && \
-                   ./waf copter; or fly on the embedded simulator, which needs nothing";
+                   ./waf copter; or use the embedded simulator, which needs nothing else";
 
 /// The programs: their paths, their identities, and the sockets that they open.
 pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
@@ -87,8 +87,7 @@ async fn program(kind: SitlKind, file: &std::path::Path, by: &str) -> Vec<HostFi
         findings.push(HostFinding::note(
             "open to others",
             format!("each {about} opens {}", list.join(", ")),
-            "SITL cannot be kept from it: whoever reaches this machine could steer vehicles whose failsafes heed RC; \
-             a firewall rule closes it",
+            "SITL has no option against it: anyone who can reach this machine could steer vehicles whose failsafes heed RC; a firewall rule closes it",
         ));
     }
     findings
@@ -136,7 +135,7 @@ pub(super) fn ports() -> Vec<HostFinding> {
             HostFinding::note(
                 "ports",
                 found,
-                "start SITL by hand with another --listen-instance; the hangar needs none",
+                "start SITL by hand with another --listen-instance; the hangar needs none of these ports",
             )
         }
     };

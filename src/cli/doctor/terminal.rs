@@ -68,7 +68,7 @@ fn colours(term: Option<&str>, more: Option<&str>) -> HostFinding {
             return HostFinding::note(
                 "colours",
                 "none",
-                "the theme monochrome needs none: --theme monochrome",
+                "the theme monochrome needs no colours: --theme monochrome",
             );
         }
         _ => "16, or unknown",

@@ -136,7 +136,7 @@ fn parse_parameter(text: &str) -> Result<(String, f64), String> {
         .ok_or("expected NAME=VALUE, such as RTL_ALT=3000")?;
     let value = value
         .parse()
-        .map_err(|_| format!("`{value}` is no number"))?;
+        .map_err(|_| format!("`{value}` is not a number"))?;
     Ok((name.to_uppercase(), value))
 }
 
@@ -147,7 +147,7 @@ fn parse_address(text: &str) -> Result<SocketAddr, String> {
         .map_err(|error| format!("{error}: expected HOST:PORT, such as 127.0.0.1:5760"))?;
     found
         .find(|address| address.is_ipv4() && address.port() > 0)
-        .ok_or_else(|| "SITL connects to IPv4 addresses and ports above 0 only".to_owned())
+        .ok_or_else(|| "SITL connects only to IPv4 addresses and ports above 0".to_owned())
 }
 
 /// One instance to start.
@@ -199,7 +199,7 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<WrittenStart>
     let last = usize::from(options.system) + vehicles - 1;
     if last > 254 {
         return Err(wrong(format!(
-            "{vehicles} vehicles from system id {} on end at {last}, and 254 is the last: begin lower",
+            "{vehicles} vehicles from system id {} on would end at {last}, but the highest is 254: use a lower id",
             options.system
         )));
     }
@@ -320,23 +320,22 @@ fn remarks(options: &CommandArguments, orders: &[WrittenStart]) -> Vec<String> {
     let connect: Vec<&str> = orders.iter().map(|order| order.connect.as_str()).collect();
     if let Some(address) = options.connect_out {
         lines.push(format!(
-            "Before this is run, something must listen on {address}: sortie connect tcpin:{address}"
+            "Before you run this, start a ground station that listens on {address}: sortie connect tcpin:{address}"
         ));
-        lines.push("An instance that finds nobody there ends; it never connects again.".to_owned());
+        lines.push("An instance that finds no listener ends; it does not try again.".to_owned());
     } else {
         lines.push(format!(
-            "Each boots once somebody has connected: sortie connect {}",
+            "Each boots once a client has connected: sortie connect {}",
             connect.join(" ")
         ));
         let all = orders.iter().flat_map(|order| &order.ports);
         let (first, last) = (all.clone().min().unwrap_or(&0), all.max().unwrap_or(&0));
         lines.push(format!(
-            "TCP ports {first} to {last} are open on all interfaces, to anybody who reaches this machine."
+            "TCP ports {first} to {last} are open on all interfaces, to anyone who can reach this machine."
         ));
     }
-    lines.push("UDP ports for RC input are open likewise: SITL cannot be kept from it.".to_owned());
-    lines.push(
-        "Ctrl-C ends them all; what they print is in output.log of their folders.".to_owned(),
-    );
+    lines
+        .push("UDP ports for RC input are open as well: SITL has no option against it.".to_owned());
+    lines.push("Ctrl-C ends them all; their output is in output.log in each folder.".to_owned());
     lines
 }

@@ -287,7 +287,7 @@ fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
             let last = now
                 .last_output
                 .last()
-                .map(|line| format!("; its last words: {line}"));
+                .map(|line| format!("; its last output: {line}"));
             Some(format!("crashed: {fault}{}", last.unwrap_or_default()))
         }
         SitlStage::Queued

@@ -77,7 +77,7 @@ async fn session(
     match timeout(READY_WITHIN, fleet.get_ready()).await {
         Ok(ready) => ready?,
         Err(_) => bail!(
-            "not every vehicle is ready after {} s",
+            "not all vehicles were ready after {} s",
             READY_WITHIN.as_secs()
         ),
     }
@@ -240,7 +240,7 @@ fn words(instance: &Instance) -> String {
     let stage = match instance.stage {
         SitlStage::Queued => "waiting to be started".to_owned(),
         SitlStage::Process => "its process runs".to_owned(),
-        SitlStage::Heartbeat => "it is heard".to_owned(),
+        SitlStage::Heartbeat => "it is in contact".to_owned(),
         SitlStage::Parameters => format!("all {} parameters received", instance.parameters[1]),
         SitlStage::Position => "its position is known".to_owned(),
         SitlStage::Ready => "it can be armed".to_owned(),

@@ -84,7 +84,7 @@ async fn follow(
             backoff.reset();
         }
         if events.len() > EVENT_MAX {
-            return remote.not_a_hangar("an event of it never ends".to_owned());
+            return remote.not_a_hangar("one of its events is too long".to_owned());
         }
     }
 }
@@ -108,7 +108,7 @@ fn take_in(view: &watch::Sender<HangarView>, name: &str, data: &str) -> Result<(
     struct Gone {
         id: InstanceId,
     }
-    let wrong = |error: serde_json::Error| format!("its event {name} makes no sense: {error}");
+    let wrong = |error: serde_json::Error| format!("its event {name} is not valid: {error}");
     match name {
         "snapshot" => {
             let InstanceSnapshot { life, vehicles } = serde_json::from_str(data).map_err(wrong)?;

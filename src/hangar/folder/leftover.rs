@@ -178,7 +178,7 @@ fn read(path: &Path) -> io::Result<Record> {
     if !data.is_file() || data.len() > LARGEST_FILE {
         return Err(io::Error::new(
             io::ErrorKind::InvalidData,
-            "it is no file of a hangar",
+            "it is not a file of a hangar",
         ));
     }
     Ok(serde_json::from_slice(&fs::read(path)?)?)

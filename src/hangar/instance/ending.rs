@@ -10,7 +10,7 @@ use nix::sys::signal::Signal;
 pub(super) fn words(status: io::Result<ExitStatus>) -> String {
     let status = match status {
         Ok(status) => status,
-        Err(error) => return format!("it cannot be watched: {error}"),
+        Err(error) => return format!("its end cannot be observed: {error}"),
     };
     if let Some(code) = status.code() {
         return format!("it has exited with code {code}");

@@ -23,15 +23,15 @@ pub(in crate::hangar) enum LaunchError {
     )]
     NotAProgram(PathBuf),
     /// The interpreter of the program is missing.
-    #[error("{0} is there, but not what runs it: its interpreter or its loader is missing")]
+    #[error("{0} exists, but its interpreter or its loader is missing")]
     NoInterpreter(PathBuf),
     /// The system does not allow it.
     #[error(
-        "{0} must not be run by this user: allow it with chmod +x, and look whether its disk is mounted noexec"
+        "this user may not run {0}: allow it with chmod +x, and check whether its disk is mounted noexec"
     )]
     NotAllowed(PathBuf),
     /// The file is being written.
-    #[error("{0} is being written: try again when its build is over")]
+    #[error("{0} is being written: try again when its build has finished")]
     Busy(PathBuf),
     /// It exceeds the memory limit.
     #[error(
@@ -48,7 +48,7 @@ pub(in crate::hangar) enum LaunchError {
     Exhausted(io::Error),
     /// The stub itself cannot be started.
     #[error(
-        "{sortie}, which starts the others, cannot be started itself: {source}; was it replaced while it runs?"
+        "{sortie}, which starts all programs, cannot be started: {source}; was it replaced while it was running?"
     )]
     Stub {
         /// The path of this program.
@@ -113,7 +113,7 @@ impl LaunchError {
             },
             step => Self::Other {
                 program,
-                what: step.map_or("understand what its start says", StubStep::attempt),
+                what: step.map_or("read the report of its start", StubStep::attempt),
                 source,
             },
         }

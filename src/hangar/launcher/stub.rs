@@ -31,10 +31,10 @@ impl StubStep {
     /// The step's purpose, for messages.
     pub fn attempt(self) -> &'static str {
         match self {
-            Self::Understand => "understand its order",
+            Self::Understand => "read its order",
             Self::EndWithOwner => "make it end with its owner",
             Self::Enter => "enter its folder",
-            Self::Limit => "limit what it may use",
+            Self::Limit => "limit its resources",
             Self::Become => "run it",
         }
     }
@@ -55,7 +55,7 @@ pub(super) fn run(words: &[OsString]) -> u8 {
     });
     if step == StubStep::Understand || written.is_err() {
         eprintln!(
-            "sortie: cannot {}: {errno}; this is for a hangar's own use",
+            "sortie: cannot {}: {errno}; this command is for hangars only",
             step.attempt()
         );
     }

@@ -61,7 +61,7 @@ impl LogFile {
                 self.lost += lines.len() as u64;
                 is_new.then(|| {
                     format!(
-                        "sortie: {} cannot be written, the output is shown but not kept: {error}",
+                        "sortie: {} cannot be written; the output is shown, but not stored: {error}",
                         path.display()
                     )
                 })

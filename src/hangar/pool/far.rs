@@ -309,7 +309,7 @@ impl Ours {
             return;
         }
         if view.life.as_ref().is_some_and(|life| *life != self.life) {
-            self.forget("its hangar was started anew");
+            self.forget("its hangar was restarted");
             return;
         }
         match view.instances.get(&self.shown.id) {
@@ -317,7 +317,7 @@ impl Ours {
                 self.is_known = true;
                 self.shown = instance.clone();
             }
-            None if self.is_known => self.forget("its hangar has it no more"),
+            None if self.is_known => self.forget("its hangar no longer has it"),
             None => {}
         }
     }

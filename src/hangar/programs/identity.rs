@@ -57,10 +57,10 @@ pub enum Unknown {
         output: String,
     },
     /// It never stops printing.
-    #[error("{} is not a SITL program: it prints without end{}", file.display(), said(.output))]
+    #[error("{} is not a SITL program: it never stops printing{}", file.display(), said(.output))]
     Flood { file: PathBuf, output: String },
     /// It sent no valid announcement.
-    #[error("{} has not said what it is within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
+    #[error("{} has not identified itself within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
         /// How long it had.
@@ -68,7 +68,7 @@ pub enum Unknown {
         output: String,
     },
     /// It is a kind of vehicle that the hangar does not start.
-    #[error("{} is {vehicle}, and not one of copter, plane, rover and sub", file.display())]
+    #[error("{} is {vehicle}, not a copter, plane, rover or sub", file.display())]
     OtherVehicle {
         file: PathBuf,
         /// The name it gives.

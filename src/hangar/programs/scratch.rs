@@ -21,7 +21,7 @@ impl ScratchFolder {
                 Ok(()) => return Ok(Self(path)),
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => last = error,
                 Err(error) => {
-                    let what = format!("make the folder {}: {error}", path.display());
+                    let what = format!("create the folder {}: {error}", path.display());
                     return Err(io::Error::new(error.kind(), what));
                 }
             }

@@ -122,9 +122,9 @@ async fn what_is_no_sitl_is_told_with_what_it_printed() {
         ),
         (
             "#!/bin/sh\nexec yes\n",
-            "it prints without end; it printed: y",
+            "it never stops printing; it printed: y",
         ),
-        ("#!/bin/sh\nexec cat /dev/zero\n", "it prints without end"),
+        ("#!/bin/sh\nexec cat /dev/zero\n", "it never stops printing"),
         ("no program\n", "is not a program that this machine can run"),
         ("#!/nowhere/at/all\n", "its interpreter"),
     ];
@@ -157,7 +157,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
     let child: i32 = loop {
         let text = refused(&home, &script, patience).await;
         assert!(
-            text.contains("has not said what it is within 300ms"),
+            text.contains("has not identified itself within 300ms"),
             "{text}"
         );
         if let Ok(text) = fs::read_to_string(&children) {

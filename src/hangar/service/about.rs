@@ -8,9 +8,9 @@ use futures_util::FutureExt as _;
 
 use super::{ServiceState, Status};
 
-/// The version, what can be started, how full it is, and what was left behind by an earlier life.
+/// The version, the programs that can be started, the capacity, and the processes that an earlier run left behind.
 #[utoipa::path(get, path = "/status", responses(
-    (status = 200, description = "How the service is doing", body = Status),
+    (status = 200, description = "The status of the service", body = Status),
 ))]
 pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Status> {
     // For a moment after the start, the leftovers are still being ended.

@@ -24,7 +24,7 @@ pub(super) async fn json<T: DeserializeOwned>(
         .unwrap_or_default();
     let essence = kind.split(';').next().unwrap_or_default().trim();
     if !essence.eq_ignore_ascii_case("application/json") {
-        let error = format!("the body is said to be `{essence}`; expected application/json");
+        let error = format!("the type of the body is `{essence}`; expected application/json");
         return Err(
             ServiceProblem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, error)
                 .hint("send the header `Content-Type: application/json`"),
@@ -59,11 +59,11 @@ async fn read(request: Request, bounds: ServiceBounds) -> Result<Vec<u8>, Servic
         Ok(Ok(all)) => Ok(all.to_bytes().to_vec()),
         Ok(Err(error)) if error.is::<LengthLimitError>() => Err(too_long()),
         Ok(Err(error)) => {
-            let error = format!("the body does not come: {error}");
+            let error = format!("the body cannot be received: {error}");
             Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error))
         }
         Err(_) => {
-            let error = format!("the body has not come within {:?}", bounds.body);
+            let error = format!("the body was not received within {:?}", bounds.body);
             Err(ServiceProblem::new(StatusCode::REQUEST_TIMEOUT, error))
         }
     }

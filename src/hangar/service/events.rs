@@ -20,7 +20,7 @@ use crate::hangar::{Instance, InstanceId, Instances};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Snapshot)]
 pub struct InstanceSnapshot {
-    /// Names this run of the service.
+    /// Identifies this run of the service.
     pub life: String,
     /// All instances and their state.
     pub vehicles: Vec<Instance>,
@@ -48,8 +48,8 @@ pub fn changes(before: &Instances, after: &Instances) -> Vec<InstanceChange> {
 #[utoipa::path(get, path = "/events", responses(
     (status = 200, content_type = "text/event-stream", body = String, description =
         "First an event `snapshot` (`life` and `vehicles`), then one for each change: `vehicle` with the instance, \
-         or `gone` with its `id`. Who reads slowly is told the latest only."),
-    (status = 503, description = "Too many wait already", body = ServiceProblem),
+         or `gone` with its `id`. A slow reader receives only the latest state."),
+    (status = 503, description = "Too many connections are waiting", body = ServiceProblem),
 ))]
 pub(super) async fn follow(
     State(state): State<Arc<ServiceState>>,

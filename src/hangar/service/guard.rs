@@ -68,18 +68,18 @@ impl ServiceState {
         // On other interfaces the token is required, which a foreign page does not have.
         if self.on_loopback && !host.is_some_and(is_this_host) {
             let host = host.unwrap_or("nothing");
-            let error = format!("this host is asked for as `{host}`, which is not its name");
+            let error = format!("the request calls this host `{host}`, which is not its name");
             return Err(ServiceProblem::new(StatusCode::FORBIDDEN, error)
                 .hint("use http://127.0.0.1:PORT or http://localhost:PORT"));
         }
         if is_foreign_page(headers, host) {
-            let error = "a page of another site may not ask for anything here";
+            let error = "pages of other sites may not send requests here";
             return Err(ServiceProblem::new(StatusCode::FORBIDDEN, error));
         }
         self.authorise(request)?;
         let life = text(headers, &header::IF_MATCH).map(|life| life.trim_matches('"'));
         if life.is_some_and(|life| life != self.life) {
-            let error = "the hangar was started anew: its instances are others now";
+            let error = "the hangar was restarted: its instances have changed";
             return Err(ServiceProblem::new(StatusCode::PRECONDITION_FAILED, error));
         }
         Ok(())
@@ -95,11 +95,11 @@ impl ServiceState {
             let given = given.to_str().unwrap_or_default();
             let (scheme, given) = given.split_once(' ').unwrap_or((given, ""));
             return if !scheme.eq_ignore_ascii_case("bearer") {
-                Err(refuse("the header Authorization gives no bearer token"))
+                Err(refuse("the header Authorization contains no bearer token"))
             } else if self.setup.token.matches(given.trim()) {
                 Ok(())
             } else {
-                Err(refuse("the token is not the one of this hangar"))
+                Err(refuse("the token is not valid for this hangar"))
             };
         }
         let line = request.extensions().get::<Arc<ConnectionEnds>>();
@@ -107,7 +107,7 @@ impl ServiceState {
         if self.on_loopback && !self.setup.require_token && is_own() {
             return Ok(());
         }
-        Err(refuse("a token is needed here"))
+        Err(refuse("a token is required here"))
     }
 }
 

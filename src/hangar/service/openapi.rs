@@ -74,14 +74,14 @@ impl ToSchema for SitlStage {
 }
 impl PartialSchema for SitlStage {
     fn schema() -> RefOr<Schema> {
-        words::<Self>("How far an instance has come.")
+        words::<Self>("The stage of an instance.")
     }
 }
 
 impl ToSchema for Restart {}
 impl PartialSchema for Restart {
     fn schema() -> RefOr<Schema> {
-        words::<Self>("What happens to an instance that has ended by itself.")
+        words::<Self>("The restart policy for an instance that has ended by itself.")
     }
 }
 

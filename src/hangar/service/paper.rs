@@ -36,7 +36,7 @@ pub(super) async fn start(
 /// Ends the instance with this number.
 #[utoipa::path(get, operation_id = "plain_stop", path = "/stop/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "Its process is gone", body = String, content_type = "text/plain"),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 404, description = "No such instance", body = ServiceProblem),
 ))]
 pub(super) async fn stop(
     State(state): State<Arc<ServiceState>>,
@@ -48,11 +48,11 @@ pub(super) async fn stop(
     Ok(either(&headers, format!("{id} stopped\n"), &json))
 }
 
-/// How far the instance with this number is, at once.
+/// The stage of the instance with this number, without waiting.
 #[utoipa::path(get, operation_id = "plain_ready", path = "/ready/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "It can be armed", body = Instance, content_type = "application/json"),
-    (status = 202, description = "Not yet; this is how far it is", body = Instance, content_type = "application/json"),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 202, description = "Not yet; the answer shows its stage", body = Instance, content_type = "application/json"),
+    (status = 404, description = "No such instance", body = ServiceProblem),
     (status = 410, description = "It has ended", body = ServiceProblem),
 ))]
 pub(super) async fn ready(
@@ -68,7 +68,7 @@ pub(super) async fn ready(
 
 /// The instances, a line for each.
 #[utoipa::path(get, operation_id = "plain_list", path = "/list", responses(
-    (status = 200, description = "Number, stage and what is wrong", body = String, content_type = "text/plain"),
+    (status = 200, description = "Number, stage and fault", body = String, content_type = "text/plain"),
 ))]
 pub(super) async fn list(State(state): State<Arc<ServiceState>>, headers: HeaderMap) -> Response {
     let all = state.instances();

@@ -15,9 +15,9 @@ pub struct ServiceProblem {
     /// The status of the HTTP answer.
     #[serde(skip)]
     pub(super) status: StatusCode,
-    /// What is wrong, and where.
+    /// The fault and its place.
     pub error: String,
-    /// What to do about it.
+    /// Advice, if there is any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
 }
@@ -67,13 +67,13 @@ impl From<HangarRefusal> for ServiceProblem {
             }
         };
         let hint = match &refusal {
-            HangarRefusal::Unknown(_) => Some("GET /vehicles tells which there are"),
+            HangarRefusal::Unknown(_) => Some("GET /vehicles lists the instances"),
             HangarRefusal::Taken(_) => Some("leave `id` out for the lowest free number"),
-            HangarRefusal::Attached(_) => Some("`attached` in GET /vehicles tells which are taken"),
+            HangarRefusal::Attached(_) => Some("`attached` in GET /vehicles shows which are taken"),
             HangarRefusal::Full(_) => {
-                Some("DELETE /vehicles/{id} ends one; GET /status tells the limits")
+                Some("DELETE /vehicles/{id} ends one; GET /status shows the limits")
             }
-            HangarRefusal::NoProgram(_) => Some("GET /status tells which programs there are"),
+            HangarRefusal::NoProgram(_) => Some("GET /status lists the programs"),
             HangarRefusal::Invalid(_)
             | HangarRefusal::Host { .. }
             | HangarRefusal::Closing
@@ -88,16 +88,15 @@ impl From<HangarRefusal> for ServiceProblem {
 
 /// Answers a request for an unknown path.
 pub(super) async fn no_such_path(uri: Uri) -> ServiceProblem {
-    let error = format!("there is nothing at {}", uri.path());
-    ServiceProblem::new(StatusCode::NOT_FOUND, error)
-        .hint("GET /openapi.json describes what there is")
+    let error = format!("unknown path {}", uri.path());
+    ServiceProblem::new(StatusCode::NOT_FOUND, error).hint("GET /openapi.json describes all paths")
 }
 
 /// Answers a method that a path does not support.
 pub(super) async fn no_such_method(method: Method, uri: Uri) -> ServiceProblem {
-    let error = format!("{method} cannot be done to {}", uri.path());
+    let error = format!("{method} is not supported by {}", uri.path());
     ServiceProblem::new(StatusCode::METHOD_NOT_ALLOWED, error)
-        .hint("the header Allow tells what can be; GET /openapi.json describes it")
+        .hint("the header Allow lists what is; GET /openapi.json describes it")
 }
 
 /// Answers HEAD where GET acts: HEAD must have no effect.

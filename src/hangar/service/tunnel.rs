@@ -17,10 +17,10 @@ use super::{MAVLINK, ServiceProblem, ServiceState};
     ("id" = u16, Path, description = "Its number"),
     ("upgrade" = String, Header, description = "`mavlink`, with `Connection: upgrade`"),
 ), responses(
-    (status = 101, description = "From here on the connection carries the vehicle's bytes, also after it was started again"),
-    (status = 404, description = "There is none", body = ServiceProblem),
-    (status = 409, description = "Somebody is attached to it already", body = ServiceProblem),
-    (status = 426, description = "The request asks for no upgrade", body = ServiceProblem),
+    (status = 101, description = "From here on the connection carries the vehicle's bytes, also after a restart"),
+    (status = 404, description = "No such instance", body = ServiceProblem),
+    (status = 409, description = "Another client is attached to it", body = ServiceProblem),
+    (status = 426, description = "The request contains no upgrade", body = ServiceProblem),
 ))]
 pub(super) async fn open(
     State(state): State<Arc<ServiceState>>,
@@ -29,7 +29,7 @@ pub(super) async fn open(
 ) -> Result<Response, ServiceProblem> {
     state.instance(id)?;
     if !asks_for_upgrade(request.headers()) {
-        let error = "this address gives bytes, not documents";
+        let error = "this address serves bytes, not documents";
         let problem = ServiceProblem::new(StatusCode::UPGRADE_REQUIRED, error)
             .hint("send the headers `Connection: upgrade` and `Upgrade: mavlink`");
         return Ok(upgrade_headers(problem.into_response()));

@@ -23,42 +23,42 @@ const PORT_OPENED: Duration = Duration::from_secs(1);
 /// The default number of lines of output.
 const LINES: usize = 100;
 
-/// How readiness is waited for.
+/// The query of a wait for readiness.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct ReadyWait {
-    /// How many seconds to wait: 60 by default, 300 at most.
+    /// Seconds to wait: 60 by default, 300 at most.
     timeout_s: Option<u32>,
 }
 
-/// Which lines of output are requested.
+/// The requested lines of output.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct Excerpt {
-    /// How many lines at most: 100 by default.
+    /// The maximum number of lines: 100 by default.
     lines: Option<usize>,
-    /// `next` of an earlier answer.
+    /// The `next` of an earlier answer.
     since: Option<u64>,
 }
 
-/// What an instance has printed.
+/// The output of an instance.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Printed {
     /// The lines, oldest first.
     pub lines: Vec<OutputLine>,
-    /// What to give as `since` to be told only what comes after these.
+    /// The `since` that requests only the lines after these.
     pub next: u64,
 }
 
 #[utoipa::path(post, path = "/vehicles", request_body = Launch, responses(
     (status = 201, description = "It is being started", body = Instance,
         headers(("location" = String, description = "Its address"))),
-    (status = 400, description = "The body is no launch, or one that makes no sense", body = ServiceProblem),
+    (status = 400, description = "The body is not a valid launch", body = ServiceProblem),
     (status = 409, description = "The number is taken", body = ServiceProblem),
     (status = 413, description = "The body is too long", body = ServiceProblem),
-    (status = 415, description = "The body is not said to be JSON", body = ServiceProblem),
+    (status = 415, description = "The type of the body is not JSON", body = ServiceProblem),
     (status = 503, description = "The hangar is full, or has no program for it", body = ServiceProblem),
 ))]
 pub(super) async fn launch(
@@ -77,15 +77,15 @@ pub(super) async fn launch(
 }
 
 #[utoipa::path(get, path = "/vehicles", responses(
-    (status = 200, description = "Those that there are, also those that have ended by themselves", body = Vec<Instance>),
+    (status = 200, description = "All instances, including those that have ended by themselves", body = Vec<Instance>),
 ))]
 pub(super) async fn list(State(state): State<Arc<ServiceState>>) -> Json<Vec<Instance>> {
     Json(state.instances().values().cloned().collect())
 }
 
 #[utoipa::path(get, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
-    (status = 200, description = "How it is doing", body = Instance),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 200, description = "Its state", body = Instance),
+    (status = 404, description = "No such instance", body = ServiceProblem),
 ))]
 pub(super) async fn one(
     State(state): State<Arc<ServiceState>>,
@@ -96,7 +96,7 @@ pub(super) async fn one(
 
 #[utoipa::path(delete, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 204, description = "Its process is gone"),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 404, description = "No such instance", body = ServiceProblem),
 ))]
 pub(super) async fn remove(
     State(state): State<Arc<ServiceState>>,
@@ -108,8 +108,8 @@ pub(super) async fn remove(
 
 /// Ends an instance's process, if there is one, and starts it again.
 #[utoipa::path(post, path = "/vehicles/{id}/restart", params(("id" = u16, Path, description = "Its number")), responses(
-    (status = 202, description = "It is being started again", body = Instance),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 202, description = "It is being restarted", body = Instance),
+    (status = 404, description = "No such instance", body = ServiceProblem),
 ))]
 pub(super) async fn restart(
     State(state): State<Arc<ServiceState>>,
@@ -124,10 +124,10 @@ pub(super) async fn restart(
     ("id" = u16, Path, description = "Its number"), ReadyWait
 ), responses(
     (status = 200, description = "It can be armed", body = Instance),
-    (status = 202, description = "Not within that time; this is how far it is", body = Instance),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 202, description = "Not within that time; the answer shows its stage", body = Instance),
+    (status = 404, description = "No such instance", body = ServiceProblem),
     (status = 410, description = "It has ended", body = ServiceProblem),
-    (status = 503, description = "Too many wait already", body = ServiceProblem),
+    (status = 503, description = "Too many connections are waiting", body = ServiceProblem),
 ))]
 pub(super) async fn ready(
     State(state): State<Arc<ServiceState>>,
@@ -136,10 +136,9 @@ pub(super) async fn ready(
 ) -> Result<(StatusCode, Json<Instance>), ServiceProblem> {
     let seconds = wait.timeout_s.unwrap_or(READY_S);
     if seconds > READY_MAX_S {
-        let error = format!("the query: timeout_s is {READY_MAX_S} at most, and {seconds} is more");
-        return Err(
-            ServiceProblem::new(StatusCode::BAD_REQUEST, error).hint("ask again after that")
-        );
+        let error = format!("the query: timeout_s is {READY_MAX_S} at most, not {seconds}");
+        return Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error)
+            .hint("repeat the request afterwards"));
     }
     state.instance(id)?;
     let _permit = state.wait()?;
@@ -168,7 +167,7 @@ pub(super) fn readiness(
         SitlStage::Ended => {
             let why = instance.fault.map(|fault| format!(": {fault}"));
             Err(gone(why.unwrap_or_default())
-                .hint(format!("GET /vehicles/{id}/output tells what it printed")))
+                .hint(format!("GET /vehicles/{id}/output shows its output")))
         }
         SitlStage::Queued
         | SitlStage::Process
@@ -179,12 +178,12 @@ pub(super) fn readiness(
     }
 }
 
-/// What an instance has printed.
+/// The output of an instance.
 #[utoipa::path(get, path = "/vehicles/{id}/output", params(
     ("id" = u16, Path, description = "Its number"), Excerpt
 ), responses(
     (status = 200, description = "The last lines", body = Printed),
-    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 404, description = "No such instance", body = ServiceProblem),
 ))]
 pub(super) async fn output(
     State(state): State<Arc<ServiceState>>,
@@ -228,11 +227,11 @@ impl ServiceState {
     pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, ServiceProblem> {
         Arc::clone(&self.waiting).try_acquire_owned().map_err(|_| {
             let error = format!(
-                "{} wait already, and no more may",
+                "{} connections are waiting, which is the limit",
                 self.setup.bounds.waiting
             );
             ServiceProblem::new(StatusCode::SERVICE_UNAVAILABLE, error)
-                .hint("one GET /events tells of all instances")
+                .hint("one GET /events covers all instances")
         })
     }
 }

@@ -222,10 +222,10 @@ async fn what_cannot_be_started_is_explained() {
     let table = [
         (1.0, tcp(port), in_use.as_str()),
         (1.0, tcp(65530), "2 vehicle(s) from port 65530"),
-        (1.0, udp(0), "nobody can be reached on port 0"),
+        (1.0, udp(0), "port 0 cannot be reached"),
         (1.0, nowhere, "cannot listen on port 0 of 192.0.2.1"),
-        (0.0, Endpoint::Pipes, "a speedup of 0"),
-        (f64::NAN, Endpoint::Pipes, "a speedup of NaN"),
+        (0.0, Endpoint::Pipes, "a speed-up of 0"),
+        (f64::NAN, Endpoint::Pipes, "a speed-up of NaN"),
     ];
     for (speedup, endpoint, expected) in table {
         let cancel = CancellationToken::new();

@@ -30,8 +30,7 @@ impl Mission {
         let named = self.named_missions().into_iter();
         let unknown = named.filter(|named| !known.contains(named.id));
         let fault = |named: NamedMission<'_>| {
-            let fault =
-                Diagnostic::new(named.written, format!("there is no mission `{}`", named.id));
+            let fault = Diagnostic::new(named.written, format!("unknown mission `{}`", named.id));
             fault.with_nearest(named.id, known.iter().map(String::as_str))
         };
         unknown.map(fault).collect()

@@ -48,7 +48,7 @@ fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     for demanded in &objective.demands.times {
         if demanded.time >= limit {
             let place = objective.written.span_of(demanded.key);
-            examined.add(place, format!("there are {limit_s} s only"));
+            examined.add(place, format!("the mission lasts only {limit_s} s"));
         }
     }
     let Some(least) = LeastTime::of(examined.mission, objective) else {
@@ -56,7 +56,7 @@ fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     };
     if least.time >= limit {
         let fault = format!(
-            "at {SPEED_M_S} m/s in straight lines this takes {} s, and there are {limit_s} s",
+            "at {SPEED_M_S} m/s in straight lines this takes {} s, but the mission lasts {limit_s} s",
             least.time.as_secs(),
         );
         examined.add(least.place, fault);

@@ -23,7 +23,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     if let Some(written) = weight.filter(|_| weighs && !can_be_asked) {
         examined.add(
             written.span.clone(),
-            "no alert of this mission has an `ok` to answer it by",
+            "no alert of this mission has an `ok` that answers it",
         );
     }
 }

@@ -195,8 +195,7 @@ fn comm_shadow(table: &mut FileTable<'_>) -> Option<ZoneKind> {
         (Some(height_m), None) => Some(ZoneKind::CommShadow(Shadow::Ridge { height_m })),
         (None, Some(loss_db)) => Some(ZoneKind::CommShadow(Shadow::Inside { loss_db })),
         _ => {
-            let message = "a `comm_shadow` has either the `height` of a ridge in m, or the `loss` \
-                           of who is in it in dB";
+            let message = "a `comm_shadow` has either the `height` of a ridge in m, or a `loss` for the vehicles inside in dB";
             table.fault(message);
             None
         }

@@ -34,7 +34,7 @@ pub(super) struct ObservedVehicle {
     )]
     #[expect(
         clippy::option_option,
-        reason = "not said differs from said to be unknown"
+        reason = "absent differs from reported as unknown"
     )]
     at: Option<Option<PositionLine>>,
     #[serde(
@@ -44,7 +44,7 @@ pub(super) struct ObservedVehicle {
     )]
     #[expect(
         clippy::option_option,
-        reason = "not said differs from said to be unknown"
+        reason = "absent differs from reported as unknown"
     )]
     unheard: Option<Option<UnheardLine>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -252,7 +252,7 @@ impl ObservedVehicle {
 /// A field that is present was reported, even if its value is unknown.
 #[expect(
     clippy::option_option,
-    reason = "not said differs from said to be unknown"
+    reason = "absent differs from reported as unknown"
 )]
 fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     deserializer: D,

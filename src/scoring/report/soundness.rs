@@ -39,7 +39,7 @@ impl Report {
         if weights > 1.0 + SHARE_OFF {
             Some(format!("the components weigh {weights:.3} together"))
         } else if claimed.is_some_and(|it| !is_fair(it.value)) {
-            Some("the objectives do not make the component's value".to_owned())
+            Some("the objectives do not add up to the component's value".to_owned())
         } else if (points - self.subtotal).abs() > TENTH {
             Some(format!("`subtotal` is {}, not {points:.1}", self.subtotal))
         } else if !(LEAST_FACTOR - SHARE_OFF..=1.0).contains(&self.hint_factor) {

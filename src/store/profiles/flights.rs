@@ -82,7 +82,7 @@ impl Profiles {
         let fault = entry.fault();
         if let Some(fault) = &fault {
             let path = self.path.display();
-            tracing::warn!("{path}: the entry {id:?} counts for nothing: {fault}");
+            tracing::warn!("{path}: the entry {id:?} is ignored: {fault}");
         }
         Ok(fault.is_none().then_some(entry))
     }

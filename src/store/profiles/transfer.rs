@@ -270,7 +270,7 @@ fn import(
 }
 
 fn faulty_moment(name: &str, text: &str) -> Option<String> {
-    (!is_moment(text)).then(|| format!("`{name}` is no time like 2026-11-20T14:03:22Z"))
+    (!is_moment(text)).then(|| format!("`{name}` is not a time such as 2026-11-20T14:03:22Z"))
 }
 
 fn faulty_line(name: &str, text: &str) -> Option<String> {
@@ -281,5 +281,5 @@ fn faulty_line(name: &str, text: &str) -> Option<String> {
 fn faulty_file(name: &str) -> Option<String> {
     let is_path = name.contains('/');
     faulty_line("recording", name)
-        .or_else(|| is_path.then(|| "`recording` is no file's name".to_owned()))
+        .or_else(|| is_path.then(|| "`recording` is not a file name".to_owned()))
 }

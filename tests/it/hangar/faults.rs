@@ -26,7 +26,7 @@ async fn what_is_no_arducopter_ends_with_the_reason() {
     for (program, reason) in [
         (Path::new("/bin/ls"), "it has exited with code 2"),
         (&text, "is not a program that this machine can run"),
-        (&locked, "must not be run by this user"),
+        (&locked, "this user may not run"),
         (&lost, "its interpreter or its loader is missing"),
         (folder.path(), "is a folder"),
         (

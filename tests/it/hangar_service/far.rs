@@ -225,7 +225,7 @@ async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
             .1
             .fault
             .as_ref()
-            .is_some_and(|fault| fault.contains("started anew"))
+            .is_some_and(|fault| fault.contains("was restarted"))
     })
     .await;
     assert_eq!(all[0].1.stage, SitlStage::Ended);

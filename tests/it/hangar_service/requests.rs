@@ -180,20 +180,20 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
             400,
             "timeout_s: invalid digit",
         ),
-        ("GET", "/vehicle", &[], 404, "nothing at /vehicle"),
+        ("GET", "/vehicle", &[], 404, "unknown path /vehicle"),
         (
             "PATCH",
             "/vehicles",
             &[],
             405,
-            "PATCH cannot be done to /vehicles",
+            "PATCH is not supported by /vehicles",
         ),
         (
             "POST",
             "/start/1",
             &[],
             405,
-            "POST cannot be done to /start/1",
+            "POST is not supported by /start/1",
         ),
     ] {
         let body = if method == "POST" { "{}" } else { "" };

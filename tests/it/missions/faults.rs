@@ -203,7 +203,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nheights = [5, 9]\nradius = 5\ntime = 500\n[scoring]",
-        "61:8: there are 480 s only",
+        "61:8: the mission lasts only 480 s",
     ),
     (
         "[scoring]",
@@ -213,7 +213,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[scoring]\nweights = { objective = 0.9, attention = 0.1 }",
-        "55:42: no alert of this mission has an `ok` to answer it by",
+        "55:42: no alert of this mission has an `ok` that answers it",
     ),
     (
         "dwell = 5",

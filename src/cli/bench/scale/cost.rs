@@ -42,8 +42,7 @@ impl Counted {
         let threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         if threads.is_empty() {
             return Err(io::Error::other(
-                "this system does not tell a thread its processor time in /proc/thread-self: it can only be \
-                 measured on Linux",
+                "this system does not report a thread's processor time in /proc/thread-self: only Linux does",
             ));
         }
         threads.iter().map(|thread| on_processor(thread)).sum()
@@ -57,7 +56,7 @@ fn on_processor(thread: &Path) -> io::Result<Duration> {
         .split(' ')
         .next()
         .and_then(|first| first.parse().ok())
-        .ok_or_else(|| io::Error::other("schedstat has no number"))?;
+        .ok_or_else(|| io::Error::other("schedstat contains no number"))?;
     Ok(Duration::from_nanos(nanoseconds))
 }
 

@@ -50,7 +50,7 @@ impl SitlBench {
         })?;
         if identity.kind != SitlKind::Copter {
             anyhow::bail!(
-                "{}: is no arducopter, but an {}",
+                "{}: not an arducopter, but an {}",
                 file.display(),
                 identity.kind.program()
             );
@@ -107,7 +107,7 @@ impl Instances<'_> {
             let last = instance
                 .last_output
                 .last()
-                .map(|line| format!("; it said last: {line}"));
+                .map(|line| format!("; its last output: {line}"));
             anyhow::bail!("instance {}: {fault}{}", place.id, last.unwrap_or_default());
         }
         Ok(ours().filter(|(_, i)| i.stage == SitlStage::Ready).count())

@@ -43,14 +43,14 @@ fn part(sample: &ScaleSample) -> String {
         return format!("memory ({free:.1} % of it is free)");
     }
     if sim >= SATURATED_PERCENT {
-        return format!("the simulator takes {sim:.0} % of a core in one thread");
+        return format!("the simulator uses {sim:.0} % of a core in one thread");
     }
     if model >= SATURATED_PERCENT {
-        return format!("the console's model update takes {model:.0} % of a core in one thread");
+        return format!("the console's model update uses {model:.0} % of a core in one thread");
     }
     if sample.lost_in_console > sample.lost_before {
         return format!(
-            "the console's queues dropped {} messages (its busiest thread takes {model:.0} % of a core)",
+            "the console's queues dropped {} messages (its busiest thread uses {model:.0} % of a core)",
             sample.lost_in_console
         );
     }
@@ -70,10 +70,10 @@ fn part(sample: &ScaleSample) -> String {
     let whose = if sim + model + relay >= capacity / 2.0 {
         "processor time"
     } else {
-        "processor time, which other programs take"
+        "processor time, used by other programs"
     };
     format!(
-        "{whose}: of {capacity:.0} % the simulator takes {sim:.0}, the model update {model:.0}, the hangar {relay:.0}"
+        "{whose}: of {capacity:.0} % the simulator uses {sim:.0}, the model update {model:.0}, the hangar {relay:.0}"
     )
 }
 
@@ -122,7 +122,7 @@ mod tests {
             (
                 0.8,
                 |s| s.machine_busy_percent = 100.0,
-                Some("processor time, which other programs take"),
+                Some("processor time, used by other programs"),
             ),
             (
                 0.9,

@@ -47,7 +47,7 @@ pub(super) fn table(rows: &[ScaleRow], heading: &ScaleHeading<'_>) -> String {
     {
         let vehicles = row.vehicles;
         lines.push(format!(
-            "Not in 1 and 2: the hangar hands {vehicles} instances' bytes on for {percent:.2} % of a core."
+            "Not in 1 and 2: the hangar passes on {vehicles} instances' bytes with {percent:.2} % of a core."
         ));
     }
     let busiest = flown()
@@ -61,7 +61,7 @@ pub(super) fn table(rows: &[ScaleRow], heading: &ScaleHeading<'_>) -> String {
         let voids = row.void.iter();
         lines.extend(voids.map(|why| format!("{vehicles} drones: a repeat does not count: {why}")));
         let gave_way = row.gave_way.iter();
-        lines.extend(gave_way.map(|part| format!("{vehicles} drones: what gave way: {part}")));
+        lines.extend(gave_way.map(|part| format!("{vehicles} drones: overloaded: {part}")));
     }
     lines.push(String::new());
     lines.join("\n")

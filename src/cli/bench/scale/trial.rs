@@ -182,7 +182,7 @@ impl ScaleTrial<'_> {
                     .unwrap_or_default();
                 let all = good.len();
                 return Some(format!(
-                    "{behind} of {all} vehicles were told {name} and did not{refusal}"
+                    "{behind} of {all} vehicles did not carry out {name}{refusal}"
                 ));
             }
             self.listen(LOOK_EVERY);
