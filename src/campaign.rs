@@ -26,8 +26,8 @@ pub use crate::mission::Skill;
 pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use attempt::{
-    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake,
-    is_practice, next_try,
+    Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, FlightClaim,
+    PracticeReason, SettledFlight, is_practice, next_try, script_stake,
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::daily_seed;

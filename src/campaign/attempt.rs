@@ -1,14 +1,15 @@
-//! The stake of an attempt, and its layout.
+//! What an attempt counts for, and its layout: before it is flown ([`AttemptTerms`]) and afterwards ([`FlightClaim`]).
 
-use super::{
-    CareerStanding, LockReason, MissionCourse, MissionStage, PartState, Stake, daily_seed,
-    exam_seed,
-};
+mod claim;
+mod reason;
+
+pub use claim::{FlightClaim, SettledFlight, day_and_stake};
+pub use reason::{AttemptRefusal, PracticeReason};
+
+use super::{CareerStanding, MissionCourse, MissionStage, Stake, daily_seed, exam_seed};
 use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, TryReport};
-use crate::text;
-use crate::text::Text;
-use crate::workshop::{Design, Part};
+use crate::workshop::Design;
 
 /// The seed of the first attempt without a chosen seed and without a profile.
 const FIRST_SEED: u64 = 1;
@@ -66,32 +67,6 @@ pub struct AttemptMeans {
     pub speedup: f64,
 }
 
-/// Why a flight counts only as practice.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PracticeReason {
-    /// The user has chosen the seed of a graded flight.
-    ChosenSeed,
-    /// A pilot script, or a pipe, gives the commands.
-    Script,
-    /// The course does not contain the mission.
-    OwnMission,
-    /// The mission's text differs from that of the course.
-    AlteredMission,
-    /// The mission is locked for the trainee.
-    Locked(Vec<LockReason>),
-    /// The trainee does not own all parts of a design.
-    MissingParts {
-        /// The name of the design.
-        design: String,
-        /// The parts, and how to get them.
-        parts: Vec<(&'static Part, PartState)>,
-    },
-    /// The airframes are files of the user.
-    OwnAirframes,
-    /// Time runs slower than in reality.
-    SlowMotion,
-}
-
 /// Whether a flight does not count as an attempt: practice, or flown by a script. Records without a source of commands
 /// were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
@@ -111,15 +86,13 @@ pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 
-/// The day of a finished flight, and its stake. A flight with the seed of a day belongs to that day, even if it ends
-/// on the next one; with any other seed it is practice.
-pub fn day_and_stake(stake: Stake, seed: u64, ended: i64) -> (i64, Stake) {
-    if stake != Stake::Daily {
-        return (ended, stake);
+/// The stake of a script's flight: it counts only for a profile and on a layout that the user has not chosen.
+pub fn script_stake(chosen_seed: Option<u64>, has_profile: bool) -> Stake {
+    if chosen_seed.is_none() && has_profile {
+        Stake::Graded
+    } else {
+        Stake::Practice
     }
-    let mut days = [ended, ended - 1].into_iter();
-    let of_seed = days.find(|&day| daily_seed(day) == seed);
-    of_seed.map_or((ended, Stake::Practice), |day| (day, Stake::Daily))
 }
 
 impl Attempt {
@@ -145,35 +118,6 @@ impl Attempt {
             Stake::Exam | Stake::Graded | Stake::Practice => Stake::Practice,
         };
         Self { stake, ..self }
-    }
-}
-
-impl PracticeReason {
-    /// The reason as text.
-    pub fn text(&self) -> Text {
-        match self {
-            Self::ChosenSeed => text!("practice-seed"),
-            Self::Script => text!("practice-script"),
-            Self::OwnMission => text!("practice-own-mission"),
-            Self::AlteredMission => text!("practice-altered-mission"),
-            Self::Locked(reasons) => {
-                let reasons = reasons.iter().map(LockReason::text).collect();
-                text!("practice-locked", why = Text::joined("; ", reasons))
-            }
-            Self::MissingParts { design, parts } => {
-                let part_names = parts.iter().map(|(part, _)| part.name()).collect();
-                let parts = Text::joined(", ", part_names);
-                text!("practice-parts", design = design.as_str(), parts = parts)
-            }
-            Self::OwnAirframes => text!("practice-airframes"),
-            Self::SlowMotion => text!("practice-slow"),
-        }
-    }
-
-    /// The reasons for practice, as a sentence.
-    pub fn sentence(reasons: &[Self]) -> Text {
-        let reasons = reasons.iter().map(Self::text).collect();
-        text!("launch-practice", why = Text::joined("; ", reasons))
     }
 }
 

@@ -1,12 +1,15 @@
 //! A finished flight as an entry of a career.
 
+use super::attempt::day_and_stake;
 use super::{CareerFlight, Evidence, FlownDesign, Stake, wear};
 use crate::mission::Mission;
 use crate::scoring::Report;
 
 impl CareerFlight {
-    /// A flight of a mission that ended on `day`, in days since 1970 (UTC).
-    pub fn of(mission: &Mission, report: &Report, stake: Stake, day: i64) -> Self {
+    /// A flight of a mission that ended on a day, in days since 1970 (UTC). With the seed of another day, a flight of
+    /// the day is practice.
+    pub fn of(mission: &Mission, report: &Report, stake: Stake, ended: i64) -> Self {
+        let (day, stake) = day_and_stake(stake, report.seed, ended);
         Self {
             mission: mission.id.clone(),
             drill_of: mission.drill_of.clone(),

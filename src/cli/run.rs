@@ -15,7 +15,7 @@ use super::designs::DesignArguments;
 use super::fault::FileFault;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
-use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake};
+use crate::campaign::{Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, Stake, script_stake};
 use crate::debrief;
 use crate::exercise::{Exercise, read_script};
 use crate::hangar::VehicleBackend;
@@ -88,12 +88,14 @@ pub(super) struct RunArguments {
 }
 
 impl RunArguments {
-    /// How the flight should count. Without a profile it never counts, and with a chosen seed it is practice.
-    fn wanted(&self, is_kept: bool) -> Stake {
-        if self.seed.is_none() && is_kept {
-            Stake::Graded
+    /// How the flight should count.
+    fn wanted(&self, has_profile: bool) -> Stake {
+        if self.exam {
+            Stake::Exam
+        } else if self.daily {
+            Stake::Daily
         } else {
-            Stake::Practice
+            script_stake(self.seed, has_profile)
         }
     }
 }
@@ -157,12 +159,6 @@ struct RunResultDocument<'a> {
 pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());
-    if options.exam {
-        return Err(trainee::invalid(&text!("exam-by-hand"), &locale));
-    }
-    if options.daily {
-        return Err(trainee::invalid(&text!("daily-by-hand"), &locale));
-    }
     let loaded = load_mission(&options.mission)?;
     let mission = options.designs.equip(loaded, settings)?;
     let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
@@ -230,6 +226,10 @@ impl<'l> RunRequest<'_, 'l> {
     fn agree(&self, mission: Mission) -> Result<(Arc<Mission>, Attempt), Failure> {
         let options = self.options;
         let wanted = options.wanted(self.trainee.is_some());
+        let speedup = options.speedup.least();
+        if let Some(refusal) = AttemptRefusal::of(wanted, self.flown_by, speedup) {
+            return Err(trainee::invalid(&refusal.text(), self.locale));
+        }
         let mission = mission.flown_for(wanted);
         let terms = AttemptTerms {
             mission: &mission,
@@ -240,7 +240,7 @@ impl<'l> RunRequest<'_, 'l> {
                 mission_file: store::mission_file(&mission),
                 flown_by: self.flown_by,
                 has_own_airframes: !self.backend.airframes.is_empty(),
-                speedup: options.speedup.least(),
+                speedup,
             },
             day: day_of(SystemTime::now()),
             random: SysRng.try_next_u64().ok(),

@@ -11,13 +11,13 @@ use super::career::today;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{Event, SessionEvent};
-use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, Stake};
+use crate::campaign::{
+    Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, PracticeReason, Stake,
+};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
-use crate::scoring::FlownBy;
 use crate::store;
-use crate::text;
 use crate::text::Text;
 
 /// How long the program waits for its vehicles' processes when it ends.
@@ -41,11 +41,9 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> Result<(), Text> {
-        if wanted == Stake::Exam && self.options.flown_by != FlownBy::Hand {
-            return Err(text!("exam-by-hand"));
-        }
-        if wanted == Stake::Exam && self.options.speedup > 1.0 {
-            return Err(text!("exam-real-time"));
+        let (flown_by, speedup) = (self.options.flown_by, self.options.speedup);
+        if let Some(refusal) = AttemptRefusal::of(wanted, flown_by, speedup) {
+            return Err(refusal.text());
         }
         let chosen = seed.or(self.options.seed);
         let terms = self.terms(&mission, wanted, chosen);

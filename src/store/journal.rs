@@ -15,8 +15,7 @@ use super::append::is_written;
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
-    AttemptMeans, AttemptTerms, AttemptTrainee, CareerFlight, CareerStanding, PracticeReason,
-    Stake, day_and_stake,
+    AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight, Stake,
 };
 use crate::mission::Mission;
 use crate::mission::record::{Head, Stored};
@@ -48,10 +47,9 @@ pub fn day_of(time: SystemTime) -> i64 {
 impl RunEntry {
     /// The profile's entry for a finished flight: the mission as flown, and its report.
     pub fn of(mission: &Mission, report: &Report, landing: Landing) -> Self {
-        let (day, stake) = day_and_stake(landing.stake, report.seed, day_of(landing.when));
         Self {
             when: utc(landing.when),
-            flight: CareerFlight::of(mission, report, stake, day),
+            flight: CareerFlight::of(mission, report, landing.stake, day_of(landing.when)),
             // The shell's additions apply only when the report is shown.
             report: Report {
                 drill: None,
@@ -136,15 +134,15 @@ pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, Pr
             continue;
         };
         let standing = CareerStanding::of(&profiles.history(left.profile)?);
-        let reduced = left.practice_reasons(&standing);
-        let run = left.entry(!reduced.is_empty());
+        let settled = left.settle(&standing);
+        let run = left.entry(settled.stake);
         if profiles.store(left.profile, &run)? {
             recovered.push(Recovery {
                 profile: left.profile.name.clone(),
                 mission: run.flight.mission,
                 score: run.flight.score,
                 is_left_exam: left.is_left_exam,
-                reduced,
+                reduced: settled.reduced,
             });
         }
     }
@@ -157,7 +155,9 @@ struct LeftRun<'a> {
     head: Head,
     mission: Mission,
     report: Report,
-    landing: Landing,
+    id: String,
+    /// When its record was last written.
+    when: SystemTime,
     is_left_exam: bool,
 }
 
@@ -186,62 +186,39 @@ impl<'a> LeftRun<'a> {
         }
         let mission = stored.head.flown().ok()?;
         super::complete(&mut report, &mission);
-        let landing = Landing {
-            id: run_id(path).to_owned(),
-            is_recorded: true,
-            when,
-            stake: head.stake,
-        };
         Some(Self {
             profile,
             head,
             mission,
             report,
-            landing,
+            id: run_id(path).to_owned(),
+            when,
             is_left_exam,
         })
     }
 
-    /// Why it counts only as practice, although the record claims more.
-    fn practice_reasons(&self, standing: &CareerStanding) -> Vec<PracticeReason> {
-        if self.head.stake == Stake::Practice {
-            return Vec::new();
-        }
-        let course = super::course();
-        let terms = AttemptTerms {
+    /// What it counts for in a career that stands like this.
+    fn settle(&self, standing: &CareerStanding) -> SettledFlight {
+        let claim = FlightClaim {
             mission: &self.mission,
-            wanted: self.head.stake,
-            seed: None,
-            trainee: Some(AttemptTrainee {
-                standing,
-                course: &course,
-            }),
-            means: AttemptMeans {
-                mission_file: super::mission_file(&self.mission),
-                // Records from before this field existed count as they claim.
-                flown_by: self.head.flown_by.unwrap_or_default(),
-                has_own_airframes: false,
-                speedup: 1.0,
-            },
-            day: day_of(self.landing.when),
-            random: None,
+            stake: self.head.stake,
+            seed: self.head.seed,
+            mission_file: Some(super::mission_file(&self.mission)),
+            flown_by: self.head.flown_by,
+            ended: day_of(self.when),
         };
-        let mut reasons = terms.practice_reasons();
-        let has_other_seed =
-            self.head.stake == Stake::Exam && terms.decide().seed != self.head.seed;
-        reasons.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
-        reasons
+        claim.settle(AttemptTrainee {
+            standing,
+            course: &super::course(),
+        })
     }
 
-    fn entry(&self, is_reduced: bool) -> RunEntry {
-        let stake = if is_reduced {
-            Stake::Practice
-        } else {
-            self.landing.stake
-        };
+    fn entry(&self, stake: Stake) -> RunEntry {
         let landing = Landing {
+            id: self.id.clone(),
+            is_recorded: true,
+            when: self.when,
             stake,
-            ..self.landing.clone()
         };
         RunEntry::of(&self.mission, &self.report, landing)
     }

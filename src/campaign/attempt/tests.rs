@@ -40,15 +40,19 @@ impl Newcomer {
         }
     }
 
+    fn trainee(&self) -> AttemptTrainee<'_> {
+        AttemptTrainee {
+            standing: &self.standing,
+            course: &self.course,
+        }
+    }
+
     fn terms(&self, wanted: Stake) -> AttemptTerms<'_> {
         AttemptTerms {
             mission: &self.open,
             wanted,
             seed: None,
-            trainee: Some(AttemptTrainee {
-                standing: &self.standing,
-                course: &self.course,
-            }),
+            trainee: Some(self.trainee()),
             means: USUAL,
             day: 20_000,
             random: Some(77),
@@ -266,5 +270,77 @@ fn only_finished_tries_by_hand_that_count_take_free_hints() {
         (Stake::Practice, Some(FlownBy::Hand), true),
     ] {
         assert_eq!(is_practice(stake, flown_by), expected, "{stake:?}");
+    }
+}
+
+fn claim(newcomer: &Newcomer, stake: Stake, seed: u64) -> FlightClaim<'_> {
+    FlightClaim {
+        mission: &newcomer.open,
+        stake,
+        seed,
+        mission_file: None,
+        flown_by: None,
+        ended: 20_000,
+    }
+}
+
+#[test]
+fn a_claim_holds_only_if_the_career_would_have_allowed_it() {
+    let newcomer = Newcomer::new();
+    let mission = &newcomer.open;
+    let exam = exam_seed(&mission.id, mission.rev, 0);
+    for (stake, seed, expected) in [
+        (Stake::Graded, 5, Stake::Graded),
+        (Stake::Practice, 5, Stake::Practice),
+        (Stake::Exam, exam, Stake::Exam),
+        (Stake::Exam, exam + 1, Stake::Practice),
+        (Stake::Daily, daily_seed(20_000), Stake::Daily),
+        (Stake::Daily, 5, Stake::Practice),
+    ] {
+        let settled = claim(&newcomer, stake, seed).settle(newcomer.trainee());
+        assert_eq!(settled.stake, expected, "{stake:?} {seed}");
+        let reduced: &[PracticeReason] = if expected == stake {
+            &[]
+        } else {
+            &[PracticeReason::ChosenSeed]
+        };
+        assert_eq!(settled.reduced, reduced, "{stake:?} {seed}");
+    }
+    let yesterday = claim(&newcomer, Stake::Daily, daily_seed(19_999));
+    assert_eq!(yesterday.settle(newcomer.trainee()).day, 19_999);
+    let locked = FlightClaim {
+        mission: &newcomer.locked,
+        ..claim(&newcomer, Stake::Graded, 5)
+    };
+    let scripted = FlightClaim {
+        flown_by: Some(FlownBy::Script),
+        ..claim(&newcomer, Stake::Graded, 5)
+    };
+    for reduced in [locked, scripted] {
+        let settled = reduced.settle(newcomer.trainee());
+        assert_eq!(settled.stake, Stake::Practice);
+        assert_eq!(settled.reduced.len(), 1);
+    }
+}
+
+#[test]
+fn exams_and_the_layout_of_the_day_are_flown_by_hand() {
+    use AttemptRefusal::{DailyByScript, ExamByScript, ExamSpedUp};
+    for (stake, flown_by, speedup, expected) in [
+        (Stake::Exam, FlownBy::Hand, 1.0, None),
+        (Stake::Exam, FlownBy::Hand, 2.0, Some(ExamSpedUp)),
+        (Stake::Exam, FlownBy::Script, 1.0, Some(ExamByScript)),
+        (Stake::Daily, FlownBy::Hand, 2.0, None),
+        (
+            Stake::Daily,
+            FlownBy::BundledPilot,
+            1.0,
+            Some(DailyByScript),
+        ),
+        (Stake::Graded, FlownBy::Script, 2.0, None),
+        (Stake::Practice, FlownBy::Script, 2.0, None),
+    ] {
+        let refusal = AttemptRefusal::of(stake, flown_by, speedup);
+        assert_eq!(refusal, expected, "{stake:?} {flown_by:?} {speedup}");
     }
 }

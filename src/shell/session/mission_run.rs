@@ -8,10 +8,11 @@ use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
+use crate::campaign::is_practice;
 use crate::exercise::{FlightDriver, FlightPace, PacedClock};
 use crate::link::InputSink;
 use crate::mission::record::Occasion;
-use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
+use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
 use crate::notice::Notice;
 use crate::record::Happening;
 use crate::scoring::{FlightBackend, Report, TryReport};
@@ -300,7 +301,7 @@ impl RunningSession {
     pub fn counts_when_left(&self) -> bool {
         self.mission_run.as_ref().is_some_and(|run| {
             let occasion = run.logbook.as_ref().map(Logbook::occasion);
-            let counts = occasion.is_some_and(|it| it.stake != Stake::Practice);
+            let counts = occasion.is_some_and(|it| !is_practice(it.stake, Some(it.flown_by)));
             counts && run.driver.has_begun() && !run.ended
         })
     }

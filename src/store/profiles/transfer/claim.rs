@@ -6,12 +6,12 @@ use std::collections::BTreeSet;
 
 use super::{EntryDocument, ProfileFile, RunDocument};
 use crate::campaign::{
-    AttemptMeans, AttemptTerms, AttemptTrainee, CareerEntry, CareerFlight, CareerStanding,
-    MissionCourse, Offer, PracticeReason, Purchase, Stake, day_and_stake, exam_seed,
+    AttemptTrainee, CareerEntry, CareerFlight, CareerStanding, FlightClaim, MissionCourse, Offer,
+    PracticeReason, Purchase, Stake,
 };
 use crate::mission::Mission;
 use crate::notice::sanitised;
-use crate::scoring::{MissionFile, Report};
+use crate::scoring::Report;
 use crate::store::runs::moment;
 use crate::store::{course_missions, day_of};
 use crate::text;
@@ -122,51 +122,28 @@ impl Claims<'_> {
         if let Some(fault) = unlike(&flown, report) {
             return Err(text!("import-unfit", fault = fault));
         }
-        let (day, stake) = day_and_stake(claimed.stake, report.seed, day(run));
-        let mut reasons = self.practice_reasons(&flown, report, stake, day);
-        reasons.extend((stake != claimed.stake).then_some(PracticeReason::ChosenSeed));
-        if !reasons.is_empty() {
-            let why = PracticeReason::sentence(&reasons);
+        let claim = FlightClaim {
+            mission: &flown,
+            stake: claimed.stake,
+            seed: report.seed,
+            mission_file: report.mission_file,
+            flown_by: report.flown_by,
+            ended: day(run),
+        };
+        let settled = claim.settle(AttemptTrainee {
+            standing: &self.standing,
+            course: self.course,
+        });
+        if !settled.reduced.is_empty() {
+            let why = PracticeReason::sentence(&settled.reduced);
             self.told.push(text!("import-practice", id = id, why = why));
             return Ok(practice(claimed, run));
         }
         self.reports.push(report.clone());
         Ok(CareerFlight {
             imported: true,
-            ..CareerFlight::of(&flown, report, stake, day)
+            ..CareerFlight::of(&flown, report, settled.stake, settled.day)
         })
-    }
-
-    fn practice_reasons(
-        &self,
-        flown: &Mission,
-        report: &Report,
-        stake: Stake,
-        day: i64,
-    ) -> Vec<PracticeReason> {
-        let terms = AttemptTerms {
-            mission: flown,
-            wanted: stake,
-            seed: None,
-            trainee: Some(AttemptTrainee {
-                standing: &self.standing,
-                course: self.course,
-            }),
-            means: AttemptMeans {
-                mission_file: report.mission_file.unwrap_or(MissionFile::Course),
-                flown_by: report.flown_by.unwrap_or_default(),
-                has_own_airframes: false,
-                speedup: 1.0,
-            },
-            day,
-            random: None,
-        };
-        let taken = self.standing.exams(&report.mission);
-        let has_other_seed = stake == Stake::Exam
-            && report.seed != exam_seed(&report.mission, report.revision, taken);
-        let mut reasons = terms.practice_reasons();
-        reasons.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
-        reasons
     }
 }
 

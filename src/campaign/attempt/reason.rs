@@ -1,0 +1,97 @@
+//! Why an attempt counts only as practice, and why it may not be flown at all.
+
+use crate::campaign::{LockReason, PartState, Stake};
+use crate::scoring::FlownBy;
+use crate::text;
+use crate::text::Text;
+use crate::workshop::Part;
+
+/// Why a flight counts only as practice.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PracticeReason {
+    /// The user has chosen the seed of a graded flight.
+    ChosenSeed,
+    /// A pilot script, or a pipe, gives the commands.
+    Script,
+    /// The course does not contain the mission.
+    OwnMission,
+    /// The mission's text differs from that of the course.
+    AlteredMission,
+    /// The mission is locked for the trainee.
+    Locked(Vec<LockReason>),
+    /// The trainee does not own all parts of a design.
+    MissingParts {
+        /// The name of the design.
+        design: String,
+        /// The parts, and how to get them.
+        parts: Vec<(&'static Part, PartState)>,
+    },
+    /// The airframes are files of the user.
+    OwnAirframes,
+    /// Time runs slower than in reality.
+    SlowMotion,
+}
+
+impl PracticeReason {
+    /// The reason as text.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::ChosenSeed => text!("practice-seed"),
+            Self::Script => text!("practice-script"),
+            Self::OwnMission => text!("practice-own-mission"),
+            Self::AlteredMission => text!("practice-altered-mission"),
+            Self::Locked(reasons) => {
+                let reasons = reasons.iter().map(LockReason::text).collect();
+                text!("practice-locked", why = Text::joined("; ", reasons))
+            }
+            Self::MissingParts { design, parts } => {
+                let part_names = parts.iter().map(|(part, _)| part.name()).collect();
+                let parts = Text::joined(", ", part_names);
+                text!("practice-parts", design = design.as_str(), parts = parts)
+            }
+            Self::OwnAirframes => text!("practice-airframes"),
+            Self::SlowMotion => text!("practice-slow"),
+        }
+    }
+
+    /// The reasons for practice, as a sentence.
+    pub fn sentence(reasons: &[Self]) -> Text {
+        let reasons = reasons.iter().map(Self::text).collect();
+        text!("launch-practice", why = Text::joined("; ", reasons))
+    }
+}
+
+/// Why an attempt may not be flown as requested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AttemptRefusal {
+    /// Exams are flown by hand.
+    ExamByScript,
+    /// Exams run in real time.
+    ExamSpedUp,
+    /// A script would show the layout of the day before the trainees have looked.
+    DailyByScript,
+}
+
+impl AttemptRefusal {
+    /// The refusal of an attempt with these means, if there is one.
+    pub fn of(wanted: Stake, flown_by: FlownBy, speedup: f64) -> Option<Self> {
+        let is_by_hand = match flown_by {
+            FlownBy::Hand => true,
+            FlownBy::Script | FlownBy::BundledPilot => false,
+        };
+        match wanted {
+            Stake::Exam if !is_by_hand => Some(Self::ExamByScript),
+            Stake::Exam if speedup > 1.0 => Some(Self::ExamSpedUp),
+            Stake::Daily if !is_by_hand => Some(Self::DailyByScript),
+            Stake::Exam | Stake::Daily | Stake::Graded | Stake::Practice => None,
+        }
+    }
+
+    pub fn text(self) -> Text {
+        match self {
+            Self::ExamByScript => text!("exam-by-hand"),
+            Self::ExamSpedUp => text!("exam-real-time"),
+            Self::DailyByScript => text!("daily-by-hand"),
+        }
+    }
+}
