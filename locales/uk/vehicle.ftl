@@ -89,7 +89,7 @@ vehicle-fence-breached = ПОРУШЕНО
 
 vehicle-outputs = виходи
 vehicle-rc-rssi = RC сигнал { $rssi }
-vehicle-texts = тексти стану
+vehicle-texts = повідомлення апарата
 
 vehicle-sensors = датчики та функції
 sensor-good = норма
