@@ -1,7 +1,7 @@
-//! Lists the missions, pilot scripts and designs that the program embeds, and puts the commit that it is made from beside its
-//! version, for `--version`.
+//! Lists the missions, pilot scripts and designs to embed, and adds the current commit to the version for
+//! `--version`.
 //!
-//! Without git, or outside a checkout (a source archive, a package of a registry), the version stands alone.
+//! Without git, or outside a checkout (a source archive, a package of a registry), the version has no commit.
 
 use std::error::Error;
 use std::ffi::OsStr;
@@ -14,9 +14,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     list_missions()?;
     let version = env::var("CARGO_PKG_VERSION").unwrap_or_default();
-    // A package inside somebody else's checkout is not of its commits: there the way up is not empty.
+    // A package inside another project's checkout is not part of its commits; the path to its root is then not empty.
     let is_checkout = git(&["rev-parse", "--show-cdup"]).as_deref() == Some("");
-    // The length that git would choose depends on the clone.
+    // A fixed length, because the length that git would choose depends on the clone.
     let format = [
         "show",
         "--no-patch",
@@ -52,7 +52,7 @@ const KINDS: [Kind; 3] = [
     ("DESIGNS", "Designs of drones", &["designs"], "toml"),
 ];
 
-/// Writes a list per kind of file, by file name without its ending.
+/// Writes a list per kind of file, by file name without ending.
 fn list_missions() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let mut code = String::new();
@@ -81,10 +81,10 @@ fn list_missions() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Asks for this to be done again after a commit.
+/// Makes Cargo run this again after a commit.
 fn watch() {
-    // Every commit, checkout and reset adds a line to the log of HEAD, and nothing else does. A file that is not
-    // there would cause a build each time.
+    // Every commit, checkout and reset adds a line to the log of HEAD, and nothing else does. A missing file would
+    // cause a build each time.
     for name in ["logs/HEAD", "HEAD"] {
         if let Some(path) = git(&["rev-parse", "--git-path", name])
             && Path::new(&path).exists()
@@ -95,7 +95,7 @@ fn watch() {
     }
 }
 
-/// What git answers, if there is git and it has an answer.
+/// The output of git; `None` without git or after an error.
 fn git(arguments: &[&str]) -> Option<String> {
     let output = Command::new("git").args(arguments).output().ok()?;
     let answer = String::from_utf8(output.stdout).ok()?;

@@ -1,8 +1,8 @@
-//! Prints the licences of all crates that are in the program, for the archives of a release.
+//! Prints the licences of all crates in the program, for the archives of a release.
 //!
 //! `cargo run --example third_party -- x86_64-unknown-linux-musl > THIRD-PARTY.md`
 //!
-//! Cargo says which crates those are; the texts come from the crates' own packages.
+//! Cargo lists the crates; the texts come from the crates' own packages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -12,7 +12,7 @@ use std::process::Command;
 use anyhow::{Context as _, ensure};
 use serde::Deserialize;
 
-/// How the names of files with licences begin, in lower case.
+/// The beginnings of the names of licence files, in lower case.
 const LICENCE_FILES: [&str; 6] = [
     "license",
     "licence",
@@ -22,7 +22,7 @@ const LICENCE_FILES: [&str; 6] = [
     "notice",
 ];
 
-/// What `cargo metadata` says, as far as it is used.
+/// The output of `cargo metadata`, as far as it is used.
 #[derive(Deserialize)]
 struct Metadata {
     packages: Vec<Package>,
@@ -39,7 +39,7 @@ struct Package {
     authors: Vec<String>,
     repository: Option<String>,
     manifest_path: String,
-    /// Where it comes from; none for the crates of this repository.
+    /// The registry; `None` for the crates of this repository.
     source: Option<String>,
 }
 
@@ -64,7 +64,7 @@ struct Dependency {
 
 #[derive(Deserialize)]
 struct DependencyKind {
-    /// `dev`, `build`, or nothing for what becomes a part of the program.
+    /// `dev` or `build`; `None` for a dependency that becomes part of the program.
     kind: Option<String>,
 }
 
@@ -95,7 +95,7 @@ fn metadata(target: Option<&str>) -> anyhow::Result<Metadata> {
     Ok(serde_json::from_slice(&output.stdout)?)
 }
 
-/// The ids of the packages that become a part of the program.
+/// The ids of the packages that become part of the program.
 fn inside(resolve: &Resolve) -> BTreeSet<&str> {
     let nodes = resolve.nodes.iter();
     let nodes: BTreeMap<&str, &Node> = nodes.map(|node| (node.id.as_str(), node)).collect();
@@ -111,7 +111,7 @@ fn inside(resolve: &Resolve) -> BTreeSet<&str> {
     found
 }
 
-/// A list of the packages, and each text of a licence once, below the packages that have it.
+/// Prints a list of the packages, and each licence text once, below the packages that have it.
 fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
     println!("# Third-party software in sortie\n");
     println!(
@@ -139,7 +139,7 @@ fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The texts of a package's licences; who has it where the package holds none.
+/// The licence texts of a package; the names of its authors if it contains none.
 fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
     let folder = Path::new(&package.manifest_path).parent();
     let folder = folder.context("a manifest is in a folder")?;
@@ -157,7 +157,7 @@ fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
         let authors = package.authors.join(", ");
         let licence = package.license.as_deref().unwrap_or("unknown licence");
         return Ok(vec![format!(
-            "{licence}\n\nThe package holds no text of it. Authors: {authors}"
+            "{licence}\n\nThe package contains no licence text. Authors: {authors}"
         )]);
     }
     let texts = paths.into_iter().map(|path| {

@@ -1,6 +1,6 @@
-//! A mission flown by its reference pilot, and what the console shows of it.
+//! Flies a mission with its reference pilot, and shows the flight on a console.
 //!
-//! There is no clock, no socket and no terminal: equal sources make equal pictures.
+//! The flight uses no clock, no socket and no terminal: identical sources give identical pictures.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -24,27 +24,28 @@ use sortie::ui::{self, Look, Role};
 
 use super::svg;
 
-/// The mission and its reference pilot, by their files' name.
+/// The mission and its reference pilot, by the name of their files.
 const MISSION: &str = "05-night-search";
 const SEED: u64 = 1;
-/// The mission time of the pictures in flight: people are found, and kits are on their way.
+/// The mission time of the pictures in flight: some people have been found, and kits are on their way.
 const IN_FLIGHT: Duration = Duration::from_secs(172);
-/// For so long after its end a mission's debrief takes no keys.
+/// How long the debrief ignores keys after it opens, with a margin.
 const CALM: Duration = Duration::from_secs(10);
-/// How often the console hears of the flight.
+/// The interval at which the console receives news of the flight.
 const TICK: Duration = Duration::from_millis(500);
 const COLUMNS: u16 = 120;
 const ROWS: u16 = 40;
 
-/// A picture and where it belongs, from the root of the repository.
+/// A picture, and its path from the root of the repository.
 pub struct Picture {
     pub path: &'static str,
     pub svg: String,
 }
 
-/// All pictures, anew.
+/// Draws all pictures.
 ///
 /// # Errors
+///
 /// The mission or its pilot cannot be read.
 pub fn pictures(root: &Path) -> anyhow::Result<Vec<Picture>> {
     let mut film = Film::begin(root)?;
@@ -63,7 +64,7 @@ struct Film {
     exercise: Exercise,
     app: App,
     told: BTreeMap<EntryId, Vec<LedgerRow>>,
-    /// The flight's time at the next tick.
+    /// The time of the next tick.
     next: Duration,
 }
 
@@ -106,7 +107,7 @@ impl Film {
     }
 
     fn tell(&mut self, event: impl Into<Event>) {
-        // Effects are carried out by the exercise, whose pilot gave the same lines.
+        // The exercise carries out the effects; its pilot has given the same lines.
         drop(self.app.update(event));
     }
 
@@ -115,7 +116,7 @@ impl Film {
         self.tell(TerminalEvent::Key(key));
     }
 
-    /// Flies until a mission time, or to the mission's end, and tells the console.
+    /// Flies until a mission time or the end of the mission, and passes the events to the console.
     fn fly_until(&mut self, time: Duration) {
         while self.exercise.now() < time && !self.exercise.is_over() {
             self.exercise.step();
@@ -131,7 +132,7 @@ impl Film {
         }
     }
 
-    /// Lets the time pass for which the end of a mission takes no keys.
+    /// Advances time until the debrief accepts keys.
     fn calm_down(&mut self) {
         let now = self.exercise.now() + CALM;
         self.tell(Event::Tick { now, wall: now });
@@ -151,7 +152,7 @@ impl Film {
         self.tell(SessionEvent::Mission(Box::new(progress)));
     }
 
-    /// Gives the console the lines that the pilot has given, and tells what became of them.
+    /// Passes the pilot's lines and their outcomes to the console.
     fn tell_orders(&mut self) {
         let entries: Vec<LedgerEntry> = self.exercise.ledger().entries().cloned().collect();
         for entry in entries {
@@ -166,7 +167,7 @@ impl Film {
         }
     }
 
-    /// What a key leads to.
+    /// The picture of the screen that a key opens.
     fn picture(&mut self, path: &'static str, key: char) -> Picture {
         self.press(key);
         let mut terminal =

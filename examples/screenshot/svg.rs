@@ -1,18 +1,18 @@
-//! A screen as SVG: its cells as text in the theme's colours, on rectangles where they have a background of their own.
+//! A screen as SVG: its cells as text in the theme's colours, on rectangles where they have a background.
 
 use std::fmt::Write as _;
 
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 
-/// Hundredths of a pixel, so that positions are whole numbers until they are written.
+/// In hundredths of a pixel, so that positions are whole numbers until they are written.
 const CELL_WIDTH: usize = 840;
 const CELL_HEIGHT: usize = 1600;
 const FONT_SIZE: usize = 1400;
 /// From the upper edge of a cell to the baseline of its text.
 const BASELINE: usize = 1280;
 const MARGIN: usize = 1000;
-/// Where the dots of a sign of braille are, in the order of its bits.
+/// The positions of the dots in a braille character, in the order of its bits.
 const DOTS: [(usize, usize); 8] = [
     (110, 100),
     (110, 500),
@@ -28,15 +28,15 @@ const BACKGROUND: &str = "#12161b";
 const FONTS: &str =
     "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, 'Liberation Mono', monospace";
 
-/// How a sign is drawn. Every monospaced font has what is ASCII; of other signs each has its own place, and those that
-/// have to meet their neighbours are shapes.
+/// The way a character is drawn. Every monospaced font has ASCII; other characters are positioned one by one, and
+/// those that must touch their neighbours are drawn as shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Shape {
     Letters,
     Sign,
-    /// Braille, which curves and maps are drawn with.
+    /// A braille pattern, as in curves and maps.
     Dots,
-    /// A line of full cells: its upper edge and its height in hundredths of a pixel.
+    /// A bar across full cells: its upper edge and its height in hundredths of a pixel.
     Bar(usize, usize),
 }
 
@@ -82,7 +82,7 @@ pub fn of(buffer: &Buffer, ground: Color) -> String {
     svg
 }
 
-/// The cells in pieces whose neighbours are alike, each with its first column.
+/// Runs of cells that are drawn together, each with its first column.
 fn runs(
     cells: &[Cell],
     is_alike: fn(&Cell, &Cell) -> bool,
@@ -158,7 +158,7 @@ fn dots(column: usize, top: usize, run: &[Cell]) -> String {
     path
 }
 
-/// The dots of a sign of braille, a bit for each.
+/// The dots of a braille character, as a bit for each.
 fn braille(symbol: &str) -> Option<u32> {
     let code = u32::from(symbol.chars().next()?);
     (0x2800..0x2900).contains(&code).then(|| code - 0x2800)
@@ -209,7 +209,7 @@ fn escaped(text: &str) -> String {
     text.replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// Hundredths of a pixel in writing: `1234` is 12.34, `1200` is 12.
+/// Hundredths of a pixel as text: `1234` is 12.34, `1200` is 12.
 fn pixels(hundredths: usize) -> String {
     let (whole, rest) = (hundredths / 100, hundredths % 100);
     match (rest, rest % 10) {

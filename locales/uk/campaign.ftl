@@ -24,7 +24,7 @@ locked-licence = треба ліцензію на { $wanted ->
 
 buy-unknown = такої деталі немає; усі деталі показує `sortie workshop parts`
 buy-owned = вона вже ваша
-buy-locked = спершу пройдіть { $mission }
+buy-locked = спершу пройдіть «{ $mission }»
 buy-too-dear = коштує { $price } cr, у вас { $credits }
 
 reward-heading = Кар'єра

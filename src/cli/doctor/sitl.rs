@@ -37,7 +37,7 @@ pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
             Err(missing) => findings.push(HostFinding::fault(
                 kind.program(),
                 missing.to_string(),
-                "name another one, or none: then sortie searches for one",
+                "name another one, or remove the setting: sortie then searches for one",
             )),
         }
     }

@@ -96,7 +96,7 @@ pub(super) async fn no_such_path(uri: Uri) -> ServiceProblem {
 pub(super) async fn no_such_method(method: Method, uri: Uri) -> ServiceProblem {
     let error = format!("{method} is not supported by {}", uri.path());
     ServiceProblem::new(StatusCode::METHOD_NOT_ALLOWED, error)
-        .hint("the header Allow lists what is; GET /openapi.json describes it")
+        .hint("the header Allow lists the supported methods; GET /openapi.json describes them")
 }
 
 /// Answers HEAD where GET acts: HEAD must have no effect.
