@@ -8,6 +8,7 @@ use crate::scoring::TryReport;
 use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::store::Runs;
+use crate::text;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 
