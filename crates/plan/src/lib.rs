@@ -1,8 +1,32 @@
 //! The lists that a MAVLink vehicle carries on board: its plan, its fence and its rally points
 //! (`MAV_MISSION_TYPE`). Items keep every field of the wire, so that what was read can be written back unchanged.
+//!
+//! [`read`] turns a file into a [`Document`], and finds the format by the content; [`write()`] does the reverse. Faults
+//! carry their place in the file, and no text: the program that shows them has the words.
+//!
+//! ```
+//! use sortie_plan::{FileFormat, ListKind, ReadOptions, read, write};
+//!
+//! let file = "QGC WPL 110\n\
+//!     0\t1\t0\t16\t0\t0\t0\t0\t50.4501\t30.5234\t170\t1\n\
+//!     1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t20\t1\n\
+//!     2\t0\t3\t16\t0\t0\t0\t0\t50.4511\t30.5234\t20\t1\n\
+//!     3\t0\t3\t20\t0\t0\t0\t0\t0\t0\t0\t1\n";
+//! let loaded = read(file.as_bytes(), &ReadOptions::default()).expect("a valid file");
+//! assert_eq!(loaded.document.plan.len(), 3);
+//! let written = write(&loaded.document, FileFormat::Wpl(ListKind::Plan)).expect("it fits");
+//! assert!(written.starts_with("QGC WPL 110\n"));
+//! ```
 
 #![warn(missing_docs)]
 
+pub mod command;
+mod document;
+mod fault;
+mod files;
 mod item;
 
+pub use document::{Document, Home, Origin};
+pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
+pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
 pub use item::{HeightFrame, Item, ListKind};

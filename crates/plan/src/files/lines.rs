@@ -1,0 +1,136 @@
+//! MAVProxy's old fences and rally points: a point on each line.
+
+use super::Parsed;
+use super::number::{Word, lines};
+use crate::fault::{Fault, FaultKind};
+use crate::{Item, ListKind, command};
+
+const SEA_LEVEL: u8 = 0;
+const ABOVE_HOME: u8 = 3;
+
+pub(super) fn is_rally(text: &str) -> bool {
+    let first = lines(text).next();
+    first.is_some_and(|words| words[0].text.eq_ignore_ascii_case("rally"))
+}
+
+/// Whether the first line consists of numbers.
+pub(super) fn is_fence(text: &str) -> bool {
+    let first = lines(text).next();
+    first.is_some_and(|words| words.iter().all(|word| word.number().is_ok()))
+}
+
+/// `RALLY latitude longitude height break-height direction flags`. The last three are of fixed wings, and MAVLink's
+/// rally points do not have them.
+pub(super) fn parse_rally(text: &str) -> Result<Parsed, Vec<Fault>> {
+    let mut parsed = Parsed::default();
+    let mut faults = Vec::new();
+    for words in lines(text) {
+        match rally_point(&words) {
+            Ok(item) => parsed.push(ListKind::Rally, item, span(&words)),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() {
+        Ok(parsed)
+    } else {
+        Err(faults)
+    }
+}
+
+fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
+    let wrong = || {
+        let (found, expected) = (words.len(), 7);
+        Fault::new(span(words), FaultKind::Fields { found, expected })
+    };
+    let [key, lat, lon, height, further @ ..] = words else {
+        return Err(wrong());
+    };
+    if !key.text.eq_ignore_ascii_case("rally") || further.len() != 3 {
+        return Err(wrong());
+    }
+    further
+        .iter()
+        .try_for_each(|word| word.number().map(drop))?;
+    let z = height.number()? as f32;
+    Ok(point(
+        command::RALLY_POINT,
+        ABOVE_HOME,
+        0.0,
+        lat.fixed(7)?,
+        lon.fixed(7)?,
+        z,
+    ))
+}
+
+/// The return point, then the corners of one area to stay in; the last corner repeats the first.
+pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
+    let mut points = Vec::new();
+    let mut faults = Vec::new();
+    for words in lines(text) {
+        match fence_point(&words) {
+            Ok(at) => points.push((at, span(&words))),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let is_closed =
+        points.len() > 2 && points.last().map(|it| it.0) == points.get(1).map(|it| it.0);
+    if is_closed {
+        points.pop();
+    }
+    let corners = points.len().saturating_sub(1);
+    if corners < 3 {
+        let span = points.last().map_or(0..0, |(_, span)| span.clone());
+        return Err(vec![Fault::new(span, FaultKind::FewCorners(corners))]);
+    }
+    let mut parsed = Parsed::default();
+    for (index, ((x, y), span)) in points.into_iter().enumerate() {
+        let item = if index == 0 {
+            point(command::FENCE_RETURN_POINT, SEA_LEVEL, 0.0, x, y, 0.0)
+        } else {
+            let count = corners as f32;
+            point(
+                command::FENCE_POLYGON_INCLUSION,
+                SEA_LEVEL,
+                count,
+                x,
+                y,
+                0.0,
+            )
+        };
+        parsed.push(ListKind::Fence, item, span);
+    }
+    Ok(parsed)
+}
+
+fn fence_point(words: &[Word<'_>]) -> Result<(i32, i32), Fault> {
+    match words {
+        [lat, lon] => Ok((lat.fixed(7)?, lon.fixed(7)?)),
+        _ => {
+            let (found, expected) = (words.len(), 2);
+            Err(Fault::new(
+                span(words),
+                FaultKind::Fields { found, expected },
+            ))
+        }
+    }
+}
+
+fn point(command: u16, frame: u8, param1: f32, x: i32, y: i32, z: f32) -> Item {
+    Item {
+        command,
+        frame,
+        auto_continue: true,
+        params: [param1, 0.0, 0.0, 0.0],
+        x,
+        y,
+        z,
+    }
+}
+
+fn span(words: &[Word<'_>]) -> std::ops::Range<usize> {
+    let start = words.first().map_or(0, |word| word.start);
+    start..words.last().map_or(start, |word| word.span().end)
+}

@@ -1,0 +1,160 @@
+//! The fence of a `.plan`.
+
+use serde::Serialize;
+
+use super::{ABOVE_HOME, check_version, degrees};
+use crate::fault::{Fault, FaultKind, Unwritable};
+use crate::files::Parsed;
+use crate::files::json::{Node, Value};
+use crate::{Item, ListKind, command};
+
+const SEA_LEVEL: u8 = 0;
+
+pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
+    check_version(node, &[2], "2")?;
+    for polygon in node.get("polygons").map_or(Ok(&[][..]), Node::list)? {
+        read_polygon(polygon, parsed)?;
+    }
+    for circle in node.get("circles").map_or(Ok(&[][..]), Node::list)? {
+        let shape = circle.need("circle")?;
+        let [lat, lon] = shape.need("center")?.array::<2>()?;
+        let command = if circle.need("inclusion")?.flag()? {
+            command::FENCE_CIRCLE_INCLUSION
+        } else {
+            command::FENCE_CIRCLE_EXCLUSION
+        };
+        let radius = shape.need("radius")?.number()? as f32;
+        let at = (lat.fixed(7)?, lon.fixed(7)?);
+        parsed.push(
+            ListKind::Fence,
+            item(command, SEA_LEVEL, radius, at, 0.0),
+            circle.span.clone(),
+        );
+    }
+    let is_set = |node: &&Node| !matches!(node.value, Value::Null);
+    if let Some(point) = node.get("breachReturn").filter(is_set) {
+        let [lat, lon, height] = point.array::<3>()?;
+        let at = (lat.fixed(7)?, lon.fixed(7)?);
+        let height_m = height.number_or_null()? as f32;
+        let item = item(command::FENCE_RETURN_POINT, ABOVE_HOME, 0.0, at, height_m);
+        parsed.push(ListKind::Fence, item, point.span.clone());
+    }
+    Ok(())
+}
+
+fn read_polygon(polygon: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
+    let command = if polygon.need("inclusion")?.flag()? {
+        command::FENCE_POLYGON_INCLUSION
+    } else {
+        command::FENCE_POLYGON_EXCLUSION
+    };
+    let outline = polygon.need("polygon")?;
+    let corners = outline.list()?;
+    if corners.len() < 3 {
+        return Err(Fault::new(
+            outline.span.clone(),
+            FaultKind::FewCorners(corners.len()),
+        ));
+    }
+    for corner in corners {
+        let [lat, lon] = corner.array::<2>()?;
+        let at = (lat.fixed(7)?, lon.fixed(7)?);
+        let item = item(command, SEA_LEVEL, corners.len() as f32, at, 0.0);
+        parsed.push(ListKind::Fence, item, corner.span.clone());
+    }
+    Ok(())
+}
+
+fn item(command: u16, frame: u8, param1: f32, (x, y): (i32, i32), z: f32) -> Item {
+    Item {
+        command,
+        frame,
+        auto_continue: true,
+        params: [param1, 0.0, 0.0, 0.0],
+        x,
+        y,
+        z,
+    }
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct FenceBlock {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    breach_return: Option<(f64, f64, f32)>,
+    circles: Vec<CircleArea>,
+    polygons: Vec<PolygonArea>,
+    version: u8,
+}
+
+#[derive(Serialize)]
+struct CircleArea {
+    circle: Circle,
+    inclusion: bool,
+    version: u8,
+}
+
+#[derive(Serialize)]
+struct Circle {
+    center: (f64, f64),
+    radius: f32,
+}
+
+#[derive(Serialize)]
+struct PolygonArea {
+    inclusion: bool,
+    polygon: Vec<(f64, f64)>,
+    version: u8,
+}
+
+/// The fence as the file has it.
+///
+/// # Errors
+/// Items that belong to no whole area, or a second return point.
+pub(super) fn block(items: &[Item]) -> Result<FenceBlock, Unwritable> {
+    let mut block = FenceBlock {
+        breach_return: None,
+        circles: Vec::new(),
+        polygons: Vec::new(),
+        version: 2,
+    };
+    let mut at = 0;
+    while let Some(first) = items.get(at) {
+        let place = |item: &Item| (degrees(item.x), degrees(item.y));
+        if command::is_corner(first.command) {
+            let count = first.params[0] as usize;
+            let corners = items.get(at..at + count).unwrap_or_default();
+            let is_whole = corners.iter().all(|corner| {
+                corner.command == first.command
+                    && corner.params[0].to_bits() == first.params[0].to_bits()
+            });
+            if corners.len() < 3 || !is_whole {
+                return Err(Unwritable::FenceShape(at));
+            }
+            block.polygons.push(PolygonArea {
+                inclusion: first.command == command::FENCE_POLYGON_INCLUSION,
+                polygon: corners.iter().map(place).collect(),
+                version: 1,
+            });
+            at += count;
+            continue;
+        }
+        if command::is_circle(first.command) && first.params[0].is_finite() {
+            block.circles.push(CircleArea {
+                circle: Circle {
+                    center: place(first),
+                    radius: first.params[0],
+                },
+                inclusion: first.command == command::FENCE_CIRCLE_INCLUSION,
+                version: 1,
+            });
+        } else if first.command == command::FENCE_RETURN_POINT && block.breach_return.is_none() {
+            let (lat, lon) = place(first);
+            block.breach_return = Some((lat, lon, first.z));
+        } else {
+            return Err(Unwritable::FenceShape(at));
+        }
+        at += 1;
+    }
+    Ok(block)
+}
