@@ -22,11 +22,14 @@
 
 pub mod command;
 mod document;
+pub mod edit;
 mod fault;
 mod files;
+mod hash;
 mod item;
 
 pub use document::{Document, Home, Origin};
 pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
 pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
+pub use hash::ContentHash;
 pub use item::{HeightFrame, Item, ListKind};

@@ -1,0 +1,229 @@
+//! Changes of a plan. Each gives a new list, so that the old one is what undo needs; jumps keep leading to the item
+//! that they led to.
+//!
+//! Places in a list are counted from 0; jump targets from 1, because 0 is home.
+
+use std::ops::Range;
+
+use crate::{HeightFrame, Home, Item, command};
+
+/// Why a plan cannot be changed in this way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum EditError {
+    /// There is no such item; the length of the list.
+    #[error("the plan has {0} items")]
+    NoItem(usize),
+    /// A jump leads to an item that would be deleted; the place of the jump.
+    #[error("item {} jumps to an item that would be deleted", .0 + 1)]
+    JumpTarget(usize),
+    /// There is nothing to split: no item with a place before this one.
+    #[error("no leg leads to the item")]
+    NoLeg,
+    /// The height cannot be carried over to the frame without the height of home or of the ground.
+    #[error("the height of home or of the ground is not known")]
+    UnknownHeight,
+}
+
+/// The target of a jump as a place in the list, if it has one.
+fn target_of(item: &Item) -> Option<usize> {
+    let is_jump = item.command == command::DO_JUMP && item.params[0] >= 1.0;
+    is_jump.then(|| item.params[0] as usize - 1)
+}
+
+/// Moves the target of each jump.
+fn aimed(mut items: Vec<Item>, moved: impl Fn(usize) -> usize) -> Vec<Item> {
+    for item in &mut items {
+        if let Some(target) = target_of(item) {
+            item.params[0] = (moved(target) + 1) as f32;
+        }
+    }
+    items
+}
+
+fn checked(items: &[Item], range: &Range<usize>) -> Result<(), EditError> {
+    if range.start < range.end && range.end <= items.len() {
+        Ok(())
+    } else {
+        Err(EditError::NoItem(items.len()))
+    }
+}
+
+/// Inserts items so that the first of them gets the place `at`. Jumps among them count as they will stand.
+///
+/// # Errors
+/// `at` is behind the end.
+pub fn insert(items: &[Item], at: usize, new: &[Item]) -> Result<Vec<Item>, EditError> {
+    if at > items.len() {
+        return Err(EditError::NoItem(items.len()));
+    }
+    let shift = |target| {
+        if target >= at {
+            target + new.len()
+        } else {
+            target
+        }
+    };
+    let mut changed = aimed(items.to_vec(), shift);
+    changed.splice(at..at, new.iter().copied());
+    Ok(changed)
+}
+
+/// Deletes items. Jumps that stand among them go with them.
+///
+/// # Errors
+/// There are no such items, or a jump outside of them leads to one of them.
+pub fn delete(items: &[Item], range: Range<usize>) -> Result<Vec<Item>, EditError> {
+    checked(items, &range)?;
+    let mut rest = items.iter().enumerate();
+    let into = |target: Option<usize>| target.is_some_and(|target| range.contains(&target));
+    if let Some((jump, _)) = rest.find(|(at, item)| !range.contains(at) && into(target_of(item))) {
+        return Err(EditError::JumpTarget(jump));
+    }
+    let mut changed = items.to_vec();
+    changed.drain(range.clone());
+    let shift = |target| {
+        if target >= range.end {
+            target - range.len()
+        } else {
+            target
+        }
+    };
+    Ok(aimed(changed, shift))
+}
+
+/// Moves items so that the first of them gets the place `to` of the new list.
+///
+/// # Errors
+/// There are no such items, or the new place is behind the end.
+pub fn relocate(items: &[Item], range: Range<usize>, to: usize) -> Result<Vec<Item>, EditError> {
+    checked(items, &range)?;
+    if to + range.len() > items.len() {
+        return Err(EditError::NoItem(items.len()));
+    }
+    let mut order: Vec<usize> = (0..items.len()).collect();
+    let taken: Vec<usize> = order.drain(range).collect();
+    order.splice(to..to, taken);
+    let changed = order.iter().map(|from| items[*from]).collect();
+    let place = |target| order.iter().position(|from| *from == target);
+    Ok(aimed(changed, |target| place(target).unwrap_or(target)))
+}
+
+/// Puts a waypoint in the middle of the leg that leads to an item.
+///
+/// # Errors
+/// No leg leads there, or its two ends measure their heights differently.
+pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
+    let end = *items.get(at).ok_or(EditError::NoItem(items.len()))?;
+    let has_place = |item: &&Item| command::is_flown_to(item.command) && (item.x, item.y) != (0, 0);
+    let before = items[..at].iter().rev().find(has_place);
+    let start = before
+        .filter(|_| has_place(&&end))
+        .ok_or(EditError::NoLeg)?;
+    if start.height_frame() != end.height_frame() {
+        return Err(EditError::UnknownHeight);
+    }
+    let middle = |a: i32, b: i32| i32::midpoint(a, b);
+    let east = i64::from(end.y) - i64::from(start.y);
+    // The short way round the date line.
+    let y = if east.abs() > 1_800_000_000 {
+        let far = i64::midpoint(i64::from(start.y), i64::from(end.y));
+        (far - far.signum() * 1_800_000_000) as i32
+    } else {
+        middle(start.y, end.y)
+    };
+    let waypoint = Item {
+        command: command::WAYPOINT,
+        params: [0.0; 4],
+        x: middle(start.x, end.x),
+        y,
+        z: f32::midpoint(start.z, end.z),
+        ..end
+    };
+    // A jump to the end of the leg still leads there.
+    insert(items, at, &[waypoint])
+}
+
+/// How heights change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HeightChange {
+    /// All get this height, in metres.
+    To(f32),
+    /// All go up (or down) by so many metres.
+    By(f32),
+}
+
+/// Changes the heights of the items of a range that have a place, or are a takeoff.
+///
+/// # Errors
+/// There are no such items.
+pub fn change_height(
+    items: &[Item],
+    range: Range<usize>,
+    change: HeightChange,
+) -> Result<Vec<Item>, EditError> {
+    checked(items, &range)?;
+    let mut changed = items.to_vec();
+    for item in changed[range].iter_mut().filter(|item| has_height(item)) {
+        item.z = match change {
+            HeightChange::To(height_m) => height_m,
+            HeightChange::By(metres) => item.z + metres,
+        };
+    }
+    Ok(changed)
+}
+
+fn has_height(item: &Item) -> bool {
+    command::is_flown_to(item.command)
+}
+
+/// How the numbers follow when a frame changes.
+#[derive(Clone, Copy)]
+pub enum FrameChange<'a> {
+    /// The numbers stay, so that the vehicle flies at another height.
+    KeepNumbers,
+    /// The vehicle flies where it did: heights are carried over by the height of home, and of the ground at each
+    /// item's place (metres above sea level), as far as they are needed.
+    KeepHeights {
+        /// Home.
+        home: Option<Home>,
+        /// The ground at an item of the list.
+        ground_amsl_m: &'a dyn Fn(&Item) -> Option<f32>,
+    },
+}
+
+/// Changes what the heights of a range are measured from; `frame` is the number of a global `MAV_FRAME`.
+///
+/// # Errors
+/// There are no such items, or a height that is needed is not known.
+pub fn change_frame(
+    items: &[Item],
+    range: Range<usize>,
+    frame: u8,
+    change: &FrameChange<'_>,
+) -> Result<Vec<Item>, EditError> {
+    checked(items, &range)?;
+    let mut changed = items.to_vec();
+    for item in changed[range].iter_mut().filter(|item| has_height(item)) {
+        if let FrameChange::KeepHeights {
+            home,
+            ground_amsl_m,
+        } = change
+            && item.height_frame() != HeightFrame::of(frame)
+        {
+            let origin = |frame| match frame {
+                HeightFrame::SeaLevel => Some(0.0),
+                HeightFrame::Home => home.map(|home| home.z),
+                HeightFrame::Terrain => ground_amsl_m(item),
+                HeightFrame::Other => None,
+            };
+            let (from, to) = (origin(item.height_frame()), origin(HeightFrame::of(frame)));
+            let (from, to) = from.zip(to).ok_or(EditError::UnknownHeight)?;
+            item.z += from - to;
+        }
+        item.frame = frame;
+    }
+    Ok(changed)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,138 @@
+//! A short name for the content of a list: "plan 7f3a".
+
+use std::fmt;
+
+use crate::{HeightFrame, Item, command};
+
+/// CRC-32 (ISO-HDLC) of the items of a list in a normal form, which is the same for what a ground station sends and
+/// what the vehicle sends back: both spellings of a frame are one, unset parameters are 0, and commands without a place
+/// have no frame. `auto_continue` does not count: ArduPilot does not keep it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct ContentHash(pub u32);
+
+impl ContentHash {
+    /// The hash of a list, without home.
+    pub fn of(items: &[Item]) -> Self {
+        let mut crc = u32::MAX;
+        for item in items {
+            let mut add = |bytes: &[u8]| {
+                for byte in bytes {
+                    crc = (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)];
+                }
+            };
+            let frame = match item.height_frame() {
+                _ if !command::has_place(item.command) => 0,
+                HeightFrame::SeaLevel => 1,
+                HeightFrame::Home => 2,
+                HeightFrame::Terrain => 3,
+                HeightFrame::Other => item.frame.saturating_add(4),
+            };
+            add(&item.command.to_le_bytes());
+            add(&[frame]);
+            for param in item.params {
+                add(&normal(param).to_le_bytes());
+            }
+            add(&item.x.to_le_bytes());
+            add(&item.y.to_le_bytes());
+            // Heights are kept in centimetres on board.
+            add(&((f64::from(normal(item.z)) * 100.0).round() as i64).to_le_bytes());
+        }
+        Self(!crc)
+    }
+}
+
+/// NaN and the two zeros as one number.
+fn normal(number: f32) -> f32 {
+    if number.is_nan() || number == 0.0 {
+        0.0
+    } else {
+        number
+    }
+}
+
+impl fmt::Display for ContentHash {
+    /// The first four digits: enough to tell the plans of a swarm apart.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:04x}", self.0 >> 16)
+    }
+}
+
+const TABLE: [u32; 256] = table();
+
+const fn table() -> [u32; 256] {
+    const POLYNOMIAL: u32 = 0xEDB8_8320;
+    let mut table = [0; 256];
+    let mut index = 0;
+    while index < table.len() {
+        let mut value = index as u32;
+        let mut bit = 0;
+        while bit < 8 {
+            value = if value & 1 == 1 {
+                (value >> 1) ^ POLYNOMIAL
+            } else {
+                value >> 1
+            };
+            bit += 1;
+        }
+        table[index] = value;
+        index += 1;
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WAYPOINT: Item = Item {
+        command: command::WAYPOINT,
+        frame: 3,
+        auto_continue: true,
+        params: [0.0, 0.0, 0.0, f32::NAN],
+        x: 504_501_000,
+        y: 305_234_000,
+        z: 20.0,
+    };
+
+    #[test]
+    fn the_table_is_that_of_crc_32() {
+        let crc = b"123456789".iter().fold(u32::MAX, |crc, byte| {
+            (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)]
+        });
+        assert_eq!(!crc, 0xCBF4_3926);
+    }
+
+    #[test]
+    fn what_the_vehicle_spells_differently_has_the_same_hash_and_what_it_flies_differently_has_not()
+    {
+        let of = |item| ContentHash::of(&[item]);
+        let same = Item {
+            frame: 6,
+            params: [0.0, -0.0, 0.0, 0.0],
+            auto_continue: false,
+            ..WAYPOINT
+        };
+        assert_eq!(of(same), of(WAYPOINT));
+        for other in [
+            Item {
+                frame: 0,
+                ..WAYPOINT
+            },
+            Item {
+                z: 20.1,
+                ..WAYPOINT
+            },
+            Item {
+                x: 504_501_001,
+                ..WAYPOINT
+            },
+            Item {
+                command: command::SPLINE_WAYPOINT,
+                ..WAYPOINT
+            },
+        ] {
+            assert_ne!(of(other), of(WAYPOINT));
+        }
+        assert_eq!(of(WAYPOINT).to_string().len(), 4);
+    }
+}
