@@ -27,7 +27,7 @@ impl ListKind {
 }
 
 /// An item of a list, with all fields of `MISSION_ITEM_INT` except its number, which is its place in the list.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Item {
     /// The number of a `MAV_CMD`, also of one that is not in the dialect.
     pub command: u16,

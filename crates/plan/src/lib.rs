@@ -20,6 +20,9 @@
 
 #![warn(missing_docs)]
 
+mod areas;
+pub mod board;
+pub mod check;
 pub mod command;
 mod document;
 pub mod edit;
@@ -28,6 +31,7 @@ mod files;
 mod hash;
 mod item;
 
+pub use areas::{AreaShape, Fence, FenceArea, FenceError, is_inside};
 pub use document::{Document, Home, Origin};
 pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
 pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};

@@ -165,7 +165,7 @@ impl Autopilot {
     /// Handles a change in a list.
     pub(super) fn plans_changed(&mut self, kind: ListKind) {
         match kind {
-            ListKind::Mission => self.auto_plan.list_changed(&mut self.vehicle),
+            ListKind::Plan => self.auto_plan.list_changed(&mut self.vehicle),
             ListKind::Fence => self.vehicle.fence_changed(),
             ListKind::Rally => {}
         }

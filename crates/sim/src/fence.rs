@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::FenceBreach;
 
 use self::area::FenceArea;
-pub(super) use self::area::{Fence, FenceError};
+pub(super) use self::area::{Fence, FenceError, severity};
 use self::avoidance::Limiter;
 use super::parameters::Parameters;
 

@@ -19,7 +19,7 @@ use super::body::Body;
 use super::boot::Boot;
 use super::estimator::Estimator;
 use super::failsafe::RadioInputs;
-use super::fence::Geofence;
+use super::fence::{Geofence, severity};
 use super::flight_log::{self, FlightLog, LogInputs, LogSample};
 use super::mode;
 use super::parameters::{BY_NAME, Parameters};
@@ -280,7 +280,7 @@ impl Vehicle {
     pub(super) fn fence_changed(&mut self) {
         let from = self.datum.start.at;
         if let Err(error) = self.fence.take(&self.plans.fence, from) {
-            self.say(error.severity(), &error.to_string());
+            self.say(severity(error), &error.to_string());
         }
     }
 

@@ -99,7 +99,7 @@ pub(super) fn tagged(items: &[Item], tag: u16) -> Option<u16> {
     items
         .iter()
         .skip(1)
-        .position(|item| item.command == cmd::JUMP_TAG && item.p[0] as u16 == tag)
+        .position(|item| item.command == cmd::JUMP_TAG && item.params[0] as u16 == tag)
         .map(|place| place as u16 + 1)
 }
 
@@ -121,7 +121,7 @@ pub(super) fn takes_off_first(items: &[Item], from: u16, jumps: &Jumps) -> bool 
 
 /// The target of a jump, and how many times it is taken; an unknown tag leads to item 0, which ends the search.
 fn jump_of(items: &[Item], item: &Item) -> Option<(u16, i16)> {
-    let (target, times) = (item.p[0] as u16, item.p[1] as i16);
+    let (target, times) = (item.params[0] as u16, item.params[1] as i16);
     match item.command {
         cmd::DO_JUMP => Some((target, times)),
         cmd::DO_JUMP_TAG => Some((tagged(items, target).unwrap_or(0), times)),
@@ -137,7 +137,7 @@ mod tests {
     fn item(command: u16, p: [f32; 2]) -> Item {
         Item {
             command,
-            p: [p[0], p[1], 0.0, 0.0],
+            params: [p[0], p[1], 0.0, 0.0],
             ..Item::default()
         }
     }

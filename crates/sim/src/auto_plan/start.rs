@@ -48,7 +48,7 @@ impl AutoPlan {
                 vehicle.flight.yaw.demand = vehicle.default_yaw_home();
             }
             cmd::NAV_GUIDED_ENABLE => {
-                if item.p[0] as u16 > 0 {
+                if item.params[0] as u16 > 0 {
                     self.fly_task(vehicle, Task::STOP, PlanWait::Guided);
                 }
             }
@@ -65,7 +65,7 @@ impl AutoPlan {
         };
         match item.command {
             cmd::CONDITION_YAW => {
-                let [angle, rate, direction, relative] = item.p.map(f64::from);
+                let [angle, rate, direction, relative] = item.params.map(f64::from);
                 if !(angle.is_finite() && rate.is_finite()) {
                     return;
                 }
@@ -80,11 +80,11 @@ impl AutoPlan {
             cmd::DO_CHANGE_SPEED => change_mission_speed(vehicle, &item),
             cmd::DO_SET_HOME => set_mission_home(vehicle, &item),
             cmd::DO_SET_SERVO => {
-                let channel = item.p[0] as usize;
+                let channel = item.params[0] as usize;
                 if (5..=16).contains(&channel)
                     && let Some(servo) = vehicle.servos_us.get_mut(channel - 1)
                 {
-                    *servo = item.p[1] as u16;
+                    *servo = item.params[1] as u16;
                 }
             }
             cmd::DO_SET_ROI => self.look_at_item(vehicle, &item),
@@ -147,7 +147,7 @@ impl AutoPlan {
     fn begin_waypoint(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) {
         let goal_m = item_point(vehicle, item, reference_point(vehicle));
         self.fly_to(vehicle, goal_m, PlanWait::Stay(None));
-        let stays = item.p[0] as u16 > 0;
+        let stays = item.params[0] as u16 > 0;
         let items = &vehicle.plans.mission;
         let next = sequence::next_navigation(items, at.saturating_add(1), &self.jumps)
             .and_then(|next| vehicle.plans.item(next))
@@ -192,13 +192,18 @@ impl AutoPlan {
 
     fn begin_circle(&mut self, vehicle: &mut Vehicle, item: &Item) {
         let centre_m = item_point(vehicle, item, vehicle.believed().position_m);
-        let asked_m = f64::from(item.p[2]).abs().min(2550.0);
+        let asked_m = f64::from(item.params[2]).abs().min(2550.0);
         let radius_m = if asked_m > COARSE_RADIUS_M {
             (asked_m / 10.0).floor() * 10.0
         } else {
             asked_m.floor()
         };
-        let orbit = Orbit::around(centre_m, radius_m, item.p[2] < 0.0, &vehicle.parameters);
+        let orbit = Orbit::around(
+            centre_m,
+            radius_m,
+            item.params[2] < 0.0,
+            &vehicle.parameters,
+        );
         let here_m = vehicle.believed().position_m;
         let edge_m = orbit.nearest_m(here_m);
         if edge_m.distance(here_m) <= AT_EDGE_M {
@@ -223,7 +228,7 @@ impl AutoPlan {
     }
 
     fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
-        let seconds = f64::from(item.p[0]).clamp(0.0, 1e6);
+        let seconds = f64::from(item.params[0]).clamp(0.0, 1e6);
         self.wait = PlanWait::Until(vehicle.uptime() + Duration::from_secs_f64(seconds));
         let text = format!("Delaying {} sec", seconds as u32);
         vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
@@ -266,11 +271,11 @@ const CLIMB: i32 = SpeedType::SPEED_TYPE_CLIMB_SPEED as i32;
 const DESCENT: i32 = SpeedType::SPEED_TYPE_DESCENT_SPEED as i32;
 
 fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
-    let speed = f64::from(item.p[1]);
+    let speed = f64::from(item.params[1]);
     if !(speed > 0.0 && speed.is_finite()) {
         return;
     }
-    match item.p[0] as i32 {
+    match item.params[0] as i32 {
         CLIMB => vehicle.flight.speeds.up_m_s = Some(speed),
         DESCENT => vehicle.flight.speeds.down_m_s = Some(speed),
         _ => vehicle.flight.speeds.ground_m_s = Some(speed.max(0.2)),
@@ -279,7 +284,7 @@ fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
 
 fn set_mission_home(vehicle: &mut Vehicle, item: &Item) {
     let unset = item.x == 0 && item.y == 0 && item.z == 0.0;
-    if item.p[0] as u16 == 1 || unset {
+    if item.params[0] as u16 == 1 || unset {
         vehicle.set_home_here();
         return;
     }

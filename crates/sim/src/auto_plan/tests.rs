@@ -22,7 +22,7 @@ fn act(command: u16, p: [f32; 4], height_m: f32) -> Item {
         command,
         frame: 3,
         auto_continue: true,
-        p,
+        params: p,
         z: height_m,
         ..Item::default()
     }
@@ -39,7 +39,7 @@ fn at(command: u16, north_m: f64, east_m: f64, height_m: f32) -> Item {
 }
 
 fn with(item: Item, p: [f32; 4]) -> Item {
-    Item { p, ..item }
+    Item { params: p, ..item }
 }
 
 impl Ground {

@@ -32,7 +32,7 @@ impl AutoPlan {
             cmd::NAV_LOITER_TURNS => self.has_turned(vehicle, &item),
             cmd::NAV_LOITER_TO_ALT => return self.has_height(vehicle),
             cmd::NAV_RETURN_TO_LAUNCH => vehicle.landing_is_over(),
-            cmd::NAV_GUIDED_ENABLE => item.p[0] as u16 == 0,
+            cmd::NAV_GUIDED_ENABLE => item.params[0] as u16 == 0,
             cmd::NAV_DELAY => {
                 matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() >= until)
             }
@@ -54,10 +54,12 @@ impl AutoPlan {
         }
         let over = match item.command {
             cmd::CONDITION_DELAY => {
-                let seconds = f64::from(item.p[0]).clamp(0.0, 1e6);
+                let seconds = f64::from(item.params[0]).clamp(0.0, 1e6);
                 vehicle.uptime() > self.action.since + Duration::from_secs_f64(seconds)
             }
-            cmd::CONDITION_DISTANCE => distance_to_goal_m(vehicle) < f64::from(item.p[0]).max(0.0),
+            cmd::CONDITION_DISTANCE => {
+                distance_to_goal_m(vehicle) < f64::from(item.params[0]).max(0.0)
+            }
             cmd::CONDITION_YAW => vehicle.flight.yaw.has_turned(vehicle.plant.body.yaw_deg),
             known if command::acts_at_once(known) => true,
             unknown => {
@@ -83,7 +85,7 @@ impl AutoPlan {
             return false;
         };
         let since = *since.get_or_insert(now);
-        let over = now.saturating_sub(since).as_secs() >= u64::from(item.p[0] as u16);
+        let over = now.saturating_sub(since).as_secs() >= u64::from(item.params[0] as u16);
         if over {
             let text = format!("Reached command #{at}");
             vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
@@ -98,7 +100,7 @@ impl AutoPlan {
             self.begin_turning(vehicle, orbit);
             return false;
         }
-        matches!(&vehicle.flight.task, Task::Orbit(orbit) if orbit.turns() >= f64::from(item.p[0]))
+        matches!(&vehicle.flight.task, Task::Orbit(orbit) if orbit.turns() >= f64::from(item.params[0]))
     }
 
     /// Waits for the place, then for the height, which may be passed or reached.

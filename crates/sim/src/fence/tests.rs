@@ -31,7 +31,7 @@ fn item(command: u16, first: f32, (north_m, east_m): (f64, f64)) -> Item {
     let (x, y) = start().at.moved(north_m, east_m).to_e7();
     Item {
         command,
-        p: [first, 0.0, 0.0, 0.0],
+        params: [first, 0.0, 0.0, 0.0],
         x,
         y,
         ..Item::default()
@@ -137,7 +137,7 @@ fn lists_that_make_no_sense_are_found_with_the_vehicles_words() {
     let mut mixed = polygon(5001, &PENTAGON[..3]);
     mixed[1].command = 5002;
     let mut uneven = polygon(5001, &PENTAGON[..3]);
-    uneven[1].p[0] = 4.0;
+    uneven[1].params[0] = 4.0;
     let mut inside = polygon(5001, &PENTAGON[..3]);
     inside[1].command = 5003;
     let mut nowhere = polygon(5001, &PENTAGON[..3]);

@@ -31,6 +31,7 @@ use super::{Peer, Talk, items};
 use crate::mode;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
+use sortie_plan::board;
 
 /// Message ids of the mission protocol.
 const PARTIAL: u32 = MISSION_WRITE_PARTIAL_LIST_DATA::ID;
@@ -125,7 +126,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
                 talk.state(kind).upload = None;
                 talk.ack(kind.number(), MAV_MISSION_OPERATION_CANCELLED);
                 let name = match kind {
-                    ListKind::Mission => "Mission",
+                    ListKind::Plan => "Mission",
                     ListKind::Fence => "Fence",
                     ListKind::Rally => "Rally",
                 };
@@ -179,9 +180,9 @@ impl Talk<'_> {
             self.ack(kind.number(), MAV_MISSION_DENIED);
             return;
         }
-        if usize::from(count) > kind.most() {
+        if usize::from(count) > board::most_items(kind) {
             self.ack(kind.number(), MAV_MISSION_NO_SPACE);
-            let text = format!("Only {} items are supported", kind.most());
+            let text = format!("Only {} items are supported", board::most_items(kind));
             self.autopilot.vehicle.say(MAV_SEVERITY_WARNING, &text);
             return;
         }
@@ -195,7 +196,7 @@ impl Talk<'_> {
         }
         let staged = match kind {
             ListKind::Fence => vec![Item::default(); usize::from(count)],
-            ListKind::Mission | ListKind::Rally => Vec::new(),
+            ListKind::Plan | ListKind::Rally => Vec::new(),
         };
         self.begin(kind, 0..=count - 1, staged);
     }
@@ -211,7 +212,7 @@ impl Talk<'_> {
         }
         let staged = match kind {
             ListKind::Fence => self.autopilot.vehicle.plans.fence.clone(),
-            ListKind::Mission | ListKind::Rally => Vec::new(),
+            ListKind::Plan | ListKind::Rally => Vec::new(),
         };
         self.begin(kind, first..=last, staged);
     }
@@ -226,7 +227,7 @@ impl Talk<'_> {
     fn clear(&mut self, kind: ListKind) {
         let autopilot = &*self.autopilot;
         // A mission that is being flown cannot be cleared.
-        let flown = kind == ListKind::Mission
+        let flown = kind == ListKind::Plan
             && autopilot.vehicle.safety.armed
             && autopilot.vehicle.flight.mode.number == mode::AUTO;
         let cleared = self.state(kind).upload.is_none() && !flown;
@@ -266,7 +267,7 @@ impl Talk<'_> {
         }
         let Some(item) = as_sent(&self.autopilot.vehicle, kind, usize::from(seq)) else {
             let result = match kind {
-                ListKind::Mission => {
+                ListKind::Plan => {
                     self.say_count(kind);
                     MAV_MISSION_ERROR
                 }
@@ -300,7 +301,7 @@ impl Talk<'_> {
             self.ack(travelling.number, MAV_MISSION_UNSUPPORTED);
             return;
         };
-        if kind == ListKind::Mission && guided::is_meant(travelling.current) {
+        if kind == ListKind::Plan && guided::is_meant(travelling.current) {
             let result = guided::go(self.autopilot, &item, travelling.current);
             self.ack(travelling.number, result);
             return;
@@ -347,7 +348,7 @@ impl Talk<'_> {
             result = MAV_MISSION_ERROR;
         }
         self.ack(kind.number(), result);
-        if kind == ListKind::Mission {
+        if kind == ListKind::Plan {
             self.text(MAV_SEVERITY_INFO, "Flight plan received");
         }
     }
@@ -356,27 +357,27 @@ impl Talk<'_> {
     fn store(&mut self, kind: ListKind, seq: u16, item: &Item) -> Result<(), MavMissionResult> {
         let place = usize::from(seq);
         let item = match kind {
-            ListKind::Mission => items::mission_item(item)?,
+            ListKind::Plan => items::kept(kind, item)?,
             ListKind::Fence => {
-                let stored = items::fence_item(item)?;
+                let stored = items::kept(kind, item)?;
                 let upload = self.state(kind).upload.as_mut();
                 let slot = upload.and_then(|upload| upload.staged.get_mut(place));
                 *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = stored;
                 return Ok(());
             }
-            ListKind::Rally => items::rally_item(item)?,
+            ListKind::Rally => items::kept(kind, item)?,
         };
         let upload = self.state(kind).upload.as_ref();
         let announced = upload.map_or(1, Upload::length);
         let length = self.autopilot.vehicle.plans.list(kind).len();
         let in_sight = length.max(announced);
-        if kind == ListKind::Mission && !leads_somewhere(&item, in_sight) {
+        if kind == ListKind::Plan && !leads_somewhere(&item, in_sight) {
             return Err(MAV_MISSION_ERROR);
         }
         let items = self.autopilot.vehicle.plans.list_mut(kind);
         if let Some(slot) = items.get_mut(place) {
             *slot = item;
-        } else if place == length && length < kind.most() {
+        } else if place == length && length < board::most_items(kind) {
             items.push(item);
             announce(self.autopilot, kind);
         } else {

@@ -21,7 +21,7 @@ pub(super) const ESTIMATED_LEN: usize = 1024 * 1024;
 /// The list of a file.
 pub(super) fn kind_of(name: &str) -> Option<ListKind> {
     match name {
-        "mission.dat" => Some(ListKind::Mission),
+        "mission.dat" => Some(ListKind::Plan),
         "fence.dat" => Some(ListKind::Fence),
         "rally.dat" => Some(ListKind::Rally),
         _ => None,
@@ -35,7 +35,7 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     for number in [MAGIC, kind as u16, 0, 0, length as u16] {
         writer = writer.short(number);
     }
-    let to = [u8::from(kind == ListKind::Mission); 2];
+    let to = [u8::from(kind == ListKind::Plan); 2];
     for seq in 0..length {
         if let Some(item) = lists::as_sent(vehicle, kind, seq) {
             let place = whole_place(&item);
@@ -65,14 +65,16 @@ pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bo
         .collect();
     let keep = options & KEEP_THE_REST != 0;
     match kind {
-        ListKind::Mission => take_mission(autopilot, &items, start, keep),
+        ListKind::Plan => take_mission(autopilot, &items, start, keep),
         ListKind::Fence | ListKind::Rally if keep => false,
         ListKind::Fence => {
-            let stored: Result<Vec<_>, _> = items.iter().map(items::fence_item).collect();
+            let stored: Result<Vec<_>, _> =
+                items.iter().map(|item| items::kept(kind, item)).collect();
             stored.is_ok_and(|stored| lists::take_fence(autopilot, stored))
         }
         ListKind::Rally => {
-            let stored: Result<Vec<_>, _> = items.iter().map(items::rally_item).collect();
+            let stored: Result<Vec<_>, _> =
+                items.iter().map(|item| items::kept(kind, item)).collect();
             let Ok(stored) = stored else { return false };
             lists::replace(autopilot, kind, stored)
         }
@@ -86,7 +88,7 @@ fn take_mission(autopilot: &mut Autopilot, items: &[Item], start: usize, keep: b
         Vec::new()
     };
     for (seq, item) in items.iter().enumerate() {
-        let Ok(item) = items::mission_item(item) else {
+        let Ok(item) = items::kept(ListKind::Plan, item) else {
             return false;
         };
         if !leads_somewhere(&item, items.len()) {
@@ -100,5 +102,5 @@ fn take_mission(autopilot: &mut Autopilot, items: &[Item], start: usize, keep: b
             return false;
         }
     }
-    lists::replace(autopilot, ListKind::Mission, mission)
+    lists::replace(autopilot, ListKind::Plan, mission)
 }

@@ -44,7 +44,7 @@ fn any_item() -> impl Strategy<Value = Item> {
         command,
         frame,
         auto_continue: true,
-        p,
+        params: p,
         x,
         y,
         z,
@@ -67,7 +67,7 @@ proptest! {
             prop_assert!(truth.position_ned_m.iter().chain(&truth.velocity_ned_m_s).all(|v| v.is_finite()), "{truth:?}");
             prop_assert!(truth.position_ned_m[2] <= 1e-9, "under ground");
             match round {
-                4 => ground.autopilot().plans_changed(ListKind::Mission),
+                4 => ground.autopilot().plans_changed(ListKind::Plan),
                 6 => { ground.with_plan(|plan, vehicle| plan.set_item(vehicle, set)); }
                 8 => { ground.with_plan(|plan, vehicle| plan.pause(vehicle, true)); }
                 9 => { ground.with_plan(|plan, vehicle| plan.pause(vehicle, false)); }

@@ -70,7 +70,7 @@ fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     assert_eq!(ground.current(), (3, 10, 3, 1));
     ground.run(0.07);
     ground.news();
-    ground.autopilot().plans_changed(ListKind::Mission);
+    ground.autopilot().plans_changed(ListKind::Plan);
     ground.step();
     assert_eq!(
         ground.news(),
@@ -341,7 +341,7 @@ fn speeds_change_on_the_way_and_what_cannot_be_flown_is_skipped() {
     );
     ground.run(4.0);
     ground.autopilot().vehicle.plans.mission.clear();
-    ground.autopilot().plans_changed(ListKind::Mission);
+    ground.autopilot().plans_changed(ListKind::Plan);
     ground.step();
     assert_eq!(
         ground.news(),

@@ -325,7 +325,7 @@ fn the_message_that_sets_an_item_is_answered_with_the_item_that_was_asked() {
 fn an_emptied_mission_is_forgotten_and_a_shortened_one_cannot_be_restarted() {
     let mut ground = under_way(&short());
     ground.autopilot().vehicle.plans.mission.truncate(2);
-    ground.autopilot().plans_changed(ListKind::Mission);
+    ground.autopilot().plans_changed(ListKind::Plan);
     ground.step();
     assert_eq!(
         ground.news(),
@@ -334,7 +334,7 @@ fn an_emptied_mission_is_forgotten_and_a_shortened_one_cannot_be_restarted() {
     let mut ground = ready_with(&short());
     ground.set_current(2);
     ground.autopilot().vehicle.plans.mission.clear();
-    ground.autopilot().plans_changed(ListKind::Mission);
+    ground.autopilot().plans_changed(ListKind::Plan);
     assert_eq!(ground.current(), (0, 0, 1, 0));
 }
 

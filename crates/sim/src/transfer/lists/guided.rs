@@ -10,7 +10,7 @@ use crate::cmd;
 use crate::guided::{self, Setpoint, TargetPoint};
 use crate::mask::POSITION_ONLY;
 use crate::mode;
-use crate::plan::Item;
+use crate::plan::{Item, ListKind};
 use crate::transfer::items;
 use sortie_geo::LatLon;
 
@@ -25,7 +25,7 @@ pub(super) fn is_meant(current: u8) -> bool {
 
 /// Flies to an item in GUIDED. A copter accepts a change of height without effect.
 pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMissionResult {
-    let item = match items::mission_item(item) {
+    let item = match items::kept(ListKind::Plan, item) {
         Ok(item) => item,
         Err(reason) => return reason,
     };

@@ -4,14 +4,15 @@ use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVE
 
 use crate::autopilot::Autopilot;
 use crate::cmd;
-use crate::fence::Fence;
+use crate::fence::{Fence, severity};
 use crate::plan::{Item, ListKind};
 use crate::transfer::fence;
 use crate::vehicle::Vehicle;
+use sortie_plan::board;
 
 /// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
 pub(in crate::transfer) fn as_sent(vehicle: &Vehicle, kind: ListKind, seq: usize) -> Option<Item> {
-    if kind == ListKind::Mission && seq == 0 {
+    if kind == ListKind::Plan && seq == 0 {
         return Some(home(vehicle));
     }
     vehicle.plans.list(kind).get(seq).copied()
@@ -23,7 +24,7 @@ pub(in crate::transfer) fn replace(
     kind: ListKind,
     items: Vec<Item>,
 ) -> bool {
-    if items.len() > kind.most() {
+    if items.len() > board::most_items(kind) {
         return false;
     }
     *autopilot.vehicle.plans.list_mut(kind) = items;
@@ -35,13 +36,13 @@ pub(in crate::transfer) fn replace(
 /// Accepts a complete fence, or reports why not.
 pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
     if let Err(error) = Fence::check(&items) {
-        autopilot.vehicle.say(error.severity(), &error.to_string());
+        autopilot.vehicle.say(severity(error), &error.to_string());
         autopilot
             .vehicle
             .say(MAV_SEVERITY_WARNING, "Fence validation failed");
         return false;
     }
-    if !fence::fits(&items) {
+    if board::fence_bytes(&items) > board::FENCE_STORAGE {
         autopilot
             .vehicle
             .say(MAV_SEVERITY_WARNING, "Fence exceeds storage size");
@@ -55,15 +56,14 @@ pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item
 
 /// Whether an item is valid in a mission of that length: jumps must lead to an existing item.
 pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
-    let target = item.p[0] as usize;
-    item.command != cmd::DO_JUMP || (target != 0 && target < items)
+    board::wrong_jump(item, items).is_none()
 }
 
 /// Updates the parameters with the lengths of the lists.
 pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
     let length = autopilot.vehicle.plans.list(kind).len() as f32;
     let (name, total) = match kind {
-        ListKind::Mission => ("MIS_TOTAL", length),
+        ListKind::Plan => ("MIS_TOTAL", length),
         ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.vehicle.plans.fence)),
         ListKind::Rally => ("RALLY_TOTAL", length),
     };

@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult;
 
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
-use crate::transfer::items;
+use sortie_plan::board;
 
 /// An item as it is sent in a message.
 pub(super) struct Travelling {
@@ -31,7 +31,7 @@ pub(in crate::transfer) fn item_at(payload: &Payload, at: usize) -> Item {
         command: payload.short(at + 30),
         frame: payload.byte(at + 34),
         auto_continue: payload.byte(at + 36) != 0,
-        p: [0, 4, 8, 12].map(|place| payload.float(at + place)),
+        params: [0, 4, 8, 12].map(|place| payload.float(at + place)),
         x: payload.word(at + 16) as i32,
         y: payload.word(at + 20) as i32,
         z: payload.float(at + 24),
@@ -47,7 +47,7 @@ pub(in crate::transfer) fn laid_out(
     place: [u8; 8],
 ) -> Vec<u8> {
     let writer = item
-        .p
+        .params
         .iter()
         .fold(Writer::default(), |writer, value| writer.float(*value));
     writer
@@ -70,7 +70,7 @@ pub(in crate::transfer) fn whole_place(item: &Item) -> [u8; 8] {
 
 /// The place of an item as two floats: degrees, or the bare numbers.
 pub(super) fn float_place(item: &Item) -> [u8; 8] {
-    let scale = if items::has_place(item.command) {
+    let scale = if board::has_place(item.command) {
         1e-7
     } else {
         1.0
@@ -84,7 +84,7 @@ pub(super) fn float_place(item: &Item) -> [u8; 8] {
 /// Converts floats sent in place of integers.
 pub(super) fn read_floats(item: &mut Item) -> Result<(), MavMissionResult> {
     let (x, y) = (f32::from_bits(item.x as u32), f32::from_bits(item.y as u32));
-    if !items::has_place(item.command) {
+    if !board::has_place(item.command) {
         (item.x, item.y) = (x as i32, y as i32);
         return Ok(());
     }

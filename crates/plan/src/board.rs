@@ -1,0 +1,402 @@
+//! ArduPilot's rules for the items of a list, and the stored form of an item: storage is small, and parts that do not
+//! fit are truncated or dropped, and a download shows the item as it will be flown. The simulator follows these rules,
+//! and a check says beforehand what they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of
+//! ArduCopter 4.6.
+
+use std::ops::RangeInclusive;
+
+use sortie_geo::LatLon;
+
+use crate::{HeightFrame, Item, ListKind, command};
+
+const SEA_LEVEL: u8 = 0;
+const MISSION: u8 = 2;
+const ABOVE_HOME: u8 = 3;
+const ABOVE_TERRAIN: u8 = 10;
+
+/// Why the vehicle refuses an item.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Refusal {
+    /// A command that no list takes.
+    #[error("invalid command")]
+    Invalid,
+    /// A command that the vehicle does not know, or that does not belong in the list.
+    #[error("unsupported command")]
+    Command,
+    /// A frame that the vehicle does not know.
+    #[error("unsupported frame")]
+    Frame,
+    /// A parameter, from 1 to 7, that is infinite, not set or out of range.
+    #[error("invalid parameter {0}")]
+    Parameter(u8),
+}
+
+/// The largest number of items of a list; home is one of the plan's.
+pub const fn most_items(kind: ListKind) -> usize {
+    match kind {
+        ListKind::Plan => 650,
+        ListKind::Fence => 70,
+        ListKind::Rally => 46,
+    }
+}
+
+/// Bytes of storage for fences.
+pub const FENCE_STORAGE: usize = 560;
+
+/// The bytes that a fence takes in the vehicle's storage, of [`FENCE_STORAGE`].
+pub fn fence_bytes(items: &[Item]) -> usize {
+    let mut needed = 4;
+    let mut rest = items;
+    while let Some(item) = rest.first() {
+        let (bytes, length) = if command::is_corner(item.command) {
+            let corners = usize::from(item.params[0] as u8);
+            (2 + 8 * corners, corners.max(1))
+        } else if command::is_circle(item.command) {
+            (13, 1)
+        } else {
+            (9, 1)
+        };
+        needed += bytes;
+        rest = rest.get(length..).unwrap_or_default();
+    }
+    needed
+}
+
+/// The target of a jump, if it leads to no item of a plan; `items` is their number, with home.
+pub fn wrong_jump(item: &Item, items: usize) -> Option<usize> {
+    let target = item.params[0] as usize;
+    let is_wrong = item.command == command::DO_JUMP && (target == 0 || target >= items);
+    is_wrong.then_some(target)
+}
+
+/// Altitudes of this many metres and more do not fit.
+const ALTITUDE_LIMIT_M: f32 = 83_000.0;
+
+/// Numbers that the vehicle uses internally and refuses in items.
+const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
+
+/// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and `b` as an unsigned and
+/// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `L` as part of a place, and
+/// four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
+/// The third value is the name in MAVLink, without `MAV_CMD_`.
+const COMMANDS: &[(u16, &[u8; 7], &str)] = &[
+    (command::WAYPOINT, b"H...LLL", "NAV_WAYPOINT"),
+    (command::LOITER_UNLIMITED, b"..s.LLL", "NAV_LOITER_UNLIM"),
+    (command::LOITER_TURNS, b"t.roLLL", "NAV_LOITER_TURNS"),
+    (command::LOITER_TIME, b"H.doLLL", "NAV_LOITER_TIME"),
+    (
+        command::RETURN_TO_LAUNCH,
+        b".......",
+        "NAV_RETURN_TO_LAUNCH",
+    ),
+    (command::LAND, b"H..dLLL", "NAV_LAND"),
+    (command::TAKEOFF, b"H...LLL", "NAV_TAKEOFF"),
+    (30, b"H...LLL", "NAV_CONTINUE_AND_CHANGE_ALT"),
+    (command::LOITER_TO_ALTITUDE, b".s.oLLL", "NAV_LOITER_TO_ALT"),
+    (command::SPLINE_WAYPOINT, b"H...LLL", "NAV_SPLINE_WAYPOINT"),
+    (83, b"ffB....", "NAV_ALTITUDE_WAIT"),
+    (command::VTOL_TAKEOFF, b"....LLL", "NAV_VTOL_TAKEOFF"),
+    (command::VTOL_LAND, b"H...LLL", "NAV_VTOL_LAND"),
+    (92, b"H...LLL", "NAV_GUIDED_ENABLE"),
+    (command::DELAY, b"fbbb...", "NAV_DELAY"),
+    (command::PAYLOAD_PLACE, b"c...LLL", "NAV_PAYLOAD_PLACE"),
+    (112, b"f......", "CONDITION_DELAY"),
+    (114, b"f......", "CONDITION_DISTANCE"),
+    (115, b"ffbB...", "CONDITION_YAW"),
+    (command::DO_JUMP, b"Hh.....", "DO_JUMP"),
+    (command::DO_CHANGE_SPEED, b"Bff....", "DO_CHANGE_SPEED"),
+    (command::DO_SET_HOME, b"H...LLL", "DO_SET_HOME"),
+    (181, b"BB.....", "DO_SET_RELAY"),
+    (182, b"Bhf....", "DO_REPEAT_RELAY"),
+    (183, b"BH.....", "DO_SET_SERVO"),
+    (184, b"BHhf...", "DO_REPEAT_SERVO"),
+    (
+        command::DO_RETURN_PATH_START,
+        b"....LLL",
+        "DO_RETURN_PATH_START",
+    ),
+    (command::DO_LAND_START, b"....LLL", "DO_LAND_START"),
+    (191, b"....LLL", "DO_GO_AROUND"),
+    (193, b"H......", "DO_PAUSE_CONTINUE"),
+    (194, b"H......", "DO_SET_REVERSE"),
+    (command::DO_SET_ROI, b"H...LLL", "DO_SET_ROI"),
+    (202, b"BHBHBBf", "DO_DIGICAM_CONFIGURE"),
+    (203, b"BBbBBB.", "DO_DIGICAM_CONTROL"),
+    (205, b"fff....", "DO_MOUNT_CONTROL"),
+    (206, b"f.B....", "DO_SET_CAM_TRIGG_DIST"),
+    (207, b"H......", "DO_FENCE_ENABLE"),
+    (208, b"H......", "DO_PARACHUTE"),
+    (210, b"H......", "DO_INVERTED_FLIGHT"),
+    (211, b"BB.....", "DO_GRIPPER"),
+    (212, b"H......", "DO_AUTOTUNE_ENABLE"),
+    (213, b"ffB....", "NAV_SET_YAW_SPEED"),
+    (215, b"H......", "DO_SET_RESUME_REPEAT_DIST"),
+    (216, b"H......", "DO_SPRAYER"),
+    (217, b"Hfff...", "DO_SEND_SCRIPT_MESSAGE"),
+    (218, b"HB.....", "DO_AUX_FUNCTION"),
+    (222, b"Hfff...", "DO_GUIDED_LIMITS"),
+    (223, b"ooco...", "DO_ENGINE_CONTROL"),
+    (531, b"Bf.....", "SET_CAMERA_ZOOM"),
+    (532, b"Bf.....", "SET_CAMERA_FOCUS"),
+    (534, b"BBB....", "SET_CAMERA_SOURCE"),
+    (command::JUMP_TAG, b"H......", "JUMP_TAG"),
+    (command::DO_JUMP_TAG, b"Hh.....", "DO_JUMP_TAG"),
+    (1000, b"bhbbB.B", "DO_GIMBAL_MANAGER_PITCHYAW"),
+    (2000, b"BfHH...", "IMAGE_START_CAPTURE"),
+    (2001, b"H......", "IMAGE_STOP_CAPTURE"),
+    (2500, b"B......", "VIDEO_START_CAPTURE"),
+    (2501, b"B......", "VIDEO_STOP_CAPTURE"),
+    (3000, b"B......", "DO_VTOL_TRANSITION"),
+    (42600, b"BBff...", "DO_WINCH"),
+    (42702, b"BBffhh.", "NAV_SCRIPT_TIME"),
+    (42703, b"Hhbhh..", "NAV_ATTITUDE_TIME"),
+];
+
+fn letters(command: u16) -> Option<&'static [u8; 7]> {
+    let at = COMMANDS
+        .binary_search_by_key(&command, |(number, ..)| *number)
+        .ok()?;
+    COMMANDS.get(at).map(|(_, letters, _)| *letters)
+}
+
+/// The name of a command that plans may have, as MAVLink spells it, without `MAV_CMD_`.
+pub fn name(command: u16) -> Option<&'static str> {
+    let at = COMMANDS
+        .binary_search_by_key(&command, |(number, ..)| *number)
+        .ok()?;
+    COMMANDS.get(at).map(|(.., name)| *name)
+}
+
+/// Whether the vehicle keeps the command's fifth and sixth parameters as a latitude and a longitude.
+pub fn has_place(command: u16) -> bool {
+    letters(command).is_some_and(|kept| kept[4] == b'L')
+}
+
+/// The item of a mission as the vehicle keeps it, or the reason to refuse it.
+///
+/// # Errors
+/// The reason.
+pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
+    check_numbers(item)?;
+    if NEVER_COMMANDS.contains(&item.command) {
+        return Err(Refusal::Invalid);
+    }
+    let kept = letters(item.command).ok_or(Refusal::Command)?;
+    let mut stored = Item {
+        command: item.command,
+        auto_continue: true,
+        ..Item::default()
+    };
+    for (place, value) in item.params.iter().enumerate() {
+        stored.params[place] = shortened(kept[place], *value);
+    }
+    if kept[4] == b'L' {
+        check_place(item)?;
+        if item.z.is_nan() || item.z.abs() >= ALTITUDE_LIMIT_M {
+            return Err(Refusal::Parameter(7));
+        }
+        stored.x = item.x;
+        stored.y = item.y;
+        stored.z = (item.z * 100.0).trunc() * 0.01;
+        stored.frame = match item.frame {
+            MISSION => SEA_LEVEL,
+            other => height_frame(other)?,
+        };
+    } else {
+        stored.x = shortened(kept[4], item.x as f32) as i32;
+        stored.y = shortened(kept[5], item.y as f32) as i32;
+        stored.z = shortened(kept[6], item.z);
+    }
+    Ok(stored)
+}
+
+/// A rally point as the vehicle keeps it, or the reason to refuse it.
+///
+/// # Errors
+/// The reason.
+pub fn rally_item(item: &Item) -> Result<Item, Refusal> {
+    if item.command != command::RALLY_POINT {
+        return Err(Refusal::Command);
+    }
+    check_place(item)?;
+    // Whole metres in 16 bits.
+    if item.z.is_nan() || item.z < f32::from(i16::MIN) || item.z > f32::from(i16::MAX) {
+        return Err(Refusal::Parameter(7));
+    }
+    Ok(Item {
+        command: item.command,
+        frame: height_frame(item.frame)?,
+        x: item.x,
+        y: item.y,
+        z: item.z.trunc(),
+        ..Item::default()
+    })
+}
+
+/// A corner, circle or return point of a fence as the vehicle keeps it, or the reason to refuse it. The fence as a
+/// whole is checked when it is complete.
+///
+/// # Errors
+/// The reason.
+pub fn fence_item(item: &Item) -> Result<Item, Refusal> {
+    height_frame(item.frame)?;
+    let first = match item.command {
+        command::FENCE_POLYGON_INCLUSION | command::FENCE_POLYGON_EXCLUSION => {
+            f32::from(item.params[0] as u8)
+        }
+        // Radii close to whole metres are kept as whole metres.
+        command::FENCE_CIRCLE_INCLUSION | command::FENCE_CIRCLE_EXCLUSION
+            if item.params[0].fract() < 0.001 =>
+        {
+            item.params[0].trunc()
+        }
+        command::FENCE_CIRCLE_INCLUSION | command::FENCE_CIRCLE_EXCLUSION => item.params[0],
+        command::FENCE_RETURN_POINT => 0.0,
+        _ => return Err(Refusal::Command),
+    };
+    Ok(Item {
+        command: item.command,
+        params: [first, 0.0, 0.0, 0.0],
+        x: item.x,
+        y: item.y,
+        ..Item::default()
+    })
+}
+
+fn check_place(item: &Item) -> Result<(), Refusal> {
+    if !LatLon::from_e7(item.x, 0).is_valid() {
+        return Err(Refusal::Parameter(5));
+    }
+    if !LatLon::from_e7(0, item.y).is_valid() {
+        return Err(Refusal::Parameter(6));
+    }
+    Ok(())
+}
+
+/// Refuses infinite parameters, and NaN except where it means "as it is".
+fn check_numbers(item: &Item) -> Result<(), Refusal> {
+    let may_be_nan: &[usize] = match item.command {
+        command::WAYPOINT | command::LAND | command::TAKEOFF | command::VTOL_TAKEOFF => &[3],
+        command::VTOL_LAND => &[2, 3],
+        _ => &[],
+    };
+    let reasons = [
+        Refusal::Parameter(1),
+        Refusal::Parameter(2),
+        Refusal::Parameter(3),
+        Refusal::Parameter(4),
+    ];
+    for (place, reason) in reasons.into_iter().enumerate() {
+        let value = item.params[place];
+        if value.is_infinite() || (value.is_nan() && !may_be_nan.contains(&place)) {
+            return Err(reason);
+        }
+    }
+    Ok(())
+}
+
+/// The frame as it appears in a download: sea level, home, terrain.
+fn height_frame(frame: u8) -> Result<u8, Refusal> {
+    match HeightFrame::of(frame) {
+        HeightFrame::SeaLevel => Ok(SEA_LEVEL),
+        HeightFrame::Home => Ok(ABOVE_HOME),
+        HeightFrame::Terrain => Ok(ABOVE_TERRAIN),
+        HeightFrame::Other => Err(Refusal::Frame),
+    }
+}
+
+fn shortened(letter: u8, value: f32) -> f32 {
+    let direction = if value < 0.0 { -1.0 } else { 1.0 };
+    match letter {
+        b't' if value > 0.0 && value < 1.0 => (value * 256.0).trunc() / 256.0,
+        b'B' | b't' => f32::from(value as u8),
+        b'b' => f32::from(value as i8),
+        b'H' => f32::from(value as u16),
+        b'h' => f32::from(value as i16),
+        b'f' if value.is_finite() => value,
+        b'c' => f32::from((value * 100.0) as u16) / 100.0,
+        b'o' => f32::from(u8::from(value > 0.0)),
+        b'r' if value.abs() <= 255.0 => direction * value.abs().trunc(),
+        b'r' => direction * 10.0 * f32::from((value.abs() * 0.1) as u8),
+        b's' => direction * f32::from(value.abs() as u16),
+        b'd' => direction,
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn item(command: u16, p: [f32; 4]) -> Item {
+        Item {
+            command,
+            frame: ABOVE_HOME,
+            params: p,
+            x: -353_632_620,
+            y: 1_491_652_370,
+            z: 20.25,
+            ..Item::default()
+        }
+    }
+
+    #[test]
+    fn the_commands_are_sorted() {
+        assert!(COMMANDS.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+
+    #[test]
+    fn parameters_are_kept_as_the_storage_allows() {
+        for (command, sent, kept) in [
+            (16, [3.9, 5.0, 6.0, f32::NAN], [3.0, 0.0, 0.0, 0.0]),
+            (18, [0.5, 0.0, -80.0, 1.0], [0.5, 0.0, -80.0, 1.0]),
+            (18, [3.0, 0.0, 777.0, 0.0], [3.0, 0.0, 770.0, 0.0]),
+            (19, [30.0, 0.0, 0.0, 0.0], [30.0, 0.0, 1.0, 0.0]),
+            (21, [0.0, 0.0, 0.0, f32::NAN], [0.0, 0.0, 0.0, 1.0]),
+            (93, [5.0, -1.0, -1.0, -1.0], [5.0, -1.0, -1.0, -1.0]),
+            (177, [2.0, -1.0, 0.0, 0.0], [2.0, -1.0, 0.0, 0.0]),
+            (178, [1.0, 4.5, -1.0, 9.0], [1.0, 4.5, -1.0, 0.0]),
+            (183, [9.0, 1700.0, 0.0, 0.0], [9.0, 1700.0, 0.0, 0.0]),
+        ] {
+            let stored = plan_item(&item(command, sent)).expect("known");
+            let stored = stored.params.map(f32::to_bits);
+            assert_eq!(stored, kept.map(f32::to_bits), "command {command}");
+        }
+    }
+
+    #[test]
+    fn places_are_kept_only_by_commands_that_have_one() {
+        let waypoint = plan_item(&item(16, [0.0; 4])).expect("known");
+        assert_eq!((waypoint.frame, waypoint.x), (3, -353_632_620));
+        assert!((waypoint.z - 20.25).abs() < 0.011);
+        let home = plan_item(&item(20, [0.0; 4])).expect("known");
+        assert_eq!((home.frame, home.x, home.y), (0, 0, 0));
+    }
+
+    #[test]
+    fn what_cannot_be_kept_is_refused_with_its_reason() {
+        let far = Item {
+            x: 910_000_000,
+            ..item(16, [0.0; 4])
+        };
+        let frame = Item {
+            frame: 12,
+            ..item(16, [0.0; 4])
+        };
+        let nan = Item {
+            z: f32::NAN,
+            ..item(16, [0.0; 4])
+        };
+        for (bad, reason) in [
+            (item(31_010, [0.0; 4]), Refusal::Command),
+            (item(195, [0.0; 4]), Refusal::Command),
+            (item(1, [0.0; 4]), Refusal::Invalid),
+            (item(16, [f32::NAN, 0.0, 0.0, 0.0]), Refusal::Parameter(1)),
+            (far, Refusal::Parameter(5)),
+            (frame, Refusal::Frame),
+            (nan, Refusal::Parameter(7)),
+        ] {
+            assert_eq!(plan_item(&bad), Err(reason), "{bad:?}");
+        }
+    }
+}

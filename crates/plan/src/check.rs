@@ -1,0 +1,313 @@
+//! What is wrong with a document by the rules of the vehicle that is to fly it.
+
+use crate::areas::FenceError;
+use crate::board::{self, Refusal};
+use crate::{Document, HeightFrame, Item, ListKind, command};
+
+mod flight;
+mod place;
+
+/// The kind of vehicle, which decides what commands it flies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum VehicleKind {
+    /// Multicopters and helicopters.
+    #[default]
+    Copter,
+    /// Fixed wings, also with VTOL.
+    Plane,
+    /// Ground vehicles and boats.
+    Rover,
+}
+
+impl VehicleKind {
+    /// The kind of a `MAV_TYPE`, if it is one of these.
+    pub const fn of_mav_type(number: u8) -> Option<Self> {
+        match number {
+            2..=4 | 13..=15 | 29 | 35 => Some(Self::Copter),
+            1 | 16 | 19..=25 => Some(Self::Plane),
+            10 | 11 => Some(Self::Rover),
+            _ => None,
+        }
+    }
+
+    /// Whether this kind carries out a command of a plan. Others are accepted by an upload and skipped in flight.
+    /// Source: `start_command` of ArduPilot 4.6's vehicles.
+    const fn flies(self, number: u16) -> bool {
+        match number {
+            // CONTINUE_AND_CHANGE_ALT, ALTITUDE_WAIT, GO_AROUND, INVERTED_FLIGHT, VTOL_TRANSITION.
+            30 | 83 | 191 | 210 | 3000 => matches!(self, Self::Plane),
+            // SPLINE_WAYPOINT, WINCH.
+            82 | 42_600 => matches!(self, Self::Copter),
+            // LOITER_TO_ALT, VTOL_TAKEOFF, VTOL_LAND, PAYLOAD_PLACE.
+            22 | 31 | 84 | 85 | 94 => matches!(self, Self::Copter | Self::Plane),
+            // GUIDED_ENABLE.
+            92 => matches!(self, Self::Copter | Self::Rover),
+            // SET_YAW_SPEED, SET_REVERSE.
+            213 => matches!(self, Self::Rover),
+            194 => matches!(self, Self::Plane | Self::Rover),
+            // LAND.
+            21 => !matches!(self, Self::Rover),
+            _ => true,
+        }
+    }
+
+    const fn flies_above_ground(self) -> bool {
+        !matches!(self, Self::Rover)
+    }
+}
+
+/// What is known about the vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct CheckOptions {
+    /// Its kind; `None`: the kind that the file names, or a copter.
+    pub vehicle: Option<VehicleKind>,
+    /// `FENCE_ALT_MAX` in metres above home, where that fence is on.
+    pub ceiling_m: Option<f32>,
+    /// `FENCE_RADIUS` in metres from home, where that fence is on.
+    pub radius_m: Option<f32>,
+    /// Whether the vehicle has terrain data there.
+    pub has_terrain: bool,
+}
+
+/// How grave a finding is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// It may be meant.
+    Warning,
+    /// The vehicle refuses the list, or the flight cannot go as planned.
+    Error,
+}
+
+/// Something that is wrong, or may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finding {
+    /// The list.
+    pub list: ListKind,
+    /// The item, counted from 0; `None`: the list as a whole.
+    pub item: Option<usize>,
+    /// What it is.
+    pub kind: FindingKind,
+}
+
+/// A height with its reference.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Height {
+    /// In metres.
+    pub metres: f32,
+    /// Above this.
+    pub frame: HeightFrame,
+}
+
+/// The kinds of findings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FindingKind {
+    /// The vehicle refuses the item.
+    Refused {
+        /// Its command.
+        command: u16,
+        /// The reason.
+        reason: Refusal,
+    },
+    /// The vehicle accepts the command and skips it in flight.
+    Skipped {
+        /// The command.
+        command: u16,
+        /// The kind of vehicle that skips it.
+        vehicle: VehicleKind,
+    },
+    /// More items than the vehicle keeps, with home.
+    TooMany {
+        /// In the list.
+        count: usize,
+        /// On board.
+        most: usize,
+    },
+    /// A jump that leads to no item.
+    JumpNowhere {
+        /// The number of the item that it names.
+        target: usize,
+        /// The number of the last item.
+        last: usize,
+    },
+    /// A jump to itself, or in a ring without an item to fly: the vehicle ends the plan there.
+    JumpRing,
+    /// A jump to a tag that no item has.
+    NoTag(u16),
+    /// The fence is not valid.
+    Fence(FenceError),
+    /// The fence takes more bytes than the vehicle has for it.
+    FenceTooLarge {
+        /// What it takes.
+        bytes: usize,
+        /// What there is.
+        most: usize,
+    },
+    /// The place lies outside an area to stay in, or inside one to stay out of.
+    BreaksFence {
+        /// The area, counted from 0.
+        area: usize,
+    },
+    /// The leg to the item crosses an area, though both its ends are allowed.
+    LegBreaksFence {
+        /// The area, counted from 0.
+        area: usize,
+    },
+    /// The place is farther from home than `FENCE_RADIUS`.
+    BeyondRadius {
+        /// From home, in metres.
+        distance_m: f32,
+        /// The limit, in metres.
+        most_m: f32,
+    },
+    /// The height is above `FENCE_ALT_MAX`.
+    AboveCeiling {
+        /// Above home, in metres.
+        height_m: f32,
+        /// The limit, in metres.
+        most_m: f32,
+    },
+    /// Home breaks the fence.
+    HomeBreaksFence {
+        /// The area, counted from 0.
+        area: usize,
+    },
+    /// No takeoff before the first place to fly to: a vehicle on the ground does not leave it.
+    NoTakeoff,
+    /// The plan does not end with a landing, a return or a stay: a copter hovers where it ends until the battery is empty.
+    NoEnd,
+    /// Items that are never reached, behind an end or a jump without end.
+    Unreached,
+    /// A height above terrain, and the vehicle has no terrain data.
+    NoTerrain,
+    /// The heights of this item and of the one before are measured from different references.
+    MixedFrames {
+        /// The height before.
+        before: Height,
+        /// The height of this item.
+        here: Height,
+        /// Both above home, if the height of home tells.
+        above_home_m: Option<[f32; 2]>,
+    },
+    /// The item is below home, or at its height, where the vehicle should fly.
+    LowHeight {
+        /// Above home, in metres.
+        height_m: f32,
+    },
+    /// The place is far from home, which is often a wrong sign or two numbers that changed places.
+    FarAway {
+        /// From home, in metres.
+        distance_m: f32,
+    },
+}
+
+impl FindingKind {
+    /// How grave it is.
+    pub const fn severity(&self) -> Severity {
+        match self {
+            Self::Refused { .. }
+            | Self::TooMany { .. }
+            | Self::JumpNowhere { .. }
+            | Self::JumpRing
+            | Self::NoTag(_)
+            | Self::Fence(_)
+            | Self::FenceTooLarge { .. }
+            | Self::BreaksFence { .. }
+            | Self::LegBreaksFence { .. }
+            | Self::BeyondRadius { .. }
+            | Self::AboveCeiling { .. }
+            | Self::HomeBreaksFence { .. }
+            | Self::NoTerrain => Severity::Error,
+            Self::Skipped { .. }
+            | Self::NoTakeoff
+            | Self::NoEnd
+            | Self::Unreached
+            | Self::MixedFrames { .. }
+            | Self::LowHeight { .. }
+            | Self::FarAway { .. } => Severity::Warning,
+        }
+    }
+}
+
+impl Finding {
+    /// How grave it is.
+    pub const fn severity(&self) -> Severity {
+        self.kind.severity()
+    }
+}
+
+/// All findings, in the order of the lists and their items.
+pub fn check(document: &Document, options: &CheckOptions) -> Vec<Finding> {
+    let named = document
+        .origin
+        .and_then(|origin| VehicleKind::of_mav_type(origin.vehicle));
+    let vehicle = options.vehicle.or(named).unwrap_or_default();
+    let mut findings = Vec::new();
+    for kind in ListKind::ALL {
+        check_items(document, kind, vehicle, &mut findings);
+    }
+    flight::check(&document.plan, vehicle, &mut findings);
+    place::check(document, vehicle, options, &mut findings);
+    findings.sort_by_key(|finding| (finding.list, finding.item));
+    findings
+}
+
+/// What the upload of a list would answer.
+fn check_items(
+    document: &Document,
+    kind: ListKind,
+    vehicle: VehicleKind,
+    findings: &mut Vec<Finding>,
+) {
+    let items = document.list(kind);
+    let mut add = |item, what| {
+        findings.push(Finding {
+            list: kind,
+            item,
+            kind: what,
+        });
+    };
+    let count = items.len() + usize::from(kind == ListKind::Plan);
+    let most = board::most_items(kind);
+    if count > most {
+        add(None, FindingKind::TooMany { count, most });
+    }
+    for (index, item) in items.iter().enumerate() {
+        let kept = match kind {
+            ListKind::Plan => board::plan_item(item),
+            ListKind::Fence => board::fence_item(item),
+            ListKind::Rally => board::rally_item(item),
+        };
+        let command = item.command;
+        match kept {
+            Err(reason) => add(Some(index), FindingKind::Refused { command, reason }),
+            Ok(_) if kind == ListKind::Plan && !vehicle.flies(command) => {
+                add(Some(index), FindingKind::Skipped { command, vehicle });
+            }
+            Ok(_) => {}
+        }
+    }
+    if kind == ListKind::Fence {
+        let bytes = board::fence_bytes(items);
+        if let Err((index, error)) = crate::Fence::check(items) {
+            add(Some(index), FindingKind::Fence(error));
+        } else if bytes > board::FENCE_STORAGE {
+            let most = board::FENCE_STORAGE;
+            add(None, FindingKind::FenceTooLarge { bytes, most });
+        }
+    }
+}
+
+fn plan_finding(item: usize, kind: FindingKind) -> Finding {
+    Finding {
+        list: ListKind::Plan,
+        item: Some(item),
+        kind,
+    }
+}
+
+fn is_jump(item: &Item) -> bool {
+    matches!(item.command, command::DO_JUMP | command::DO_JUMP_TAG)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,112 @@
+//! The order of a plan: jumps, the takeoff, the end.
+
+use super::{Finding, FindingKind, VehicleKind, is_jump, plan_finding};
+use crate::{Item, ListKind, board, command};
+
+pub(super) fn check(items: &[Item], vehicle: VehicleKind, findings: &mut Vec<Finding>) {
+    if items.is_empty() {
+        return;
+    }
+    for (index, item) in items.iter().enumerate() {
+        let kind = jump_fault(items, index, item);
+        findings.extend(kind.map(|kind| plan_finding(index, kind)));
+    }
+    let whole = |kind| Finding {
+        list: ListKind::Plan,
+        item: None,
+        kind,
+    };
+    let first = items
+        .iter()
+        .find(|item| command::is_takeoff(item.command) || command::is_flown_to(item.command));
+    let lifts = first.is_none_or(|item| command::is_takeoff(item.command));
+    if vehicle.flies_above_ground() && !lifts {
+        findings.push(whole(FindingKind::NoTakeoff));
+    }
+    let reached = reached(items);
+    if reached.ends_openly && vehicle.flies_above_ground() {
+        findings.push(whole(FindingKind::NoEnd));
+    }
+    if let Some(index) = reached.seen.iter().position(|seen| !seen) {
+        findings.push(plan_finding(index, FindingKind::Unreached));
+    }
+}
+
+/// The place in the list to which a jump leads.
+fn target(items: &[Item], item: &Item) -> Option<usize> {
+    match item.command {
+        command::DO_JUMP => {
+            let number = item.params[0] as usize;
+            (1..=items.len()).contains(&number).then(|| number - 1)
+        }
+        command::DO_JUMP_TAG => {
+            let tag = item.params[0] as u16;
+            let has_tag = |it: &Item| it.command == command::JUMP_TAG && it.params[0] as u16 == tag;
+            items.iter().position(has_tag)
+        }
+        _ => None,
+    }
+}
+
+fn jump_fault(items: &[Item], index: usize, item: &Item) -> Option<FindingKind> {
+    let last = items.len();
+    if let Some(target) = board::wrong_jump(item, last + 1) {
+        return Some(FindingKind::JumpNowhere { target, last });
+    }
+    if !is_jump(item) {
+        return None;
+    }
+    let Some(mut at) = target(items, item) else {
+        return Some(FindingKind::NoTag(item.params[0] as u16));
+    };
+    // Only a chain of jumps comes back without anything to fly.
+    for _ in 0..items.len() {
+        if at == index {
+            return Some(FindingKind::JumpRing);
+        }
+        match items
+            .get(at)
+            .filter(|item| is_jump(item))
+            .and_then(|item| target(items, item))
+        {
+            Some(next) => at = next,
+            None => return None,
+        }
+    }
+    None
+}
+
+struct Reached {
+    seen: Vec<bool>,
+    /// Whether the vehicle can come to the end of the list in flight.
+    ends_openly: bool,
+}
+
+/// Follows a plan by every way that jumps allow.
+fn reached(items: &[Item]) -> Reached {
+    let mut seen = vec![false; items.len()];
+    let mut ends_openly = false;
+    let mut left = vec![0];
+    // Landings of other vehicles' plans go on with the next item: only a return ends for sure.
+    while let Some(at) = left.pop() {
+        let Some(item) = items.get(at) else {
+            ends_openly = true;
+            continue;
+        };
+        if std::mem::replace(&mut seen[at], true) {
+            continue;
+        }
+        let is_endless = item.params[1] as i16 == -1;
+        if is_jump(item) {
+            left.extend(target(items, item));
+        }
+        let stops = command::is_end(item.command) || (is_jump(item) && is_endless);
+        // A landing in the middle is followed by the next takeoff.
+        let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
+        let goes_on = lands && at + 1 < items.len();
+        if !stops || goes_on {
+            left.push(at + 1);
+        }
+    }
+    Reached { seen, ends_openly }
+}
