@@ -21,8 +21,7 @@ mod way_home;
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
-    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, PlanKind, Plans, RallyPlan,
-    RallyPoint, Stored, Transfer,
+    FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
 };
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,

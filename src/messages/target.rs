@@ -9,7 +9,8 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::position::point;
 use crate::geo::LatLon;
-use crate::vehicle::{HeightFrame, Place, Target, Vehicle};
+use crate::plan::HeightFrame;
+use crate::vehicle::{Place, Target, Vehicle};
 
 /// The silence after which a target is void. Targets are requested once a second and may be lost. It is longer than
 /// the time-out of a link, so that the last target of a lost vehicle stays known.
@@ -23,7 +24,7 @@ pub(super) fn apply_global(
     now: Duration,
 ) {
     let uses = Uses(data.type_mask);
-    let altitude_m = match HeightFrame::from_wire(data.coordinate_frame as u8) {
+    let altitude_m = match HeightFrame::of(data.coordinate_frame as u8) {
         HeightFrame::SeaLevel => home_altitude_m(vehicle).map(|home| f64::from(data.alt) - home),
         HeightFrame::Home => Some(f64::from(data.alt)),
         // The height of the terrain is unknown here.

@@ -13,7 +13,8 @@ use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MavAutopilot, MavMessage, MavProtocolCapability,
 };
 
-use crate::vehicle::{FencePlan, Plan, PlanItem, PlanKind, RallyPlan, Transfer, Vehicle};
+use crate::plan::{Item, ListKind};
+use crate::vehicle::{FencePlan, Plan, RallyPlan, Transfer, Vehicle};
 use crate::wire::{Content, Frame};
 
 mod download;
@@ -52,14 +53,14 @@ const MISSION_FENCE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSIO
 const MISSION_RALLY: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY.bits();
 
 /// The texts that `ArduPilot` sends after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
-const UPLOAD_TEXTS: [(&[u8], PlanKind); 2] = [
-    (b"Flight plan received", PlanKind::Plan),
-    (b"Fence Indexed OK", PlanKind::Fence),
+const UPLOAD_TEXTS: [(&[u8], ListKind); 2] = [
+    (b"Flight plan received", ListKind::Plan),
+    (b"Fence Indexed OK", ListKind::Fence),
 ];
 /// The parameters with `ArduPilot`'s counts of uploaded items, which it sends on its own when they change.
-const UPLOAD_PARAMETERS: [(&[u8], PlanKind); 2] = [
-    (b"FENCE_TOTAL", PlanKind::Fence),
-    (b"RALLY_TOTAL", PlanKind::Rally),
+const UPLOAD_PARAMETERS: [(&[u8], ListKind); 2] = [
+    (b"FENCE_TOTAL", ListKind::Fence),
+    (b"RALLY_TOTAL", ListKind::Rally),
 ];
 /// `PARAM_VALUE.param_index` of a value that is not part of the list of all parameters.
 const NO_INDEX: u16 = u16::MAX;
@@ -147,18 +148,18 @@ impl PlanReader {
             return;
         }
         let Some(version) = vehicle.version else {
-            let plan = PlanKind::Plan as usize;
+            let plan = ListKind::Plan as usize;
             if known_for >= CAPABILITIES_WITHIN && self.is_fresh(plan) {
                 self.due[plan] = Some(now);
             }
             return;
         };
         self.knows_capabilities = true;
-        for kind in PlanKind::ALL {
+        for kind in ListKind::ALL {
             let wanted = match kind {
-                PlanKind::Plan => MISSION_FLOAT | MISSION_INT,
-                PlanKind::Fence => MISSION_FENCE,
-                PlanKind::Rally => MISSION_RALLY,
+                ListKind::Plan => MISSION_FLOAT | MISSION_INT,
+                ListKind::Fence => MISSION_FENCE,
+                ListKind::Rally => MISSION_RALLY,
             };
             if !self.is_fresh(kind as usize) {
                 continue;
@@ -183,8 +184,8 @@ impl PlanReader {
     }
 
     fn begin_what_is_due(&mut self, vehicle: &Vehicle, now: Duration) {
-        let is_due = |kind: &PlanKind| self.due[*kind as usize].is_some_and(|due| now >= due);
-        let Some(kind) = PlanKind::ALL.into_iter().find(is_due) else {
+        let is_due = |kind: &ListKind| self.due[*kind as usize].is_some_and(|due| now >= due);
+        let Some(kind) = ListKind::ALL.into_iter().find(is_due) else {
             return;
         };
         self.due[kind as usize] = None;
@@ -197,7 +198,7 @@ impl PlanReader {
     fn answered(
         &mut self,
         vehicle: &mut Vehicle,
-        kind: PlanKind,
+        kind: ListKind,
         answer: Answer,
         now: Duration,
         out: &mut Vec<MavMessage>,
@@ -261,14 +262,14 @@ impl PlanReader {
         match message {
             MavMessage::MISSION_CURRENT(data) => self.compare(data, now, out),
             MavMessage::STATUSTEXT(data) => {
-                let said = |(text, _): &&(&[u8], PlanKind)| data.text.starts_with(text);
+                let said = |(text, _): &&(&[u8], ListKind)| data.text.starts_with(text);
                 if let Some(&(_, kind)) = UPLOAD_TEXTS.iter().find(said) {
                     self.changed(kind, now, out);
                 }
             }
             MavMessage::PARAM_VALUE(data) if data.param_index == NO_INDEX => {
                 let name = data.param_id.split(|&byte| byte == 0).next();
-                let named = |(known, _): &&(&[u8], PlanKind)| name == Some(*known);
+                let named = |(known, _): &&(&[u8], ListKind)| name == Some(*known);
                 if let Some(&(_, kind)) = UPLOAD_PARAMETERS.iter().find(named) {
                     self.changed(kind, now, out);
                 }
@@ -278,7 +279,7 @@ impl PlanReader {
     }
 
     /// Whether `MISSION_CURRENT` has an id of the list, which reveals every change.
-    fn has_id(&self, kind: PlanKind) -> bool {
+    fn has_id(&self, kind: ListKind) -> bool {
         let id = self.announced.map(|announced| announced[1 + kind as usize]);
         id.is_some_and(|id| id != 0)
     }
@@ -295,9 +296,9 @@ impl PlanReader {
             return;
         };
         for (kind, differs) in [
-            (PlanKind::Plan, [total, plan] != before[..2]),
-            (PlanKind::Fence, fence != before[2]),
-            (PlanKind::Rally, rally != before[3]),
+            (ListKind::Plan, [total, plan] != before[..2]),
+            (ListKind::Fence, fence != before[2]),
+            (ListKind::Rally, rally != before[3]),
         ] {
             if differs {
                 self.changed(kind, now, out);
@@ -307,7 +308,7 @@ impl PlanReader {
 
     /// Handles a changed list. It is read again once the upload has settled, if it was requested at all; a download
     /// under way belongs to the old list.
-    fn changed(&mut self, kind: PlanKind, now: Duration, out: &mut Vec<MavMessage>) {
+    fn changed(&mut self, kind: ListKind, now: Duration, out: &mut Vec<MavMessage>) {
         let list = kind as usize;
         if self.refused[list] || self.is_fresh(list) {
             return;
@@ -322,15 +323,15 @@ impl PlanReader {
     }
 }
 
-fn transfer(vehicle: &mut Vehicle, kind: PlanKind) -> &mut Transfer {
+fn transfer(vehicle: &mut Vehicle, kind: ListKind) -> &mut Transfer {
     match kind {
-        PlanKind::Plan => &mut vehicle.plans.plan.transfer,
-        PlanKind::Fence => &mut vehicle.plans.fence.transfer,
-        PlanKind::Rally => &mut vehicle.plans.rally.transfer,
+        ListKind::Plan => &mut vehicle.plans.plan.transfer,
+        ListKind::Fence => &mut vehicle.plans.fence.transfer,
+        ListKind::Rally => &mut vehicle.plans.rally.transfer,
     }
 }
 
-fn store(vehicle: &mut Vehicle, kind: PlanKind, items: Vec<PlanItem>) {
+fn store(vehicle: &mut Vehicle, kind: ListKind, items: Vec<Item>) {
     /// HEARTBEAT's autopilot of `ArduPilot`, whose item 0 is home.
     const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
     let home_first = vehicle
@@ -338,8 +339,8 @@ fn store(vehicle: &mut Vehicle, kind: PlanKind, items: Vec<PlanItem>) {
         .is_some_and(|heartbeat| heartbeat.autopilot == ARDUPILOT);
     let plans = &mut vehicle.plans;
     match kind {
-        PlanKind::Plan => plans.plan.content = Some(Arc::new(Plan { items, home_first })),
-        PlanKind::Fence => plans.fence.content = Some(Arc::new(FencePlan::from_items(&items))),
-        PlanKind::Rally => plans.rally.content = Some(Arc::new(RallyPlan::from_items(&items))),
+        ListKind::Plan => plans.plan.content = Some(Arc::new(Plan { items, home_first })),
+        ListKind::Fence => plans.fence.content = Some(Arc::new(FencePlan::from_items(items))),
+        ListKind::Rally => plans.rally.content = Some(Arc::new(RallyPlan::from_items(items))),
     }
 }

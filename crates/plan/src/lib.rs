@@ -30,6 +30,7 @@ mod fault;
 mod files;
 mod hash;
 mod item;
+mod place;
 
 pub use areas::{AreaShape, Fence, FenceArea, FenceError, is_inside};
 pub use document::{Document, Home, Origin};
@@ -37,3 +38,4 @@ pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
 pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
 pub use hash::ContentHash;
 pub use item::{HeightFrame, Item, ListKind};
+pub use place::has_place;

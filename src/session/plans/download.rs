@@ -5,7 +5,8 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavMissionResult};
 
 use super::wire::{self, Answer, Form};
-use crate::vehicle::{PlanItem, PlanKind, Transfer};
+use crate::plan::{Item, ListKind};
+use crate::vehicle::Transfer;
 use crate::wire::MavAddress;
 
 /// How long an answer may take on a link without delay (the protocol proposes 0.25 to 1.5 s; vehicles answer within
@@ -23,7 +24,7 @@ const MOST_ITEMS: u16 = 5000;
 /// A download under way.
 #[derive(Debug, Clone)]
 pub(super) struct Download {
-    pub kind: PlanKind,
+    pub kind: ListKind,
     address: MavAddress,
     form: Form,
     /// Whether the vehicle is known to support integer items. Then lost messages alone must not lead to the use of
@@ -31,7 +32,7 @@ pub(super) struct Download {
     is_int_certain: bool,
     /// The number of items, once known.
     total: Option<u16>,
-    items: Vec<PlanItem>,
+    items: Vec<Item>,
     /// How often the current request was sent, and when last.
     tries: u8,
     asked_at: Duration,
@@ -42,7 +43,7 @@ pub(super) struct Download {
 pub(super) enum Step {
     Going,
     /// All items are here.
-    Done(Vec<PlanItem>),
+    Done(Vec<Item>),
     /// The vehicle has no such list.
     Unsupported,
     Failed,
@@ -50,7 +51,7 @@ pub(super) enum Step {
 
 impl Download {
     /// A new download. `knows_int` is whether the vehicle supports integer items, if known.
-    pub fn new(kind: PlanKind, address: MavAddress, knows_int: Option<bool>) -> Self {
+    pub fn new(kind: ListKind, address: MavAddress, knows_int: Option<bool>) -> Self {
         let is_float = knows_int == Some(false);
         Self {
             kind,
@@ -97,7 +98,7 @@ impl Download {
     pub fn receive(&mut self, answer: Answer, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         match answer {
             Answer::Count(count) => self.count(count, now, out),
-            Answer::Item(item) => self.item(item, now, out),
+            Answer::Item(seq, item) => self.item(seq, item, now, out),
             Answer::Refused(result) => self.refused(result, now, out),
         }
     }
@@ -123,8 +124,8 @@ impl Download {
         self.go_on(now, out)
     }
 
-    fn item(&mut self, item: PlanItem, now: Duration, out: &mut Vec<MavMessage>) -> Step {
-        let is_next = usize::from(item.seq) == self.items.len();
+    fn item(&mut self, seq: u16, item: Item, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        let is_next = usize::from(seq) == self.items.len();
         if self.total.is_none() || !is_next {
             return Step::Going;
         }

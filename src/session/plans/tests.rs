@@ -296,7 +296,7 @@ fn a_vehicle_that_knows_only_the_older_items_is_understood() {
         scene.pass(Duration::from_secs(30));
         let plan = scene.plan().expect("a plan");
         assert_eq!(plan.items.len(), 4);
-        let place = plan.items[3].at_point.expect("a place");
+        let place = plan.items[3].place().expect("a place");
         assert!(place.distance_m(crate::geo::LatLon::new(50.45, 30.5)) < 3.0);
         assert_eq!(
             (scene.asked_for(older), scene.asked_for(newer)),
@@ -312,13 +312,13 @@ fn commands_newer_than_the_dialect_and_answers_to_others_are_told_apart() {
     payload[28] = 2;
     payload[30..32].copy_from_slice(&60_000u16.to_le_bytes());
     payload[32] = 255;
-    payload[37] = 1;
+    payload[36..38].copy_from_slice(&[0, 1]);
     let mut newer = frame(MavMessage::MISSION_COUNT(MISSION_COUNT_DATA::DEFAULT));
     newer.content = Content::Undecoded { id: 73, payload };
-    let Some((PlanKind::Fence, Answer::Item(item))) = wire::answer(&newer) else {
+    let Some((ListKind::Fence, Answer::Item(seq, item))) = wire::answer(&newer) else {
         panic!("an item of the fence");
     };
-    assert_eq!((item.seq, item.command, item.at_point), (2, 60_000, None));
+    assert_eq!((seq, item.command, item.y), (2, 60_000, 0));
     let others = frame(MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
         target_system: 254,
         ..MISSION_COUNT_DATA::DEFAULT
@@ -363,7 +363,7 @@ proptest! {
         }
         let plan = scene.plan().expect("a plan");
         let places: Vec<i32> = plan.items.iter()
-            .map(|item| item.at_point.expect("a place").to_e7().1)
+            .map(|item| item.place().expect("a place").to_e7().1)
             .collect();
         let expected: Vec<i32> = (0..count).map(|seq| 305_000_000 + i32::from(seq)).collect();
         prop_assert_eq!(places, expected);

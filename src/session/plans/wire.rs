@@ -12,8 +12,7 @@ use mavlink::dialects::ardupilotmega::{
     MavMissionType,
 };
 
-use crate::geo::LatLon;
-use crate::vehicle::{HeightFrame, PlanItem, PlanKind};
+use crate::plan::{Item, ListKind, has_place};
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
 
 /// MAVLink ids of the messages that carry an item.
@@ -25,8 +24,8 @@ const MISSION_ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 pub(super) enum Answer {
     /// The number of items (`MISSION_COUNT`).
     Count(u16),
-    /// One item (`MISSION_ITEM_INT` or `MISSION_ITEM`).
-    Item(PlanItem),
+    /// One item with its number (`MISSION_ITEM_INT` or `MISSION_ITEM`).
+    Item(u16, Item),
     /// `MISSION_ACK`: for a reader always a refusal.
     Refused(MavMissionResult),
 }
@@ -39,7 +38,7 @@ pub(super) enum Form {
 }
 
 /// The answer in a frame, with the list that it is about. Answers to other ground stations do not count.
-pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
+pub(super) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
     let (target, kind, answer) = match &frame.content {
         Content::Message(MavMessage::MISSION_COUNT(data)) => {
             let kind = kind(data.mission_type as u8)?;
@@ -51,15 +50,24 @@ pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
         }
         Content::Message(MavMessage::MISSION_ITEM_INT(data)) => {
             let kind = kind(data.mission_type as u8)?;
-            (data.target_system, kind, Answer::Item(item_int(data)))
+            (
+                data.target_system,
+                kind,
+                Answer::Item(data.seq, item_int(data)),
+            )
         }
         Content::Message(MavMessage::MISSION_ITEM(data)) => {
             let kind = kind(data.mission_type as u8)?;
-            (data.target_system, kind, Answer::Item(item_float(data)))
+            (
+                data.target_system,
+                kind,
+                Answer::Item(data.seq, item_float(data)),
+            )
         }
         Content::Undecoded { id, payload } if matches!(*id, MISSION_ITEM | MISSION_ITEM_INT) => {
+            let seq = u16::from_le_bytes([payload[28], payload[29]]);
             let item = item_by_hand(payload, *id == MISSION_ITEM_INT);
-            (payload[32], kind(payload[37])?, Answer::Item(item))
+            (payload[32], kind(payload[37])?, Answer::Item(seq, item))
         }
         Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
     };
@@ -67,7 +75,7 @@ pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
 }
 
 /// The list of another program's upload that the vehicle has just accepted.
-pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
+pub(super) fn others_upload(frame: &Frame) -> Option<ListKind> {
     match &frame.content {
         Content::Message(MavMessage::MISSION_ACK(data))
             if data.mavtype == MavMissionResult::MAV_MISSION_ACCEPTED =>
@@ -79,7 +87,7 @@ pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
 }
 
 /// Requests the length of a list.
-pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
+pub(super) fn request_list(vehicle: MavAddress, kind: ListKind) -> MavMessage {
     MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
         target_system: vehicle.system,
         target_component: vehicle.component,
@@ -89,7 +97,7 @@ pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
 
 pub(super) fn request_item(
     vehicle: MavAddress,
-    kind: PlanKind,
+    kind: ListKind,
     seq: u16,
     form: Form,
 ) -> MavMessage {
@@ -113,7 +121,7 @@ pub(super) fn request_item(
 /// Ends a transfer, either complete or cancelled.
 pub(super) fn acknowledge(
     vehicle: MavAddress,
-    kind: PlanKind,
+    kind: ListKind,
     result: MavMissionResult,
 ) -> MavMessage {
     MavMessage::MISSION_ACK(MISSION_ACK_DATA {
@@ -125,44 +133,51 @@ pub(super) fn acknowledge(
     })
 }
 
-fn mission_type(kind: PlanKind) -> MavMissionType {
+pub(super) fn mission_type(kind: ListKind) -> MavMissionType {
     match kind {
-        PlanKind::Plan => MavMissionType::MAV_MISSION_TYPE_MISSION,
-        PlanKind::Fence => MavMissionType::MAV_MISSION_TYPE_FENCE,
-        PlanKind::Rally => MavMissionType::MAV_MISSION_TYPE_RALLY,
+        ListKind::Plan => MavMissionType::MAV_MISSION_TYPE_MISSION,
+        ListKind::Fence => MavMissionType::MAV_MISSION_TYPE_FENCE,
+        ListKind::Rally => MavMissionType::MAV_MISSION_TYPE_RALLY,
     }
 }
 
-fn kind(mission_type: u8) -> Option<PlanKind> {
-    let mut kinds = PlanKind::ALL.iter().copied();
-    kinds.find(|kind| self::mission_type(*kind) as u8 == mission_type)
+fn kind(mission_type: u8) -> Option<ListKind> {
+    ListKind::numbered(mission_type)
 }
 
-/// The common fields of both item messages.
-macro_rules! wire_item {
-    ($data:expr, $place:expr) => {
-        WireItem {
-            seq: $data.seq,
+/// An item of either message, with `x` and `y` as integers.
+macro_rules! item {
+    ($data:expr, $x:expr, $y:expr) => {
+        Item {
             command: $data.command as u16,
             frame: $data.frame as u8,
+            auto_continue: $data.autocontinue != 0,
             params: [$data.param1, $data.param2, $data.param3, $data.param4],
-            place: $place,
+            x: $x,
+            y: $y,
             z: $data.z,
         }
     };
 }
 
-fn item_int(data: &MISSION_ITEM_INT_DATA) -> PlanItem {
-    wire_item!(data, LatLon::from_e7(data.x, data.y)).read()
+fn item_int(data: &MISSION_ITEM_INT_DATA) -> Item {
+    item!(data, data.x, data.y)
 }
 
-fn item_float(data: &MISSION_ITEM_DATA) -> PlanItem {
-    wire_item!(data, LatLon::new(f64::from(data.x), f64::from(data.y))).read()
+fn item_float(data: &MISSION_ITEM_DATA) -> Item {
+    let [x, y] = whole([data.x, data.y], data.command as u16);
+    item!(data, x, y)
+}
+
+/// The place of a `MISSION_ITEM`, which is in degrees, as integers; other parameters keep their value.
+fn whole(place: [f32; 2], command: u16) -> [i32; 2] {
+    let scale = if has_place(command) { 1e7 } else { 1.0 };
+    place.map(|value| (f64::from(value) * scale).round() as i32)
 }
 
 /// An item whose command or frame is unknown to the dialect, by its layout on the wire: four parameters, x, y, z, the
-/// number, the command, target system and component, the frame.
-fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
+/// number, the command, target system and component, the frame, whether it is current, whether it goes on.
+fn item_by_hand(payload: &[u8; 255], is_int: bool) -> Item {
     let word = |at: usize| {
         [
             payload[at],
@@ -172,47 +187,19 @@ fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
         ]
     };
     let float = |at: usize| f32::from_le_bytes(word(at));
-    let place = if is_int {
-        LatLon::from_e7(i32::from_le_bytes(word(16)), i32::from_le_bytes(word(20)))
+    let command = u16::from_le_bytes([payload[30], payload[31]]);
+    let [x, y] = if is_int {
+        [16, 20].map(|at| i32::from_le_bytes(word(at)))
     } else {
-        LatLon::new(f64::from(float(16)), f64::from(float(20)))
+        whole([float(16), float(20)], command)
     };
-    WireItem {
-        seq: u16::from_le_bytes([payload[28], payload[29]]),
-        command: u16::from_le_bytes([payload[30], payload[31]]),
+    Item {
+        command,
         frame: payload[34],
+        auto_continue: payload[36] != 0,
         params: [float(0), float(4), float(8), float(12)],
-        place,
+        x,
+        y,
         z: float(24),
-    }
-    .read()
-}
-
-/// The common content of both forms of an item.
-struct WireItem {
-    seq: u16,
-    command: u16,
-    /// `MAV_FRAME`, known to the dialect or not.
-    frame: u8,
-    params: [f32; 4],
-    place: LatLon,
-    /// Metres above the reference of the frame.
-    z: f32,
-}
-
-impl WireItem {
-    fn read(self) -> PlanItem {
-        let place = self.place;
-        let is_somewhere = place.is_valid() && (place.lat_deg, place.lon_deg) != (0.0, 0.0);
-        let frame = HeightFrame::from_wire(self.frame);
-        let has_place = frame != HeightFrame::Other && PlanItem::has_place(self.command);
-        PlanItem {
-            seq: self.seq,
-            command: self.command,
-            frame,
-            params: self.params,
-            at_point: (is_somewhere && has_place).then_some(place),
-            altitude_m: self.z.is_finite().then_some(self.z),
-        }
     }
 }

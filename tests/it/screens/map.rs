@@ -10,13 +10,13 @@ use sortie::app::room::map::{SketchKind, sketches};
 use sortie::app::state::Activity;
 use sortie::campaign::Stake;
 use sortie::config::Symbols;
-use sortie::geo::Outline;
+use sortie::geo::{LatLon, Outline};
 use sortie::mission::{Area, AreaKind, Mission};
+use sortie::plan::{HeightFrame, Item};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
 use sortie::vehicle::{
-    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, RallyPlan, RallyPoint, Target,
-    Vehicle,
+    FenceArea, FencePlan, FenceShape, Plan, RallyPlan, RallyPoint, Target, Vehicle,
 };
 
 use crate::fixtures;
@@ -194,18 +194,20 @@ fn no_size_and_no_zoom_panics() {
 fn planned(id: u16) -> Vehicle {
     let mut vehicle = fixtures::airborne(id, 0.0, 20.0);
     let place = |north_m, east_m| fixtures::HOME.moved(north_m, east_m);
-    let item = |seq, at_point| PlanItem {
-        seq,
-        command: 16,
-        frame: HeightFrame::Home,
-        params: [0.0; 4],
-        at_point: Some(at_point),
-        altitude_m: Some(20.0),
+    let item = |at_point: LatLon| {
+        let (x, y) = at_point.to_e7();
+        Item {
+            command: 16,
+            frame: 3,
+            auto_continue: true,
+            params: [0.0; 4],
+            x,
+            y,
+            z: 20.0,
+        }
     };
     let points = [(0.0, 0.0), (60.0, -30.0), (60.0, 50.0), (10.0, 70.0)];
-    let items = (0..)
-        .zip(points)
-        .map(|(seq, (n, e))| item(seq, place(n, e)));
+    let items = points.into_iter().map(|(n, e)| item(place(n, e)));
     vehicle.plans.plan.content = Some(Arc::new(Plan {
         items: items.collect(),
         home_first: true,
@@ -219,7 +221,7 @@ fn planned(id: u16) -> Vehicle {
     };
     vehicle.plans.fence.content = Some(Arc::new(FencePlan {
         areas: vec![circle(75.0, true), circle(12.0, false)],
-        return_point: None,
+        ..FencePlan::default()
     }));
     vehicle.plans.rally.content = Some(Arc::new(RallyPlan {
         points: vec![RallyPoint {
@@ -227,6 +229,7 @@ fn planned(id: u16) -> Vehicle {
             altitude_m: Some(15.0),
             frame: HeightFrame::Home,
         }],
+        ..RallyPlan::default()
     }));
     vehicle
 }

@@ -10,12 +10,13 @@ use sortie::app::event::ReplayEvent;
 use sortie::app::state::{Activity, ReplayView, Room};
 use sortie::config::Symbols;
 use sortie::dataflash::JoinedLog;
+use sortie::plan::Item;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{
-    AutopilotVersion, FenceArea, FencePlan, FenceShape, GpsAccuracy, Health, HeightFrame, Hud,
-    Plan, PlanItem, PlanProgress, RallyPlan, RcChannels, Severity, StatusText, Stored, Target,
-    Transfer, Vehicle, Vibration, Wind,
+    AutopilotVersion, FenceArea, FencePlan, FenceShape, GpsAccuracy, Health, Hud, Plan,
+    PlanProgress, RallyPlan, RcChannels, Severity, StatusText, Stored, Target, Transfer, Vehicle,
+    Vibration, Wind,
 };
 
 use crate::fixtures;
@@ -29,13 +30,22 @@ const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 50)];
 
 /// A plan of a takeoff, a few waypoints and the way home.
 fn plan() -> Plan {
-    let item = |seq: u16, command: u16, north_m: f64| PlanItem {
-        seq,
-        command,
-        frame: HeightFrame::Home,
-        params: [0.0, 0.0, 0.0, f32::NAN],
-        at_point: (command == 16).then(|| fixtures::HOME.moved(north_m, 15.0)),
-        altitude_m: (command != 20).then_some(20.0 + f32::from(seq)),
+    let item = |seq: u16, command: u16, north_m: f64| {
+        let (x, y) = fixtures::HOME.moved(north_m, 15.0).to_e7();
+        let has_place = command == 16;
+        Item {
+            command,
+            frame: 3,
+            auto_continue: true,
+            params: [0.0, 0.0, 0.0, f32::NAN],
+            x: if has_place { x } else { 0 },
+            y: if has_place { y } else { 0 },
+            z: if command == 20 {
+                f32::NAN
+            } else {
+                20.0 + f32::from(seq)
+            },
+        }
     };
     let mut items = vec![item(0, 16, 0.0), item(1, 22, 0.0)];
     items.extend((2..9).map(|seq| item(seq, 16, 40.0 * f64::from(seq))));
@@ -133,7 +143,7 @@ fn add_plans(vehicle: &mut Vehicle) {
     };
     vehicle.plans.fence = stored(FencePlan {
         areas: vec![circle],
-        return_point: None,
+        ..FencePlan::default()
     });
     vehicle.plans.rally = stored(RallyPlan::default());
     vehicle.texts = ["Mission: 2 WP", "Reached command #2", "Mission: 4 WP"]

@@ -165,8 +165,8 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
             closed: false,
         });
         sketches.extend(
-            plan.path().map(|(item, place)| {
-                Sketch::point(SketchKind::Plan, format!("w{}", item.seq), place)
+            plan.path().map(|(number, place)| {
+                Sketch::point(SketchKind::Plan, format!("w{number}"), place)
             }),
         );
     }

@@ -8,12 +8,13 @@ use super::Subject;
 use super::row::{filled, labelled};
 use crate::commands::command_name;
 use crate::geo::LatLon;
+use crate::plan::{HeightFrame, Item};
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, upper};
-use crate::vehicle::{HeightFrame, Plan, PlanItem, Transfer, Vehicle};
+use crate::vehicle::{Plan, Transfer, Vehicle};
 
 /// Rows of fence and rally points.
 const OTHERS: u16 = 2;
@@ -124,7 +125,7 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
         };
         let way = way_m(vehicle, items, at, is_current)
             .map_or(String::new(), |way_m| format!("{way_m:.0} m"));
-        let line = format!("{mark}{}{way:>7}", described(&items[at]));
+        let line = format!("{mark}{}{way:>7}", described(skipped + at, &items[at]));
         put(
             buffer,
             area,
@@ -135,18 +136,18 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
 }
 
 /// An item as text: number, name and height.
-fn described(item: &PlanItem) -> String {
+fn described(number: usize, item: &Item) -> String {
     let name = command_name(item.command).map_or_else(
         || item.command.to_string(),
         |name| name.strip_prefix("NAV_").unwrap_or(name).to_owned(),
     );
     let height = match (
-        item.at_point.is_some() || item.is_takeoff(),
-        item.altitude_m,
+        item.place().is_some() || item.is_takeoff(),
+        item.altitude_m(),
     ) {
         (true, Some(altitude_m)) => {
             // Heights above home are usual and need no mark.
-            let frame = match item.frame {
+            let frame = match item.height_frame() {
                 HeightFrame::SeaLevel => " ASL",
                 HeightFrame::Terrain => " AGL",
                 HeightFrame::Home | HeightFrame::Other => "",
@@ -155,21 +156,17 @@ fn described(item: &PlanItem) -> String {
         }
         _ => String::new(),
     };
-    format!(
-        "{:>SEQ$} {} {height:>HEIGHT$}",
-        item.seq,
-        filled(&name, NAME)
-    )
+    format!("{number:>SEQ$} {} {height:>HEIGHT$}", filled(&name, NAME))
 }
 
 /// The distance in metres from the previous item, or for the current one from the vehicle.
-fn way_m(vehicle: &Vehicle, items: &[PlanItem], at: usize, is_current: bool) -> Option<f64> {
-    let to = items[at].at_point.filter(|_| items[at].is_waypoint())?;
+fn way_m(vehicle: &Vehicle, items: &[Item], at: usize, is_current: bool) -> Option<f64> {
+    let to = items[at].place().filter(|_| items[at].is_waypoint())?;
     let from: LatLon = if is_current {
         vehicle.global?.at_point
     } else {
         let mut before = items[..at].iter().rev().filter(|item| item.is_waypoint());
-        before.find_map(|item| item.at_point)?
+        before.find_map(Item::place)?
     };
     Some(from.distance_m(to)).filter(|way_m| way_m.is_finite())
 }
