@@ -26,6 +26,7 @@ mod modes;
 mod motion;
 mod order;
 mod parameter;
+mod plan;
 mod query;
 mod raw;
 mod request;
@@ -49,6 +50,7 @@ pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
+pub use plan::{PlanCommand, PlanDeed, flies_plan};
 pub use query::QueryCommand;
 pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};
@@ -69,6 +71,8 @@ pub enum Command {
     Parameter(ParameterCommand),
     /// The logs that the vehicle stores of its flights.
     Log(LogCommand),
+    /// The lists that the vehicle carries: plan, fence and rally points.
+    Plan(PlanCommand),
     /// Sent as typed, without interpretation.
     Raw(RawCommand),
 }
@@ -95,6 +99,8 @@ impl Command {
             Self::Parameter(command) => command.request(vehicle),
             // A session reads logs separately from its commands.
             Self::Log(_) => Err(text!("refused-logs-here")),
+            // Nor are lists transferred as commands.
+            Self::Plan(_) => Err(text!("refused-plan-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
         }
     }
@@ -109,6 +115,7 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::Plan(_)
             | Self::Raw(_) => None,
         }
     }
@@ -120,7 +127,9 @@ impl Command {
             Self::Flight(command) => command.effect(before),
             Self::Motion(command) => command.effect(before),
             Self::Device(command) => command.effect(before),
-            Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Raw(_) => Effect::nothing(),
+            Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Plan(_) | Self::Raw(_) => {
+                Effect::nothing()
+            }
         }
     }
 
@@ -130,9 +139,12 @@ impl Command {
             Self::Arming(command) => command.risk(),
             Self::Parameter(command) => command.risk(),
             Self::Raw(command) => command.risk(),
-            Self::Flight(_) | Self::Motion(_) | Self::Device(_) | Self::Query(_) | Self::Log(_) => {
-                Risk::None
-            }
+            Self::Flight(_)
+            | Self::Motion(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Log(_)
+            | Self::Plan(_) => Risk::None,
         }
     }
 }

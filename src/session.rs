@@ -29,6 +29,7 @@ mod line;
 mod logs;
 mod naming;
 mod order;
+mod plan_orders;
 mod plans;
 mod precedence;
 mod radio;
@@ -43,6 +44,7 @@ use download::Download;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
 use logs::LogReader;
+use plan_orders::{Desk, PlanOrders};
 use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
@@ -55,7 +57,9 @@ pub use gaps::{FileBytes, GapMap};
 pub use hearing::{LOST_AFTER, autopilot_of};
 pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
+
 pub use order::{Report, Steering, VehicleCommand};
+pub use plan_orders::PlanShelf;
 pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
@@ -96,6 +100,7 @@ pub struct Session {
     streams: Streams,
     timesync: Timesync,
     plans: PlanReader,
+    plan_orders: PlanOrders,
     line: Line,
     download: Download,
     logs: LogReader,
@@ -121,6 +126,7 @@ impl Session {
             streams: Streams::new(WANTED_STREAMS, now),
             timesync: Timesync::default(),
             plans: PlanReader::default(),
+            plan_orders: PlanOrders::default(),
             line: Line::default(),
             download: Download::new(),
             logs: LogReader::default(),
@@ -144,6 +150,13 @@ impl Session {
     #[must_use]
     pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
         self.logs.keep_in(keeper);
+        self
+    }
+
+    /// Takes the files of plans from `shelf`, and writes them there.
+    #[must_use]
+    pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
+        self.plan_orders.take_from(shelf);
         self
     }
 
@@ -179,6 +192,7 @@ impl Session {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
         self.plans.forget();
+        self.plan_orders.begin_anew(&mut self.ftp, now);
         self.download.resume(now);
     }
 
@@ -271,6 +285,7 @@ impl Session {
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
         self.ftp.forget();
+        self.plan_orders.begin_anew(&mut self.ftp, now);
         self.logs
             .clear(&newer, &self.vehicle, now, &mut self.output);
     }
@@ -279,6 +294,12 @@ impl Session {
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
+        if matches!(order.command, Command::Plan(_)) {
+            let (orders, mut desk) = self.plan_desk(now);
+            orders.order(order, &mut desk);
             self.poll(now);
             return;
         }
@@ -318,6 +339,8 @@ impl Session {
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
+        let (orders, mut desk) = self.plan_desk(now);
+        orders.poll(&mut desk);
         self.logs
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
         self.handle_files(None, now);
@@ -331,6 +354,7 @@ impl Session {
         if is_late
             || self.line.is_busy()
             || self.logs.is_busy()
+            || self.plan_orders.is_busy()
             || is_fetching
             || self.ftp.is_busy()
         {
@@ -378,8 +402,14 @@ impl Session {
             }
         }
         let mut messages = Vec::new();
-        self.plans
-            .receive(&mut self.vehicle, frame, now, &mut messages);
+        if self.plan_orders.is_busy() {
+            self.plans.watch(frame, now, &mut messages);
+            let (orders, mut desk) = self.plan_desk(now);
+            orders.receive(frame, &mut desk);
+        } else {
+            self.plans
+                .receive(&mut self.vehicle, frame, now, &mut messages);
+        }
         self.send(messages);
         self.logs.receive(frame, now);
         if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
@@ -404,13 +434,15 @@ impl Session {
         });
         self.output.messages.extend(requests.map(Outgoing::from));
         for (ticket, event) in step.events {
+            self.plan_orders.hear_file(ticket, &event, now);
             self.logs.hear_file(ticket, event, &mut self.ftp, now);
         }
     }
 
     /// Reads plans, unless a command waits for its answer.
     fn read_plans(&mut self, now: Duration) {
-        if self.line.is_free() || self.plans.is_busy() {
+        let is_free = self.line.is_free() || self.plans.is_busy();
+        if is_free && !self.plan_orders.is_busy() {
             let mut messages = Vec::new();
             self.plans.poll(&mut self.vehicle, now, &mut messages);
             self.send(messages);
@@ -431,6 +463,17 @@ impl Session {
     fn advance(&mut self, now: Duration) {
         let (line, moment) = self.line(now);
         line.advance(moment);
+    }
+
+    fn plan_desk(&mut self, now: Duration) -> (&mut PlanOrders, Desk<'_>) {
+        let desk = Desk {
+            vehicle: &mut self.vehicle,
+            plans: &mut self.plans,
+            ftp: &mut self.ftp,
+            now,
+            output: &mut self.output,
+        };
+        (&mut self.plan_orders, desk)
     }
 
     fn line(&mut self, now: Duration) -> (&mut Line, Moment<'_>) {

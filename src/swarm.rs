@@ -333,6 +333,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         | Command::Query(_)
         | Command::Parameter(_)
         | Command::Log(_)
+        | Command::Plan(_)
         | Command::Raw(_) => None,
     }
 }

@@ -58,9 +58,12 @@ impl Command {
             },
             Self::Flight(command) => command.claim(before),
             Self::Motion(command) => command.claim(before),
-            Self::Device(_) | Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Raw(_) => {
-                Claim::default()
-            }
+            Self::Device(_)
+            | Self::Query(_)
+            | Self::Parameter(_)
+            | Self::Log(_)
+            | Self::Plan(_)
+            | Self::Raw(_) => Claim::default(),
         }
     }
 }

@@ -105,6 +105,7 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         | Command::Query(_)
         | Command::Parameter(_)
         | Command::Log(_)
+        | Command::Plan(_)
         | Command::Raw(_) => None,
     }
 }

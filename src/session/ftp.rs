@@ -1,8 +1,7 @@
 //! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of its own.
 //!
 //! A user asks for an [`FtpTask`], keeps the [`FtpTicket`], and receives [`FtpEvent`]s with that ticket from
-//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients. The
-//! client only reads; a task that writes would need another kind of [`Work`].
+//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients.
 //!
 //! Servers differ: `ArduPilot` takes the client's session number, PX4 assigns its own. A burst ends after 500 packets,
 //! at the end of the file, or without notice. The client handles packets that are lost, duplicated or out of order.
@@ -22,6 +21,7 @@ mod packet;
 pub(super) mod server;
 #[cfg(test)]
 mod tests;
+mod writing;
 
 pub use checksum::FtpChecksum;
 pub use fault::{FtpFault, FtpNak};
@@ -32,6 +32,7 @@ use exchange::Exchange;
 use file::{FileNews, FileReading};
 use listing::{FolderListing, Listed};
 use packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
+use writing::{FileWriting, WritingNews};
 
 use super::gaps::{FileBytes, GapMap};
 use crate::hash::fnv1a;
@@ -57,6 +58,8 @@ pub enum FtpTask {
     Read { path: String, gaps: Option<GapMap> },
     /// The checksum of a file of this size in bytes ([`FtpChecksum`]).
     Checksum { path: String, size: u32 },
+    /// Replace a file. It takes effect when it is closed, after the last byte.
+    Write { path: String, bytes: Vec<u8> },
 }
 
 /// The progress or the result of a task.
@@ -70,6 +73,10 @@ pub enum FtpEvent {
     Complete(u32),
     /// The checksum: the task is done.
     Checksum(u32),
+    /// So many bytes of the file have been written.
+    Wrote(u32),
+    /// The file has been closed: the task is done.
+    Written,
     /// The task is over.
     Failed(FtpFault),
 }
@@ -111,6 +118,7 @@ enum Work {
     },
     Checking(Exchange),
     Reading(Box<FileReading>),
+    Writing(Box<FileWriting>),
     /// The task is over; its session is closed.
     Closing(Exchange),
 }
@@ -202,6 +210,10 @@ impl FtpClient {
                 let reading = FileReading::new(path, session, gaps, sequence);
                 Work::Reading(Box::new(reading))
             }
+            FtpTask::Write { path, bytes } => {
+                let writing = FileWriting::new(path, session, bytes, sequence);
+                Work::Writing(Box::new(writing))
+            }
         }
     }
 
@@ -237,6 +249,19 @@ impl FtpClient {
                 }
                 FileNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
             },
+            Work::Writing(writing) => match writing.receive(answer, &mut self.sequence, now) {
+                WritingNews::Nothing => None,
+                WritingNews::Wrote(bytes) => {
+                    step.events.push((ticket, FtpEvent::Wrote(bytes)));
+                    None
+                }
+                WritingNews::Written => {
+                    step.events.push((ticket, FtpEvent::Written));
+                    self.job = None;
+                    return;
+                }
+                WritingNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
+            },
             Work::Closing(exchange) if exchange.is_answered_by(answer) => {
                 self.job = None;
                 return;
@@ -270,6 +295,10 @@ impl FtpClient {
                 }
                 reading.poll(&mut self.sequence, round_trip, now)
             }
+            Work::Writing(writing) => {
+                let request = writing.poll(&mut self.sequence, round_trip, now);
+                request.map(|it| it.into_iter().collect())
+            }
         };
         match due {
             Ok(requests) => {
@@ -299,6 +328,7 @@ impl FtpClient {
         let session = match job.work {
             Work::Listing { .. } | Work::Checking(_) => return,
             Work::Reading(reading) => reading.session(),
+            Work::Writing(writing) => writing.session(),
             Work::Closing(exchange) => {
                 self.job = Some(Job {
                     work: Work::Closing(exchange),
@@ -326,7 +356,9 @@ impl FtpTask {
     fn path(&self) -> &str {
         match self {
             Self::List { folder } => folder,
-            Self::Read { path, .. } | Self::Checksum { path, .. } => path,
+            Self::Read { path, .. } | Self::Checksum { path, .. } | Self::Write { path, .. } => {
+                path
+            }
         }
     }
 }

@@ -25,7 +25,8 @@ mod reading;
 mod transfer;
 mod words;
 
-use files::{FileSearch, LogFiles, hands_out_files};
+pub(super) use files::hands_out_files;
+use files::{FileSearch, LogFiles};
 pub use keeper::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 use listing::Listing;
 use reading::Reading;

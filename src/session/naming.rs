@@ -48,6 +48,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         | Command::Device(_)
         | Command::Query(_)
         | Command::Log(_)
+        | Command::Plan(_)
         | Command::Raw(_) => return true,
     };
     let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
@@ -134,6 +135,7 @@ fn names(command: &Command) -> (&str, &str) {
         | Command::Device(_)
         | Command::Query(_)
         | Command::Log(_)
+        | Command::Plan(_)
         | Command::Raw(_) => ("", ""),
     }
 }

@@ -17,10 +17,10 @@ use crate::plan::{Item, ListKind};
 use crate::vehicle::{FencePlan, Plan, RallyPlan, Transfer, Vehicle};
 use crate::wire::{Content, Frame};
 
-mod download;
+pub(super) mod download;
 #[cfg(test)]
 mod tests;
-mod wire;
+pub(super) mod wire;
 
 use download::{Download, Step};
 use wire::Answer;
@@ -103,6 +103,49 @@ impl PlanReader {
     /// Whether an answer is awaited.
     pub fn is_busy(&self) -> bool {
         self.download.is_some()
+    }
+
+    /// Makes way for an order about the lists: a download under way is repeated later.
+    pub fn make_way(&mut self, now: Duration, out: &mut Vec<MavMessage>) {
+        if let Some(download) = self.download.take() {
+            self.due[download.kind as usize] = Some(now);
+            download.cancel(out);
+        }
+    }
+
+    /// Notes a list that an order has read.
+    pub fn learn(
+        &mut self,
+        vehicle: &mut Vehicle,
+        kind: ListKind,
+        items: Vec<Item>,
+        now: Duration,
+    ) {
+        self.refused[kind as usize] = false;
+        self.is_read(kind, items.len(), now);
+        store(vehicle, kind, items);
+        *transfer(vehicle, kind) = Transfer::Done;
+    }
+
+    /// Requests a list again, as soon as possible.
+    pub fn read_again(&mut self, kind: ListKind, now: Duration) {
+        self.due[kind as usize] = Some(now);
+    }
+
+    fn is_read(&mut self, kind: ListKind, length: usize, now: Duration) {
+        let list = kind as usize;
+        self.read_at[list] = Some(now);
+        self.failures[list] = 0;
+        // The length fits: no list has more than some thousand items.
+        let again = now + AGAIN_AFTER + AGAIN_PER_ITEM * length as u32;
+        self.due[list] = (!self.has_id(kind)).then_some(again);
+    }
+
+    /// Handles a frame of the autopilot while an order about the lists is carried out, whose answers are not ours.
+    pub fn watch(&mut self, frame: &Frame, now: Duration, out: &mut Vec<MavMessage>) {
+        if let Content::Message(message) = &frame.content {
+            self.look_for_changes(message, now, out);
+        }
     }
 
     /// Handles a frame of the autopilot.
@@ -232,13 +275,7 @@ impl PlanReader {
                 coming
             }
             Step::Done(items) => {
-                self.read_at[list] = Some(now);
-                self.failures[list] = 0;
-                if !self.has_id(kind) {
-                    // The length fits: no list has more than some thousand items.
-                    let length = items.len() as u32;
-                    self.due[list] = Some(now + AGAIN_AFTER + AGAIN_PER_ITEM * length);
-                }
+                self.is_read(kind, items.len(), now);
                 store(vehicle, kind, items);
                 Transfer::Done
             }

@@ -58,6 +58,20 @@ impl FtpNak {
         }
     }
 
+    /// Whether the server has no such file, or no such request.
+    pub(in crate::session) fn is_of_missing_file(self) -> bool {
+        match self {
+            Self::NotFound | Self::UnknownCommand | Self::Protected | Self::System(_) => true,
+            Self::Fail
+            | Self::InvalidSize
+            | Self::InvalidSession
+            | Self::NoSession
+            | Self::EndOfFile
+            | Self::Exists
+            | Self::Other(_) => false,
+        }
+    }
+
     /// Whether another session may prevent a file from being opened. `ArduPilot` refuses a second session without a
     /// reason.
     pub(super) fn is_of_busy_server(self) -> bool {

@@ -21,6 +21,8 @@ pub(super) enum FtpOpcode {
     List = 3,
     OpenToRead = 4,
     Read = 5,
+    Create = 6,
+    Write = 7,
     Checksum = 14,
     Burst = 15,
 }

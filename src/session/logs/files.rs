@@ -14,7 +14,7 @@ const FOLDERS: [&str; 2] = ["logs", "/APM/LOGS"];
 const CAPABILITY: u64 = 32;
 
 /// Whether a vehicle announces that it offers files.
-pub(super) fn hands_out_files(vehicle: &Vehicle) -> bool {
+pub(in crate::session) fn hands_out_files(vehicle: &Vehicle) -> bool {
     let version = vehicle.version.as_ref();
     version.is_some_and(|version| version.capabilities & CAPABILITY != 0)
 }
@@ -88,7 +88,11 @@ impl FileSearch {
                 None
             }
             FtpEvent::Failed(fault) => Some(fault),
-            FtpEvent::Bytes(_) | FtpEvent::Complete(_) | FtpEvent::Checksum(_) => return,
+            FtpEvent::Bytes(_)
+            | FtpEvent::Complete(_)
+            | FtpEvent::Checksum(_)
+            | FtpEvent::Wrote(_)
+            | FtpEvent::Written => return,
         };
         if self.folder + 1 < FOLDERS.len() && fault != Some(FtpFault::Silent) {
             self.folder += 1;

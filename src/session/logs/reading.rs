@@ -141,7 +141,11 @@ impl Reading {
                 self.route = match event {
                     FtpEvent::Checksum(sum) => Route::Summed(path.clone(), sum),
                     FtpEvent::Failed(fault) => Route::Checked(self.unchecked(fault)),
-                    FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Complete(_) => return,
+                    FtpEvent::Listed(_)
+                    | FtpEvent::Bytes(_)
+                    | FtpEvent::Complete(_)
+                    | FtpEvent::Wrote(_)
+                    | FtpEvent::Written => return,
                 };
             }
             Route::Measuring(asked) if *asked == ticket => {
@@ -149,7 +153,11 @@ impl Reading {
                     FtpEvent::Complete(_) => FileCheck::Other,
                     FtpEvent::Failed(FtpFault::OtherSize(_)) => FileCheck::Grown,
                     FtpEvent::Failed(fault) => self.unchecked(fault),
-                    FtpEvent::Listed(_) | FtpEvent::Bytes(_) | FtpEvent::Checksum(_) => return,
+                    FtpEvent::Listed(_)
+                    | FtpEvent::Bytes(_)
+                    | FtpEvent::Checksum(_)
+                    | FtpEvent::Wrote(_)
+                    | FtpEvent::Written => return,
                 });
             }
             Route::File(..)
@@ -192,7 +200,10 @@ impl Reading {
                 self.route = Route::Messages;
                 self.transfer.resume(now);
             }
-            FtpEvent::Listed(_) | FtpEvent::Checksum(_) => {}
+            FtpEvent::Listed(_)
+            | FtpEvent::Checksum(_)
+            | FtpEvent::Wrote(_)
+            | FtpEvent::Written => {}
         }
     }
 

@@ -23,7 +23,7 @@ const MOST_ITEMS: u16 = 5000;
 
 /// A download under way.
 #[derive(Debug, Clone)]
-pub(super) struct Download {
+pub(in crate::session) struct Download {
     pub kind: ListKind,
     address: MavAddress,
     form: Form,
@@ -40,7 +40,7 @@ pub(super) struct Download {
 
 /// The state of a download.
 #[derive(Debug, PartialEq)]
-pub(super) enum Step {
+pub(in crate::session) enum Step {
     Going,
     /// All items are here.
     Done(Vec<Item>),

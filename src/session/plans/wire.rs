@@ -21,7 +21,7 @@ const MISSION_ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 
 /// A vehicle's answer about a list.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Answer {
+pub(in crate::session) enum Answer {
     /// The number of items (`MISSION_COUNT`).
     Count(u16),
     /// One item with its number (`MISSION_ITEM_INT` or `MISSION_ITEM`).
@@ -32,13 +32,13 @@ pub(super) enum Answer {
 
 /// The form of items: positions as integers, or as floats for vehicles that support only those.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(in crate::session) enum Form {
     Int,
     Float,
 }
 
 /// The answer in a frame, with the list that it is about. Answers to other ground stations do not count.
-pub(super) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
+pub(in crate::session) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
     let (target, kind, answer) = match &frame.content {
         Content::Message(MavMessage::MISSION_COUNT(data)) => {
             let kind = kind(data.mission_type as u8)?;
@@ -75,7 +75,7 @@ pub(super) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
 }
 
 /// The list of another program's upload that the vehicle has just accepted.
-pub(super) fn others_upload(frame: &Frame) -> Option<ListKind> {
+pub(in crate::session) fn others_upload(frame: &Frame) -> Option<ListKind> {
     match &frame.content {
         Content::Message(MavMessage::MISSION_ACK(data))
             if data.mavtype == MavMissionResult::MAV_MISSION_ACCEPTED =>
@@ -87,7 +87,7 @@ pub(super) fn others_upload(frame: &Frame) -> Option<ListKind> {
 }
 
 /// Requests the length of a list.
-pub(super) fn request_list(vehicle: MavAddress, kind: ListKind) -> MavMessage {
+pub(in crate::session) fn request_list(vehicle: MavAddress, kind: ListKind) -> MavMessage {
     MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
         target_system: vehicle.system,
         target_component: vehicle.component,
@@ -95,7 +95,7 @@ pub(super) fn request_list(vehicle: MavAddress, kind: ListKind) -> MavMessage {
     })
 }
 
-pub(super) fn request_item(
+pub(in crate::session) fn request_item(
     vehicle: MavAddress,
     kind: ListKind,
     seq: u16,
@@ -119,7 +119,7 @@ pub(super) fn request_item(
 }
 
 /// Ends a transfer, either complete or cancelled.
-pub(super) fn acknowledge(
+pub(in crate::session) fn acknowledge(
     vehicle: MavAddress,
     kind: ListKind,
     result: MavMissionResult,
@@ -133,7 +133,7 @@ pub(super) fn acknowledge(
     })
 }
 
-pub(super) fn mission_type(kind: ListKind) -> MavMissionType {
+pub(in crate::session) fn mission_type(kind: ListKind) -> MavMissionType {
     match kind {
         ListKind::Plan => MavMissionType::MAV_MISSION_TYPE_MISSION,
         ListKind::Fence => MavMissionType::MAV_MISSION_TYPE_FENCE,

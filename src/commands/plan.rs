@@ -1,0 +1,53 @@
+//! Commands about the lists that a vehicle carries: its plan, its fence and its rally points.
+
+use crate::plan::ListKind;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Transfer, Vehicle};
+
+/// A command about a list of a vehicle.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlanCommand {
+    pub kind: ListKind,
+    pub deed: PlanDeed,
+}
+
+/// What is done with a list.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PlanDeed {
+    /// Replace it by that of a file.
+    Upload { file: String },
+    /// Write it into a new file.
+    Download { file: String },
+    /// Remove all items.
+    Clear,
+    /// Read it again.
+    Show,
+}
+
+impl PlanCommand {
+    /// Why it needs a confirmation for this vehicle now; `None` if it does not.
+    pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
+        let plans = &vehicle.plans;
+        let transfer = match self.kind {
+            ListKind::Plan => plans.plan.transfer,
+            ListKind::Fence => plans.fence.transfer,
+            ListKind::Rally => plans.rally.transfer,
+        };
+        match self.deed {
+            PlanDeed::Download { .. } | PlanDeed::Show => None,
+            PlanDeed::Upload { .. } | PlanDeed::Clear if flies_plan(vehicle) => {
+                Some(text!("hazard-plan-auto"))
+            }
+            PlanDeed::Clear if vehicle.armed() => Some(text!("hazard-plan-armed")),
+            PlanDeed::Upload { .. } | PlanDeed::Clear => {
+                (transfer != Transfer::Done).then(|| text!("hazard-plan-unread"))
+            }
+        }
+    }
+}
+
+/// Whether the vehicle flies its plan.
+pub fn flies_plan(vehicle: &Vehicle) -> bool {
+    vehicle.armed() && vehicle.mode().is_some_and(|mode| mode.is("AUTO"))
+}

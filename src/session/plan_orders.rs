@@ -1,0 +1,328 @@
+//! Orders about the lists that a vehicle carries: its plan, its fence and its rally points.
+//!
+//! These orders are separate from the line of commands, one at a time. An upload is a [`Transaction`]: afterwards the
+//! vehicle holds the new list or the old one. It survives a lost link and a reboot of the vehicle.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage};
+
+use super::ftp::{FtpClient, FtpEvent, FtpTicket};
+use super::plans::PlanReader;
+use super::{Output, VehicleCommand};
+use crate::commands::{Command, PlanCommand, PlanDeed, flies_plan};
+use crate::ledger::{RowState, RowUpdate};
+use crate::plan::{Item, ListKind};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Transfer, Vehicle, fingerprint};
+use crate::wire::{Frame, Outgoing};
+
+mod compare;
+mod packed;
+mod reading;
+mod sending;
+mod shelf;
+mod transaction;
+
+pub use shelf::PlanShelf;
+use transaction::{Outcome, Transaction};
+
+/// The maximum number of orders that wait for one vehicle.
+const MOST_WAITING: usize = 8;
+/// HEARTBEAT's autopilot of `ArduPilot`.
+const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+
+/// The inputs and outputs of an order.
+pub(super) struct Desk<'a> {
+    pub vehicle: &'a mut Vehicle,
+    pub plans: &'a mut PlanReader,
+    pub ftp: &'a mut FtpClient,
+    pub now: Duration,
+    pub output: &'a mut Output,
+}
+
+impl Desk<'_> {
+    fn send(&mut self, messages: Vec<MavMessage>) {
+        let messages = messages.into_iter().map(Outgoing::from);
+        self.output.messages.extend(messages);
+    }
+}
+
+/// The orders about the lists of one vehicle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct PlanOrders {
+    shelf: Option<Arc<dyn PlanShelf>>,
+    waiting: VecDeque<VehicleCommand>,
+    job: Option<Job>,
+}
+
+/// The order that is carried out.
+#[derive(Debug, Clone)]
+struct Job {
+    order: VehicleCommand,
+    command: PlanCommand,
+    transaction: Box<Transaction>,
+    /// The progress last reported, and whether the link was lost then.
+    told: Option<(u8, bool)>,
+}
+
+/// How an order ends.
+type Ending = (RowState, Text);
+
+impl PlanOrders {
+    pub fn take_from(&mut self, shelf: Arc<dyn PlanShelf>) {
+        self.shelf = Some(shelf);
+    }
+
+    /// Whether an order is carried out.
+    pub fn is_busy(&self) -> bool {
+        self.job.is_some() || !self.waiting.is_empty()
+    }
+
+    pub fn order(&mut self, order: VehicleCommand, desk: &mut Desk<'_>) {
+        if self.waiting.len() >= MOST_WAITING {
+            let reason = text!("outcome-queue-full", count = MOST_WAITING);
+            let row = order.unsent(desk.vehicle.id, RowState::Refused, reason, desk.now);
+            desk.output.row(row);
+            return;
+        }
+        self.waiting.push_back(order);
+    }
+
+    /// Begins to find out what is on board, because the link was down or the vehicle has rebooted.
+    pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
+        if let Some(job) = &mut self.job {
+            job.transaction.begin_anew(ftp, now);
+        }
+    }
+
+    /// Handles a message of the vehicle.
+    pub fn receive(&mut self, frame: &Frame, desk: &mut Desk<'_>) {
+        if let Some(job) = &mut self.job {
+            job.transaction.receive(frame, desk);
+        }
+    }
+
+    /// Handles an event of the client for files.
+    pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
+        if let Some(job) = &mut self.job {
+            job.transaction.hear_file(ticket, event, now);
+        }
+    }
+
+    /// Advances time: begins, continues and ends orders.
+    pub fn poll(&mut self, desk: &mut Desk<'_>) {
+        if self.job.is_none() {
+            self.begin(desk);
+        }
+        let Some(job) = &mut self.job else {
+            return;
+        };
+        match job.transaction.poll(desk) {
+            None => job.tell_progress(desk),
+            Some(outcome) => {
+                let (state, text) = job.finish(outcome, self.shelf.as_deref(), desk);
+                job.report(state, Some(text), desk);
+                self.job = None;
+            }
+        }
+    }
+
+    fn begin(&mut self, desk: &mut Desk<'_>) {
+        while let Some(order) = self.waiting.pop_front() {
+            let Command::Plan(command) = order.command.clone() else {
+                continue;
+            };
+            match wanted(&command, self.shelf.as_deref(), desk.vehicle) {
+                Ok(new) => {
+                    let mut messages = Vec::new();
+                    desk.plans.make_way(desk.now, &mut messages);
+                    desk.send(messages);
+                    let transaction = Transaction::new(command.kind, new, desk);
+                    let job = Job {
+                        order,
+                        command,
+                        transaction: Box::new(transaction),
+                        told: None,
+                    };
+                    job.report(RowState::Sent, None, desk);
+                    self.job = Some(job);
+                    return;
+                }
+                Err(reason) => {
+                    let row = order.unsent(desk.vehicle.id, RowState::Refused, reason, desk.now);
+                    desk.output.row(row);
+                }
+            }
+        }
+    }
+}
+
+/// The list that the vehicle is to carry; `None` if the order only reads.
+fn wanted(
+    command: &PlanCommand,
+    shelf: Option<&dyn PlanShelf>,
+    vehicle: &Vehicle,
+) -> Result<Option<Vec<Item>>, Text> {
+    let writes = match &command.deed {
+        PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+        PlanDeed::Download { .. } | PlanDeed::Show => false,
+    };
+    let is_ardupilot = vehicle
+        .heartbeat
+        .is_some_and(|it| it.autopilot == ARDUPILOT);
+    if writes && !is_ardupilot {
+        return Err(text!("refused-plan-autopilot"));
+    }
+    match &command.deed {
+        PlanDeed::Show => Ok(None),
+        PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
+        PlanDeed::Download { .. } => Ok(None),
+        PlanDeed::Clear if command.kind == ListKind::Plan && flies_plan(vehicle) => {
+            Err(text!("refused-plan-clear-auto"))
+        }
+        PlanDeed::Clear => Ok(Some(Vec::new())),
+        PlanDeed::Upload { file } => {
+            let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
+            let items = shelf.read(&named(file, vehicle), command.kind)?;
+            if compare::own(command.kind, &items).is_empty() {
+                return Err(text!("refused-plan-empty"));
+            }
+            compare::check(command.kind, &items)?;
+            Ok(Some(items))
+        }
+    }
+}
+
+/// A file's name for a vehicle: `{id}` stands for its number.
+fn named(file: &str, vehicle: &Vehicle) -> String {
+    file.replace("{id}", &vehicle.id.to_string())
+}
+
+/// The list that the model has, if it is known to be complete.
+fn known(vehicle: &Vehicle, kind: ListKind) -> Option<Vec<Item>> {
+    let plans = &vehicle.plans;
+    let (items, transfer) = match kind {
+        ListKind::Plan => {
+            let items = plans.plan.content.as_ref().map(|it| it.items.clone());
+            (items, plans.plan.transfer)
+        }
+        ListKind::Fence => {
+            let items = plans.fence.content.as_ref().map(|it| it.items.clone());
+            (items, plans.fence.transfer)
+        }
+        ListKind::Rally => {
+            let items = plans.rally.content.as_ref().map(|it| it.items.clone());
+            (items, plans.rally.transfer)
+        }
+    };
+    items.filter(|_| transfer == Transfer::Done)
+}
+
+impl Job {
+    fn report(&self, state: RowState, explanation: Option<Text>, desk: &mut Desk<'_>) {
+        let row = RowUpdate {
+            entry: self.order.entry,
+            vehicle: desk.vehicle.id,
+            state,
+            tries: 1,
+            at: desk.now,
+            explanation,
+        };
+        desk.output.row(row);
+    }
+
+    fn tell_progress(&mut self, desk: &mut Desk<'_>) {
+        let told = (self.transaction.percent(), desk.vehicle.link.lost);
+        if self.told == Some(told) {
+            return;
+        }
+        self.told = Some(told);
+        let explanation = if desk.vehicle.link.lost {
+            Some(text!("plan-stage-lost"))
+        } else {
+            self.transaction
+                .is_restoring()
+                .then(|| text!("plan-stage-restoring"))
+        };
+        self.report(RowState::InProgress(told.0), explanation, desk);
+    }
+
+    /// Notes what the vehicle holds, and says how the order has ended.
+    fn finish(
+        &self,
+        outcome: Outcome,
+        shelf: Option<&dyn PlanShelf>,
+        desk: &mut Desk<'_>,
+    ) -> Ending {
+        let kind = self.command.kind;
+        let (held, ending) = match outcome {
+            Outcome::Read(items) => {
+                let ending = self.was_read(&items, shelf, desk.vehicle);
+                (Some(items), ending)
+            }
+            Outcome::Written(items) => {
+                let ending = (
+                    RowState::Done,
+                    counted("outcome-plan-written", kind, &items),
+                );
+                (Some(items), ending)
+            }
+            Outcome::Same(items) => {
+                let ending = (RowState::Done, counted("outcome-plan-same", kind, &items));
+                (Some(items), ending)
+            }
+            Outcome::Changed(items) => {
+                let ending = (
+                    RowState::Refused,
+                    counted("refused-plan-changed", kind, &items),
+                );
+                (Some(items), ending)
+            }
+            Outcome::Kept(items, reason) => {
+                let text = text!("outcome-plan-kept", reason = reason);
+                (Some(items), (RowState::Refused, text))
+            }
+            Outcome::Restored(items, reason) => {
+                let text = text!("outcome-plan-restored", reason = reason);
+                (Some(items), (RowState::Refused, text))
+            }
+            Outcome::Unsupported => (None, (RowState::Refused, text!("refused-plan-no-list"))),
+            Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
+            Outcome::Unknown => (None, (RowState::TimedOut, text!("outcome-plan-unknown"))),
+        };
+        match held {
+            Some(items) => desk.plans.learn(desk.vehicle, kind, items, desk.now),
+            None => desk.plans.read_again(kind, desk.now),
+        }
+        ending
+    }
+
+    fn was_read(&self, items: &[Item], shelf: Option<&dyn PlanShelf>, vehicle: &Vehicle) -> Ending {
+        let kind = self.command.kind;
+        let (PlanDeed::Download { file }, Some(shelf)) = (&self.command.deed, shelf) else {
+            return (RowState::Done, counted("outcome-plan-read", kind, items));
+        };
+        match shelf.write(&named(file, vehicle), kind, items) {
+            Ok(path) => {
+                let count = compare::own(kind, items).len();
+                let text = text!("outcome-plan-saved", count = count, file = path);
+                (RowState::Done, text)
+            }
+            Err(reason) => (RowState::Refused, reason),
+        }
+    }
+}
+
+/// A message about a list with its length and its fingerprint.
+fn counted(message: &'static str, kind: ListKind, items: &[Item]) -> Text {
+    let own = compare::own(kind, items);
+    let mark = format!("{:04x}", fingerprint(own));
+    Text::new(
+        message,
+        vec![("count", own.len().into()), ("mark", mark.into())],
+    )
+}

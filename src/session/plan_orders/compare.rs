@@ -1,0 +1,182 @@
+//! Whether a vehicle would take a list, and whether what it holds is what was sent.
+
+use mavlink::dialects::ardupilotmega::MavMissionResult;
+
+use crate::plan::{HeightFrame, Item, ListKind};
+use crate::sim;
+use crate::text;
+use crate::text::Text;
+
+/// The difference in metres or other units that the storage and the wire cause: heights are kept in centimetres, those
+/// of rally points in metres.
+const ROUNDING: f32 = 0.011;
+const RALLY_ROUNDING: f32 = 1.001;
+
+/// Refuses a list with an item that `ArduPilot` would not take.
+///
+/// # Errors
+/// The number of the item, and the reason.
+pub(super) fn check(kind: ListKind, items: &[Item]) -> Result<(), Text> {
+    for (number, item) in items.iter().enumerate().skip(home(kind)) {
+        if let Err(result) = sim::stored(kind, item) {
+            let reason = explained(result, item);
+            return Err(text!("refused-plan-item", item = number, reason = reason));
+        }
+    }
+    Ok(())
+}
+
+/// A vehicle's refusal of an item, or of a list.
+pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
+    use MavMissionResult as Result;
+    let parameter = |number: u16| text!("plan-result-parameter", number = number);
+    match result {
+        Result::MAV_MISSION_UNSUPPORTED => text!("plan-result-command", command = item.command),
+        Result::MAV_MISSION_UNSUPPORTED_FRAME => text!("plan-result-frame", frame = item.frame),
+        Result::MAV_MISSION_INVALID_PARAM1 => parameter(1),
+        Result::MAV_MISSION_INVALID_PARAM2 => parameter(2),
+        Result::MAV_MISSION_INVALID_PARAM3 => parameter(3),
+        Result::MAV_MISSION_INVALID_PARAM4 => parameter(4),
+        Result::MAV_MISSION_INVALID_PARAM5_X => text!("plan-result-latitude"),
+        Result::MAV_MISSION_INVALID_PARAM6_Y => text!("plan-result-longitude"),
+        Result::MAV_MISSION_INVALID_PARAM7 => text!("plan-result-height"),
+        Result::MAV_MISSION_NO_SPACE => text!("plan-result-space"),
+        Result::MAV_MISSION_DENIED => text!("plan-result-denied"),
+        Result::MAV_MISSION_ACCEPTED
+        | Result::MAV_MISSION_ERROR
+        | Result::MAV_MISSION_INVALID
+        | Result::MAV_MISSION_INVALID_SEQUENCE
+        | Result::MAV_MISSION_OPERATION_CANCELLED => text!("plan-result-error"),
+    }
+}
+
+/// The number of items of a list that belong to the vehicle: item 0 of a plan is its home.
+fn home(kind: ListKind) -> usize {
+    usize::from(kind == ListKind::Plan)
+}
+
+/// The items of a list without the vehicle's own.
+pub(super) fn own(kind: ListKind, items: &[Item]) -> &[Item] {
+    items.get(home(kind)..).unwrap_or_default()
+}
+
+/// Whether a vehicle holds what was sent, allowing for what its storage does to it.
+pub(super) fn is_held(kind: ListKind, sent: &[Item], held: &[Item]) -> bool {
+    let (sent, held) = (own(kind, sent), own(kind, held));
+    sent.len() == held.len()
+        && sent
+            .iter()
+            .zip(held)
+            .all(|(sent, held)| is_item(kind, sent, held))
+}
+
+fn is_item(kind: ListKind, sent: &Item, held: &Item) -> bool {
+    let kept = sim::stored(kind, sent).unwrap_or(*sent);
+    let rounding = match kind {
+        ListKind::Plan | ListKind::Fence => ROUNDING,
+        ListKind::Rally => RALLY_ROUNDING,
+    };
+    let params = sent.params.iter().zip(kept.params).zip(held.params);
+    let is_frame = |frame: u8| HeightFrame::of(frame) == HeightFrame::of(held.frame);
+    let has_height = kind != ListKind::Fence && crate::plan::has_place(sent.command);
+    sent.command == held.command
+        && (!has_height || is_frame(kept.frame) || is_frame(sent.frame))
+        && is_near(sent.x, kept.x, held.x)
+        && is_near(sent.y, kept.y, held.y)
+        && (is_close(kept.z, held.z, rounding) || is_close(sent.z, held.z, rounding))
+        && params.into_iter().all(|((sent, kept), held)| {
+            let slack = |value: f32| (value.abs() * 1e-6).max(1e-6);
+            is_close(kept, held, slack(kept)) || is_close(*sent, held, slack(*sent))
+        })
+}
+
+fn is_near(sent: i32, kept: i32, held: i32) -> bool {
+    sent.abs_diff(held) <= 1 || kept.abs_diff(held) <= 1
+}
+
+/// Whether two numbers are close; two that are not set are.
+fn is_close(a: f32, b: f32, slack: f32) -> bool {
+    (a.is_nan() && b.is_nan()) || (a - b).abs() <= slack
+}
+
+/// Whether two readings of a vehicle's list are the same.
+pub(super) fn is_same(kind: ListKind, before: &[Item], now: &[Item]) -> bool {
+    let bits = |item: &Item| {
+        let params = item.params.map(f32::to_bits);
+        let frame = HeightFrame::of(item.frame);
+        (
+            item.command,
+            frame,
+            params,
+            item.x,
+            item.y,
+            item.z.to_bits(),
+        )
+    };
+    let (before, now) = (own(kind, before), own(kind, now));
+    before.len() == now.len() && before.iter().zip(now).all(|(a, b)| bits(a) == bits(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn waypoint(params: [f32; 4], z: f32) -> Item {
+        Item {
+            command: 16,
+            frame: 6,
+            auto_continue: true,
+            params,
+            x: 504_500_000,
+            y: 305_000_000,
+            z,
+        }
+    }
+
+    #[test]
+    fn what_storage_rounds_is_no_difference_and_a_metre_is() {
+        let home = waypoint([0.0; 4], 0.0);
+        let sent = [home, waypoint([3.9, 5.0, 0.0, f32::NAN], 20.257)];
+        let held = |held: Item| [home, Item { frame: 3, ..held }];
+        let rounded = held(waypoint([3.0, 0.0, 0.0, 0.0], 20.25));
+        assert!(is_held(ListKind::Plan, &sent, &rounded));
+        for other in [
+            waypoint([4.0, 0.0, 0.0, 0.0], 20.25),
+            waypoint([3.0, 0.0, 0.0, 0.0], 21.25),
+            Item {
+                x: 504_500_002,
+                ..rounded[1]
+            },
+            Item {
+                command: 82,
+                ..rounded[1]
+            },
+        ] {
+            assert!(!is_held(ListKind::Plan, &sent, &held(other)), "{other:?}");
+        }
+        let sea = Item {
+            frame: 0,
+            ..rounded[1]
+        };
+        assert!(!is_held(ListKind::Plan, &sent, &[home, sea]));
+        assert!(!is_held(ListKind::Plan, &sent, &sent[..1]));
+    }
+
+    #[test]
+    fn an_item_that_would_be_refused_is_named() {
+        let bad = Item {
+            command: 195,
+            ..waypoint([0.0; 4], 5.0)
+        };
+        let items = [waypoint([0.0; 4], 0.0), bad];
+        assert!(check(ListKind::Plan, &items[..1]).is_ok());
+        assert!(check(ListKind::Plan, &items).is_err());
+    }
+
+    #[test]
+    fn home_may_move_between_two_readings() {
+        let at = |z| [waypoint([0.0; 4], z), waypoint([f32::NAN; 4], 20.0)];
+        assert!(is_same(ListKind::Plan, &at(1.0), &at(2.0)));
+        assert!(!is_same(ListKind::Rally, &at(1.0), &at(2.0)));
+    }
+}

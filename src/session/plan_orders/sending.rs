@@ -1,0 +1,165 @@
+//! The upload of a list item by item: its length, then each item that the vehicle requests.
+//!
+//! A refusal does not end an upload: `ArduPilot` refuses an item that arrives twice, and goes on. It requests an
+//! item each second, and ends the upload after 8 s without one.
+
+#![expect(
+    deprecated,
+    reason = "older vehicles request items with what the dialect calls superseded"
+)]
+
+use std::time::Duration;
+
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{
+    MISSION_COUNT_DATA, MISSION_ITEM_INT_DATA, MavMessage, MavMissionResult,
+};
+
+use super::packed;
+use crate::plan::{Item, ListKind};
+use crate::session::plans::wire::mission_type;
+use crate::vehicle::Vehicle;
+use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, Outgoing};
+
+/// How long the first request may take before the length is sent again, and how often it is sent.
+const FIRST_REQUEST_WITHIN: Duration = Duration::from_secs(1);
+const COUNTS: u8 = 8;
+/// A vehicle ends an upload after 8 s without an item.
+const GIVEN_UP_AFTER: Duration = Duration::from_millis(8500);
+/// A refusal counts if no request has followed it for this long: four requests would have.
+const REFUSED_AFTER: Duration = Duration::from_secs(4);
+
+/// An upload under way.
+#[derive(Debug, Clone)]
+pub(super) struct Sending {
+    kind: ListKind,
+    items: Vec<Item>,
+    counts: u8,
+    counted_at: Duration,
+    /// When an item was last requested, and how many items have been.
+    asked_at: Option<Duration>,
+    reached: usize,
+    refusal: Option<(Duration, MavMissionResult)>,
+    is_accepted: bool,
+}
+
+/// How an upload has ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Sent {
+    Accepted,
+    /// The vehicle has refused the list at the item with this number.
+    Refused(MavMissionResult, usize),
+    /// The vehicle has fallen silent; what it holds is unknown.
+    Silent,
+}
+
+impl Sending {
+    pub fn new(kind: ListKind, items: Vec<Item>) -> Self {
+        Self {
+            kind,
+            items,
+            counts: 0,
+            counted_at: Duration::ZERO,
+            asked_at: None,
+            reached: 0,
+            refusal: None,
+            is_accepted: false,
+        }
+    }
+
+    /// How much has been sent, from 0 to 1.
+    pub fn share(&self) -> f32 {
+        self.reached as f32 / self.items.len().max(1) as f32
+    }
+
+    /// Answers a request, and notes the vehicle's verdict.
+    pub fn receive(
+        &mut self,
+        frame: &Frame,
+        vehicle: &Vehicle,
+        now: Duration,
+        out: &mut Vec<Outgoing>,
+    ) {
+        let Content::Message(message) = &frame.content else {
+            return;
+        };
+        let (to, list) = match message {
+            MavMessage::MISSION_REQUEST(data) => (data.target_system, data.mission_type),
+            MavMessage::MISSION_REQUEST_INT(data) => (data.target_system, data.mission_type),
+            MavMessage::MISSION_ACK(data) => (data.target_system, data.mission_type),
+            _ => return,
+        };
+        if !matches!(to, 0 | GROUND_STATION_SYSTEM) || list as u8 != self.kind.number() {
+            return;
+        }
+        match message {
+            MavMessage::MISSION_REQUEST(data) => self.requested(data.seq, vehicle, now, out),
+            MavMessage::MISSION_REQUEST_INT(data) => self.requested(data.seq, vehicle, now, out),
+            MavMessage::MISSION_ACK(data) => self.judged(data.mavtype, now),
+            _ => {}
+        }
+    }
+
+    fn requested(&mut self, seq: u16, vehicle: &Vehicle, now: Duration, out: &mut Vec<Outgoing>) {
+        let Some(item) = self.items.get(usize::from(seq)).filter(|_| self.counts > 0) else {
+            return;
+        };
+        self.asked_at = Some(now);
+        self.reached = self.reached.max(usize::from(seq) + 1);
+        out.push(Outgoing::Raw {
+            id: MISSION_ITEM_INT_DATA::ID,
+            payload: packed::laid_out(item, seq, vehicle.address(), self.kind),
+        });
+    }
+
+    fn judged(&mut self, result: MavMissionResult, now: Duration) {
+        let is_complete = self.counts > 0 && self.reached == self.items.len();
+        match result {
+            MavMissionResult::MAV_MISSION_ACCEPTED => self.is_accepted |= is_complete,
+            // The answer to an item that arrived twice.
+            MavMissionResult::MAV_MISSION_INVALID_SEQUENCE => {}
+            _ => self.refusal = Some((now, result)),
+        }
+    }
+
+    /// Sends the length while nothing is requested; returns the end of the upload.
+    pub fn poll(
+        &mut self,
+        vehicle: &Vehicle,
+        now: Duration,
+        out: &mut Vec<Outgoing>,
+    ) -> Option<Sent> {
+        if self.is_accepted {
+            return Some(Sent::Accepted);
+        }
+        let delay = 2 * vehicle.link.round_trip.unwrap_or_default();
+        if let Some((refused_at, result)) = self.refusal {
+            let heard_at = self.asked_at.map_or(refused_at, |at| at.max(refused_at));
+            if now >= heard_at + REFUSED_AFTER + delay {
+                return Some(Sent::Refused(result, self.reached.saturating_sub(1)));
+            }
+            return None;
+        }
+        if let Some(asked_at) = self.asked_at {
+            return (now >= asked_at + GIVEN_UP_AFTER + delay).then_some(Sent::Silent);
+        }
+        if self.counts > 0 && now < self.counted_at + FIRST_REQUEST_WITHIN + delay {
+            return None;
+        }
+        if self.counts == COUNTS {
+            return Some(Sent::Silent);
+        }
+        self.counts += 1;
+        self.counted_at = now;
+        let count = MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
+            // Longer lists do not fit on any vehicle; the vehicle refuses them.
+            count: u16::try_from(self.items.len()).unwrap_or(u16::MAX),
+            target_system: vehicle.system,
+            target_component: vehicle.component,
+            mission_type: mission_type(self.kind),
+            opaque_id: 0,
+        });
+        out.push(count.into());
+        None
+    }
+}
