@@ -7,7 +7,6 @@ use crate::{Document, ListKind};
 
 mod archive;
 mod geojson;
-mod inflate;
 mod json;
 mod kml;
 mod lines;
