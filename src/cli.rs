@@ -8,9 +8,9 @@ use std::sync::Mutex;
 
 use clap::{Parser, Subcommand};
 
-use crate::language::parse_ranges;
 use crate::link::Address;
 use crate::store::{self, StoreError};
+use crate::vehicle_id::VehicleIds;
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -104,7 +104,7 @@ enum CliCommand {
         addresses: Vec<Address>,
         /// Limit the swarm to these vehicles, such as 1-4,7: `all` does not address any other vehicle in contact.
         #[arg(long, value_name = "IDS", value_parser = vehicle_ids)]
-        expect: Option<String>,
+        expect: Option<VehicleIds>,
         /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -326,11 +326,8 @@ fn create_log(path: &str) -> io::Result<File> {
 }
 
 /// Vehicle ids as a command line names them, such as 1-4,7.
-fn vehicle_ids(text: &str) -> Result<String, String> {
-    match parse_ranges(text) {
-        Ok(_) => Ok(text.to_owned()),
-        Err(reason) => Err(reason.to_string()),
-    }
+fn vehicle_ids(text: &str) -> Result<VehicleIds, String> {
+    text.parse().map_err(|reason: crate::text::Text| reason.to_string())
 }
 
 /// A speed-up that a simulation can hold.

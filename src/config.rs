@@ -10,6 +10,7 @@ use strum::VariantNames;
 
 use crate::alert::AlertKind;
 use crate::text::Language;
+use crate::vehicle_id::VehicleIds;
 
 mod layers;
 mod live;
@@ -83,7 +84,7 @@ pub enum Readers {
 #[serde(default, deny_unknown_fields)]
 pub struct ConnectConfig {
     /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all vehicles that are heard.
-    pub expect: Option<String>,
+    pub expect: Option<VehicleIds>,
 }
 
 /// The symbols that a terminal can show besides letters.

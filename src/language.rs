@@ -22,7 +22,6 @@ mod choice;
 mod complete;
 mod console;
 mod form;
-mod ids;
 mod lexer;
 mod manual;
 mod modes;
@@ -45,7 +44,6 @@ pub use console::{
     AlertLine, ConsoleLine, GhostLine, GhostSource, ParametersLine, ProcessDeed, ReplayLine,
     Report, ReviewLine, SeekTarget, TableLine,
 };
-pub use ids::{parse_ranges, ranges};
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};

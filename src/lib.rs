@@ -44,6 +44,7 @@
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
+//! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
 //! | libraries | [`sim`] | simulated vehicles |
 //! | | [`wire`] | MAVLink frames |
@@ -112,6 +113,7 @@ pub mod terminal;
 pub mod text;
 pub mod ui;
 pub mod vehicle;
+pub mod vehicle_id;
 pub mod verb;
 pub mod workshop;
 

@@ -8,7 +8,7 @@ use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage};
 
 use crate::alert::AlertKind;
-use crate::notice::Notice;
+use crate::notice::{Notice, NoticeSource};
 use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
@@ -63,20 +63,23 @@ struct Report<'a> {
 
 impl Report<'_> {
     fn say(&mut self, severity: Severity, text: Text) {
-        self.push(severity, None, text);
+        let notice = Notice::about(self.vehicle, self.now, severity, text);
+        self.notices.push(notice);
     }
 
     fn alert(&mut self, severity: Severity, kind: AlertKind, text: Text) {
-        self.push(severity, Some(kind), text);
+        self.notices.push(Notice {
+            kind: Some(kind),
+            ..Notice::about(self.vehicle, self.now, severity, text)
+        });
     }
 
-    fn push(&mut self, severity: Severity, kind: Option<AlertKind>, text: Text) {
+    /// Repeats a text of the vehicle.
+    fn repeat(&mut self, severity: Severity, kind: AlertKind, text: String) {
         self.notices.push(Notice {
-            at: self.now,
-            vehicle: Some(self.vehicle),
-            severity,
-            kind,
-            text,
+            kind: Some(kind),
+            source: NoticeSource::Vehicle,
+            ..Notice::about(self.vehicle, self.now, severity, text.into())
         });
     }
 }

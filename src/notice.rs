@@ -18,11 +18,29 @@ pub struct Notice {
     pub severity: Severity,
     /// The kind of alert that it reports, if known.
     pub kind: Option<AlertKind>,
+    pub source: NoticeSource,
     /// The message; foreign text in it is free of control characters.
     pub text: Text,
 }
 
+/// Where a notice's text comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoticeSource {
+    /// This program says it.
+    Program,
+    /// It repeats a vehicle's STATUSTEXT.
+    Vehicle,
+}
+
 impl Notice {
+    /// A notice that concerns a vehicle and no alert.
+    pub fn about(vehicle: VehicleId, at: Duration, severity: Severity, text: Text) -> Self {
+        Self {
+            vehicle: Some(vehicle),
+            ..Self::general(at, severity, text)
+        }
+    }
+
     /// A notice that concerns no vehicle and no alert.
     pub fn general(at: Duration, severity: Severity, text: Text) -> Self {
         Self {
@@ -30,6 +48,7 @@ impl Notice {
             vehicle: None,
             severity,
             kind: None,
+            source: NoticeSource::Program,
             text,
         }
     }

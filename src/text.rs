@@ -136,11 +136,6 @@ impl Text {
         Self(content)
     }
 
-    /// Whether it is foreign text, not a message of this program.
-    pub fn is_verbatim(&self) -> bool {
-        matches!(self.0, TextContent::Verbatim(_))
-    }
-
     /// Several texts, joined by a separator.
     pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
         Self(TextContent::Joined { separator, parts })

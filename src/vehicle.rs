@@ -18,6 +18,7 @@ mod speeds;
 mod status;
 mod way_home;
 
+pub use crate::vehicle_id::VehicleId;
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
@@ -36,15 +37,8 @@ pub use way_home::{HomeReach, MeanCurrent, WayHome};
 /// A home farther away than this is not the home of this flight.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;
 
-/// The number by which users and the command language address a vehicle. It is the vehicle's system id, unless a swarm
-/// is larger than the 255 ids of MAVLink.
-pub type VehicleId = u16;
-
 /// The newest snapshots of vehicles, shared by reference.
 pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
-
-/// The highest number of a vehicle, since tables have room for four digits.
-pub const HIGHEST_VEHICLE: VehicleId = 9999;
 
 /// Everything known about one vehicle.
 #[derive(Debug, Clone, PartialEq)]

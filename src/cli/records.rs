@@ -11,7 +11,6 @@ use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
-use crate::language::{parse_ranges, ranges};
 use crate::moment::Moment;
 use crate::record::MissionClock;
 use crate::replay::{ExportFormat, Replay, TlogSpan, export};
@@ -19,6 +18,7 @@ use crate::review::{ReviewedFlight, markdown};
 use crate::store::{RecordFiles, Records, write};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, utc_of};
+use crate::vehicle_id::{parse_ranges, ranges};
 
 mod join;
 mod sign;

@@ -15,7 +15,6 @@ use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin, Readers};
 use crate::diagnostic::Diagnostic;
-use crate::language::parse_ranges;
 use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source};
 use crate::text;
 use crate::text::{Language, Locale, Text};
@@ -410,12 +409,11 @@ pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnost
     layers.file(&source.name, &source.text, &check).err()
 }
 
-/// Checks a word of a setting whose type does not say enough: a macro, the vehicles of a swarm, a theme, the log level.
+/// Checks a word of a setting whose type does not say enough: a macro, a theme, the log level.
 fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic> {
     let fault = |text| Err(Diagnostic::new(0..word.len(), text));
     match setting {
         "macros" => lines::check(word, themes),
-        "connect.expect" => parse_ranges(word).map(drop).or_else(fault),
         "theme" if !themes.iter().any(|name| name == word) => {
             let text = text!("theme-unknown", name = word);
             let known = themes.iter().map(String::as_str);

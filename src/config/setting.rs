@@ -8,6 +8,7 @@ use crate::alert::AlertKind;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
 use crate::text::{Language, Text};
+use crate::vehicle_id::VehicleIds;
 
 /// A setting of the configuration, with its valid values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +40,8 @@ pub enum SettingKind {
     Sort,
     /// A list of kinds of alerts.
     AlertKinds,
+    /// Vehicles by number: `1-4,7`.
+    Vehicles,
     /// A table of named lines: each a text or a list of texts.
     Lines,
 }
@@ -222,7 +225,7 @@ pub const SETTINGS: &[Setting] = &[
     ),
     setting(
         "connect.expect",
-        SettingKind::Text,
+        SettingKind::Vehicles,
         None,
         "The vehicles that belong to the swarm: \"1-4,7\"; `all` leaves out any other.",
     ),
@@ -289,7 +292,7 @@ impl SettingKind {
                 }
                 known
             }
-            (Self::Text | Self::Sort | Self::Lines, Value::String(_))
+            (Self::Text | Self::Sort | Self::Vehicles | Self::Lines, Value::String(_))
             | (Self::Flag, Value::Boolean(_)) => true,
             (Self::Whole(least, most), Value::Integer(number)) => (least..=most).contains(number),
             (Self::Words | Self::Columns | Self::AlertKinds, Value::Array(words)) => {
@@ -307,6 +310,7 @@ impl SettingKind {
                 | Self::Columns
                 | Self::Sort
                 | Self::AlertKinds
+                | Self::Vehicles
                 | Self::Lines,
                 _,
             ) => false,
@@ -328,6 +332,10 @@ impl SettingKind {
             Self::Sort if word.is_empty() => Ok(()),
             Self::Sort => TableSort::read(word).map(drop),
             Self::AlertKinds => AlertKind::read(word).map(drop),
+            Self::Vehicles => match word.parse::<VehicleIds>() {
+                Ok(_) => Ok(()),
+                Err(reason) => Err(Diagnostic::new(0..word.len(), reason)),
+            },
             Self::OneOf(_)
             | Self::Text
             | Self::Whole(..)
@@ -341,7 +349,7 @@ impl SettingKind {
     pub fn read(self, word: &str) -> Option<Value> {
         let value = match self {
             Self::OneOf(_) | Self::Text => Value::String(word.to_owned()),
-            Self::Sort => {
+            Self::Sort | Self::Vehicles => {
                 self.check_word(word).ok()?;
                 Value::String(word.to_owned())
             }
@@ -368,7 +376,7 @@ impl SettingKind {
     pub fn expected(self) -> Text {
         match self {
             Self::OneOf(choices) => text!("config-expected-word", choices = choices.join(", ")),
-            Self::Text | Self::Sort => text!("config-expected-text"),
+            Self::Text | Self::Sort | Self::Vehicles => text!("config-expected-text"),
             Self::Whole(least, most) => {
                 text!("config-expected-number", least = least, most = most)
             }

@@ -30,7 +30,8 @@ impl Layers {
                 | SettingKind::Words
                 | SettingKind::Columns
                 | SettingKind::Sort
-                | SettingKind::AlertKinds => self.show_value(setting, &mut text),
+                | SettingKind::AlertKinds
+                | SettingKind::Vehicles => self.show_value(setting, &mut text),
             }
         }
         text
@@ -70,7 +71,8 @@ pub fn setting_reference() -> String {
             | SettingKind::Words
             | SettingKind::Columns
             | SettingKind::Sort
-            | SettingKind::AlertKinds => defaults.value(setting.name),
+            | SettingKind::AlertKinds
+            | SettingKind::Vehicles => defaults.value(setting.name),
         };
         let default = default.map(|it| format!("`{it}`")).unwrap_or_default();
         let variable = setting

@@ -57,6 +57,7 @@ fn every_setting_of_the_table_is_one_of_the_configuration() {
             SettingKind::Words => ("[\"a\", \"b\"]".to_owned(), ""),
             SettingKind::Columns => ("[\"id\", \"alt\"]".to_owned(), ""),
             SettingKind::Sort => ("\"-bat\"".to_owned(), ""),
+            SettingKind::Vehicles => ("\"1-4,7\"".to_owned(), ""),
             SettingKind::AlertKinds => ("[\"gps\"]".to_owned(), ""),
             SettingKind::Lines => ("\"all arm\"".to_owned(), ".m"),
         };

@@ -333,13 +333,7 @@ impl Hub {
     }
 
     async fn warn(&self, system: SystemId, text: Text, now: Duration) {
-        let notice = Notice {
-            at: now,
-            vehicle: Some(VehicleId::from(system)),
-            severity: Severity::Error,
-            kind: None,
-            text,
-        };
+        let notice = Notice::about(VehicleId::from(system), now, Severity::Error, text);
         self.tell(FleetEvent::Warning(notice)).await;
     }
 

@@ -1,10 +1,10 @@
 //! Vehicles in a line to the console.
 
 use super::lexer::Word;
-use super::parse_ranges;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::parse_ranges;
 
 /// Vehicles in a line to the console. They are resolved when the line is carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use super::lexer::Word;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+use crate::vehicle_id::{HIGHEST_VEHICLE, VehicleId, ranges};
 
 /// The targets of a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,19 +27,7 @@ impl fmt::Display for Targets {
             Self::Selection => Ok(()),
             Self::All => f.write_str("all"),
             Self::Group(name) => write!(f, "@{name}"),
-            Self::Ids(ids) => {
-                let runs = ids.chunk_by(|a, b| a.checked_add(1) == Some(*b));
-                for (index, run) in runs.enumerate() {
-                    if index > 0 {
-                        f.write_str(",")?;
-                    }
-                    match run {
-                        [first, .., last] => write!(f, "{first}-{last}")?,
-                        one => write!(f, "{}", one.first().copied().unwrap_or_default())?,
-                    }
-                }
-                Ok(())
-            }
+            Self::Ids(ids) => f.write_str(&ranges(ids.iter().copied())),
         }
     }
 }

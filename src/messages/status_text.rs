@@ -215,7 +215,7 @@ pub(super) fn apply(
         vehicle.prearm.drain(..excess);
     }
     let kind = AlertKind::of_status_text(&text);
-    report.alert(joined.severity, kind, text.clone().into());
+    report.repeat(joined.severity, kind, text.clone());
     vehicle.texts.push(StatusText {
         severity: joined.severity,
         text,

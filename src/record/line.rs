@@ -180,11 +180,13 @@ impl NoticeLine {
     /// The notice of a line, at a time.
     pub fn notice(&self, at: Duration) -> Notice {
         Notice {
-            at,
             vehicle: self.vehicle,
-            severity: Severity::from_wire(self.severity),
             kind: self.kind,
-            text: Text::verbatim(self.text.clone()),
+            ..Notice::general(
+                at,
+                Severity::from_wire(self.severity),
+                Text::verbatim(self.text.clone()),
+            )
         }
     }
 }

@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use super::{PointKind, Review};
 use crate::debrief::explanation;
-use crate::language::ranges;
 use crate::moment::Moment;
 use crate::notice::sanitised;
 use crate::record::MissionClock;
 use crate::scoring::Report;
 use crate::text;
 use crate::text::{Locale, Text, clock};
+use crate::vehicle_id::ranges;
 
 /// The flight that a review is about.
 #[derive(Debug, Clone, Copy)]

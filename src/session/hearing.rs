@@ -7,7 +7,6 @@ use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage, MavType};
 use crate::alert::AlertKind;
 use crate::notice::Notice;
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, LossMeter};
 
@@ -53,7 +52,7 @@ impl Hearing {
         let gap = now.saturating_sub(silent_since.unwrap_or(now));
         let seconds = format!("{:.1}", gap.as_secs_f64());
         let text = text!("heard-link-back", seconds = seconds);
-        Some(notice(vehicle, Severity::Notice, text, now))
+        Some(Notice::about(vehicle.id, now, Severity::Notice, text))
     }
 }
 
@@ -69,18 +68,8 @@ pub(super) fn watch_silence(vehicle: &mut Vehicle, now: Duration) -> Option<Noti
     let text = text!("heard-link-lost");
     Some(Notice {
         kind: Some(AlertKind::LinkLost),
-        ..notice(vehicle, Severity::Critical, text, now)
+        ..Notice::about(vehicle.id, now, Severity::Critical, text)
     })
-}
-
-fn notice(vehicle: &Vehicle, severity: Severity, text: Text, now: Duration) -> Notice {
-    Notice {
-        at: now,
-        vehicle: Some(vehicle.id),
-        severity,
-        kind: None,
-        text,
-    }
 }
 
 #[cfg(test)]

@@ -145,7 +145,7 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::notice::Notice;
+    use crate::notice::{Notice, NoticeSource};
     use crate::shell::{ConsoleOptions, Opening};
     use crate::vehicle::Severity;
 
@@ -158,11 +158,13 @@ mod tests {
     async fn what_happens_while_an_effect_is_carried_out_rings_and_is_noticed() {
         let mut console = console();
         console.post(Notice {
-            at: Duration::ZERO,
-            vehicle: Some(1),
-            severity: Severity::Emergency,
-            kind: None,
-            text: "Crash: Disarming".into(),
+            source: NoticeSource::Vehicle,
+            ..Notice::about(
+                1,
+                Duration::ZERO,
+                Severity::Emergency,
+                "Crash: Disarming".into(),
+            )
         });
         console.adjust(TerminalEffect::SetTheme("none of that name".to_owned()));
         assert!(!console.sight.bell, "nothing is taken in meanwhile");

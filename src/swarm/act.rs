@@ -15,7 +15,6 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::session::Steering;
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
@@ -175,7 +174,7 @@ impl ActiveManoeuvre {
                 let text = text!("swarm-waits", verb = self.verb.name, other = other);
                 outcome
                     .notices
-                    .push(notice(id, Severity::Notice, text, view.now));
+                    .push(Notice::about(id, view.now, Severity::Notice, text));
             }
             let goal = waits.map_or(aim, |(stand, _)| MovingPoint::still(stand));
             self.members[index].standing.waits = waits;
@@ -332,14 +331,4 @@ impl ActiveManoeuvre {
 fn is_reached(at: DVec3, aim: DVec3) -> bool {
     at.truncate().distance(aim.truncate()) <= REACHED_ASIDE_M
         && (at.z - aim.z).abs() <= REACHED_ABOVE_M
-}
-
-fn notice(vehicle: VehicleId, severity: Severity, text: Text, at: Duration) -> Notice {
-    Notice {
-        at,
-        vehicle: Some(vehicle),
-        severity,
-        kind: None,
-        text,
-    }
 }

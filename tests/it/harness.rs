@@ -14,7 +14,7 @@ use sortie::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEve
 use sortie::app::state::Activity;
 use sortie::app::{App, Setup};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
-use sortie::notice::Notice;
+use sortie::notice::{Notice, NoticeSource};
 use sortie::text::{Language, Locale, Text};
 use sortie::ui::{self, Hits, Look, Theme};
 use sortie::vehicle::{Severity, Vehicle};
@@ -175,6 +175,10 @@ impl Console {
             vehicle,
             severity,
             kind: vehicle.map(|_| AlertKind::of_status_text(text)),
+            source: match vehicle {
+                Some(_) => NoticeSource::Vehicle,
+                None => NoticeSource::Program,
+            },
             text: text.into(),
         }))
     }

@@ -13,6 +13,7 @@ const LIBRARIES: &[&[&str]] = &[&["geo", "plan", "wire", "sim"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
+    &["vehicle_id"],
     &["diagnostic", "alert", "config"],
     &["parameters", "workshop"],
     &["inspector"],

@@ -5,10 +5,10 @@ use crate::app::action::{Action, LedgerAction, Step, ViewAction};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
-use crate::language::{parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry, RowState};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::{parse_ranges, ranges};
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]

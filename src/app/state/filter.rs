@@ -6,9 +6,9 @@
 
 use super::{Alert, FlightView};
 use crate::config::Column;
-use crate::language::parse_ranges;
 use crate::text::Locale;
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
+use crate::vehicle_id::parse_ranges;
 
 /// A filter for vehicles.
 #[derive(Debug, Clone, Default, PartialEq)]

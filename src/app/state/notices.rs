@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
-use crate::notice::Notice;
-use crate::text::{Text, text};
+use crate::notice::{Notice, NoticeSource};
+use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
@@ -29,12 +29,25 @@ pub struct NoticeLine {
     pub vehicles: BTreeSet<VehicleId>,
     /// The time of the last one.
     last: Duration,
+    content: LineContent,
+}
+
+/// What a line stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum LineContent {
+    /// Its notice.
+    Notice,
+    /// The texts of vehicles that are counted and not listed.
+    UnlistedTexts,
 }
 
 impl NoticeLine {
     /// Whether it is a vehicle's text, or the line that counts unlisted ones.
     pub fn is_of_vehicle(&self) -> bool {
-        is_vehicle_text(&self.notice) || self.notice.text == unlisted()
+        match self.content {
+            LineContent::Notice => self.notice.source == NoticeSource::Vehicle,
+            LineContent::UnlistedTexts => true,
+        }
     }
 
     fn count(&mut self, notice: &Notice) {
@@ -70,16 +83,17 @@ impl NoticeLog {
         } else if self.is_flooded(&notice) {
             self.count_unlisted(&notice);
         } else {
-            self.list(notice);
+            self.list(notice, LineContent::Notice);
         }
     }
 
-    fn list(&mut self, notice: Notice) {
+    fn list(&mut self, notice: Notice, content: LineContent) {
         self.lines.push_back(NoticeLine {
             count: 1,
             vehicles: notice.vehicle.into_iter().collect(),
             last: notice.at,
             notice,
+            content,
         });
         if self.lines.len() > LINES_KEPT {
             self.lines.pop_front();
@@ -89,7 +103,8 @@ impl NoticeLog {
     /// Whether a notice exceeds the number of texts of its vehicle, or of all vehicles, so that it would crowd out the
     /// console's own notices.
     fn is_flooded(&mut self, notice: &Notice) -> bool {
-        let Some(vehicle) = notice.vehicle.filter(|_| is_vehicle_text(notice)) else {
+        let is_text = notice.source == NoticeSource::Vehicle;
+        let Some(vehicle) = notice.vehicle.filter(|_| is_text) else {
             return false;
         };
         let is_over = |at: &Duration| notice.at.saturating_sub(*at) > FOLD_TIME;
@@ -113,20 +128,18 @@ impl NoticeLog {
 
     /// Counts a text on the line of unlisted ones, which stays open during the flood.
     fn count_unlisted(&mut self, notice: &Notice) {
-        let unlisted = unlisted();
         let mut newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
         let open = newest_first.find(|line| {
             let is_open = notice.at.saturating_sub(line.last) <= FOLD_TIME;
-            is_open && line.notice.text == unlisted
+            is_open && line.content == LineContent::UnlistedTexts
         });
         match open {
             Some(line) => line.count(notice),
-            None => self.list(Notice {
-                severity: Severity::Warning,
-                kind: None,
-                text: unlisted,
-                ..notice.clone()
-            }),
+            None => {
+                let vehicle = notice.vehicle;
+                let notice = Notice::general(notice.at, Severity::Warning, text!("heard-flood"));
+                self.list(Notice { vehicle, ..notice }, LineContent::UnlistedTexts);
+            }
         }
     }
 
@@ -157,16 +170,6 @@ impl NoticeLog {
     }
 }
 
-/// Whether a notice repeats a vehicle's text.
-fn is_vehicle_text(notice: &Notice) -> bool {
-    notice.vehicle.is_some() && notice.text.is_verbatim()
-}
-
-/// The text of the line for unlisted texts.
-fn unlisted() -> Text {
-    text!("heard-flood")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,6 +180,7 @@ mod tests {
             vehicle: Some(vehicle),
             severity: Severity::Info,
             kind: None,
+            source: NoticeSource::Vehicle,
             text: text.into(),
         }
     }
@@ -225,10 +229,7 @@ mod tests {
     #[test]
     fn a_flood_of_texts_takes_few_lines_as_long_as_it_lasts() {
         let mut log = NoticeLog::default();
-        let own = Notice {
-            vehicle: None,
-            ..notice(1, "the console's own")
-        };
+        let own = Notice::general(Duration::ZERO, Severity::Info, "the console's own".into());
         log.push(own);
         for number in 0..3000_u64 {
             log.push(Notice {
@@ -240,7 +241,7 @@ mod tests {
         assert_eq!(lines[0].notice.text.to_string(), "the console's own");
         let unlisted: Vec<_> = lines
             .iter()
-            .filter(|it| it.notice.text == unlisted())
+            .filter(|it| it.content == LineContent::UnlistedTexts)
             .collect();
         assert_eq!(lines.len(), 1 + 3 * TEXTS_OF_ONE + 1, "{lines:?}");
         assert_eq!(unlisted.len(), 1, "one flood, one line");
@@ -260,17 +261,19 @@ mod tests {
             start.push(notice(1, &format!("text {number}")));
         }
         assert_eq!(start.lines().len(), TEXTS_OF_ONE);
-        assert!(start.lines().all(|line| line.notice.text != unlisted()));
+        assert!(
+            start
+                .lines()
+                .all(|line| line.content == LineContent::Notice)
+        );
     }
 
     #[test]
     fn the_list_stays_bounded() {
         let mut log = NoticeLog::default();
         for number in 0..LINES_KEPT + 5 {
-            let own = Notice {
-                vehicle: None,
-                ..notice(1, &number.to_string())
-            };
+            let text = number.to_string().into();
+            let own = Notice::general(Duration::ZERO, Severity::Info, text);
             log.push(own);
         }
         assert_eq!(log.lines().len(), LINES_KEPT);

@@ -6,11 +6,11 @@ use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{self, Room, RoomRequest, fly, standing};
 use crate::app::state::{Activity, Consequence, FlightView, HelpPage, Log, Overlay};
-use crate::language::{parse_ranges, ranges};
 use crate::mission::Stake;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::{parse_ranges, ranges};
 
 /// The greatest length of a typed vehicle list, in characters.
 const LONGEST_LIST: usize = 60;

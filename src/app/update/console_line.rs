@@ -9,10 +9,11 @@ use crate::app::room::{Room, fly, hangar, parameters};
 use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
-use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, ranges, words};
+use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// Carries out a command.
 ///

@@ -4,10 +4,11 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::fly;
 use crate::app::state::Activity;
-use crate::language::{VehicleChoice, ranges};
+use crate::language::VehicleChoice;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///

@@ -82,11 +82,8 @@ fn begin(state: &mut State, count: usize) {
 /// The notice for the change of an instance, if any.
 fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option<Notice> {
     let notice = |severity, kind, text| Notice {
-        at: state.now,
-        vehicle: Some(instance.vehicle),
-        severity,
         kind,
-        text,
+        ..Notice::about(instance.vehicle, state.now, severity, text)
     };
     let crashed_before = before.is_some_and(Instance::has_crashed);
     if instance.has_crashed() && !crashed_before {

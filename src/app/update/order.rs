@@ -9,12 +9,13 @@ use crate::app::room::{Room, parameters, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, ConsoleLine, Context, Meaning, Statement, ranges};
+use crate::language::{self, ConsoleLine, Context, Meaning, Statement};
 use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
 use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
 use crate::verb::{CountsAs, Danger};
 
 /// The most targets listed one by one.

@@ -12,10 +12,11 @@ use crate::app::effect::Effects;
 use crate::app::keymap::{Place, latin};
 use crate::app::state::{Overlay, Palette};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Completion, VehicleChoice, ranges, words};
+use crate::language::{self, Completion, VehicleChoice, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+use crate::vehicle_id::ranges;
 
 /// The maximum number of lines that one macro may run in total; one that calls itself would never end.
 const MACRO_LINES: usize = 100;

@@ -16,13 +16,13 @@ use crate::app::room::{fly, ledger};
 use crate::app::state::{
     Activity, BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow,
 };
-use crate::language::parse_ranges;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle_id::VehicleIds;
 
 /// Time passes by the wall clock; flight time does too, except in a replay.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
@@ -71,21 +71,12 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     if is_new {
         fly::heard(state, id);
         if !state.session.expects(id) {
-            state.notices.push(stranger(id, state.now));
+            let text = text!("vehicle-unexpected");
+            let notice = Notice::about(id, state.now, Severity::Warning, text);
+            state.notices.push(notice);
         }
     }
     state.touch();
-}
-
-/// The notice of a vehicle that does not belong to the session.
-fn stranger(vehicle: VehicleId, now: Duration) -> Notice {
-    Notice {
-        at: now,
-        vehicle: Some(vehicle),
-        severity: Severity::Warning,
-        kind: None,
-        text: text!("vehicle-unexpected"),
-    }
 }
 
 /// Checks all vehicles again: some alerts end with time.
@@ -119,10 +110,8 @@ pub fn started(state: &mut State, started: Started) {
     session.pace = SessionPace::new(started.speedup);
     session.begin(state.now);
     if let Some(Activity::Connected { .. }) = session.activity {
-        let written = state.config.connect.expect.as_deref();
-        // The configuration has been checked.
-        let ids = written.and_then(|ids| parse_ranges(ids).ok());
-        session.expected = ids.into_iter().flatten().collect();
+        let expected = state.config.connect.expect.iter();
+        session.expected = expected.flat_map(VehicleIds::iter).collect();
     }
     let starting = |expected| Hangar {
         expected,
@@ -282,15 +271,11 @@ mod tests {
         let mut state = State::new(Setup::default());
         state.room = room;
         let text = Text::from("not recorded");
-        let at = Duration::ZERO;
         notice(
             &mut state,
             &Notice {
-                at,
                 vehicle,
-                severity,
-                kind: None,
-                text,
+                ..Notice::general(Duration::ZERO, severity, text)
             },
         );
         assert_eq!(state.notices.lines().count(), 1);

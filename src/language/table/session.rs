@@ -5,7 +5,8 @@ use crate::language::argument::{Argument, Kind, Unit};
 use crate::language::console::{ConsoleLine, ProcessDeed, Report};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
-use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+use crate::vehicle::VehicleId;
+use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[

@@ -5,7 +5,8 @@ use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
-use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+use crate::vehicle::VehicleId;
+use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD];

@@ -1,7 +1,8 @@
 //! Whether hints give away too much.
 
 use super::Examined;
-use crate::language::{parse_ranges, verbs};
+use crate::language::verbs;
+use crate::vehicle_id::parse_ranges;
 
 /// Reports hints of the first level that contain a whole command.
 pub(super) fn check(examined: &mut Examined<'_>) {

@@ -75,23 +75,16 @@ impl FlightJournal {
 
     /// Adds a notice about a vehicle; the notice is not part of the report.
     pub fn tell(&mut self, vehicle: VehicleId, severity: Severity, text: Text) {
-        self.notices.push(Notice {
-            at: self.now,
-            vehicle: Some(vehicle),
-            severity,
-            kind: None,
-            text,
-        });
+        let notice = Notice::about(vehicle, self.now, severity, text);
+        self.notices.push(notice);
     }
 
     /// Adds a notice and an event for the report.
     pub fn say(&mut self, entry: JournalEntry) {
         self.notices.push(Notice {
-            at: self.now,
             vehicle: entry.vehicle,
-            severity: entry.severity,
             kind: entry.alert,
-            text: entry.text.clone(),
+            ..Notice::general(self.now, entry.severity, entry.text.clone())
         });
         self.record(entry);
     }

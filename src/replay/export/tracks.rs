@@ -34,7 +34,7 @@ fn placed<'a>(
 
 /// The label of a moment in other programs, in English.
 fn label(moment: &Moment) -> String {
-    let vehicles = crate::language::ranges(moment.vehicles.iter().copied());
+    let vehicles = crate::vehicle_id::ranges(moment.vehicles.iter().copied());
     let colon = if vehicles.is_empty() { "" } else { ": " };
     format!("{vehicles}{colon}{}", moment.text)
 }

@@ -1,3 +1,4 @@
+use crate::text;
 use std::sync::Arc;
 
 use crossterm::event::KeyCode;

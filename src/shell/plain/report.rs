@@ -7,12 +7,13 @@ use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::state::{Alert, FlightView, Hangar, HelpLine, NoticeLine, command_help};
 use crate::geo::maths;
-use crate::language::{Channel, Report, VehicleChoice, ranges};
+use crate::language::{Channel, Report, VehicleChoice};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
 use crate::text::{Text, figure, text};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// How long the newest notice may still collect identical ones.
 const FOLD_TIME: std::time::Duration = std::time::Duration::from_secs(10);

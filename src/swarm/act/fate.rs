@@ -4,8 +4,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::places::{share_lanes, take_places};
-use super::{ActiveManoeuvre, Phase, StepOutcome, Work, WorldView, notice};
+use super::{ActiveManoeuvre, Phase, StepOutcome, Work, WorldView};
 use crate::ledger::{RowState, RowUpdate};
+use crate::notice::Notice;
 use crate::swarm::lanes::Lane;
 use crate::text;
 use crate::text::Text;
@@ -37,7 +38,7 @@ impl ActiveManoeuvre {
                 let text = text!("swarm-falls-out", verb = verb, reason = &reason);
                 outcome
                     .notices
-                    .push(notice(id, Severity::Warning, text, view.now));
+                    .push(Notice::about(id, view.now, Severity::Warning, text));
                 self.lose(&[id], state, &reason, view, outcome);
             }
         }

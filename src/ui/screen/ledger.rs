@@ -5,7 +5,6 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::language::{parse_ranges, ranges};
 use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::text;
 use crate::text::Text;
@@ -14,6 +13,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::ledger::{entry_role, summary};
 use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
+use crate::vehicle_id::{parse_ranges, ranges};
 
 /// The minimum width for showing the rows of a command beside the list.
 const BESIDE: u16 = 150;

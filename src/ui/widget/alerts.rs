@@ -6,12 +6,12 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::state::Pressing;
-use crate::language::ranges;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, short_clock, width};
+use crate::vehicle_id::ranges;
 
 /// The rows of the line; 0 without an alert.
 pub fn height(state: &State) -> u16 {

@@ -10,7 +10,6 @@ use unicode_width::UnicodeWidthStr as _;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::state::FlightView;
-use crate::language::ranges;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::text;
 use crate::text::Text;
@@ -19,6 +18,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, row_role, wrap};
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
 
 /// The indent of an outcome.
 const INDENT: usize = 2;

@@ -7,7 +7,6 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::state::{FlightView, NoticeLine};
-use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -15,6 +14,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, clip, clock, put, severity_role, wrap};
 use crate::vehicle::Severity;
+use crate::vehicle_id::ranges;
 
 /// Columns of a severity.
 const SEVERITY_WIDTH: usize = 5;

@@ -9,13 +9,13 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::Place;
 use crate::app::state::{Prompt, Purpose};
-use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, centred, put, wrap};
+use crate::vehicle_id::ranges;
 
 const EXAMPLES: &[(&str, &str)] = &[
     ("tcp:127.0.0.1:5760", "prompt-connect-tcp"),

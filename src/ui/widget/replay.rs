@@ -9,13 +9,13 @@ use crate::app::State;
 use crate::app::action::{Action, ReplayAction};
 use crate::app::keymap::Place;
 use crate::app::state::{ReplayView, rate};
-use crate::language::ranges;
 use crate::moment::{Moment, MomentKind};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, clip, clock, width};
+use crate::vehicle_id::ranges;
 
 /// The least cells of the time line; below that it is left out.
 const SHORTEST: usize = 10;

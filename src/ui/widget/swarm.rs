@@ -10,7 +10,6 @@ use crate::app::room::fly::sorted_by;
 use crate::app::state::Room;
 use crate::app::state::Selection;
 use crate::config::TableSort;
-use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::{Badge, Look};
@@ -18,6 +17,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, columns, put, width, wrap};
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
 
 mod cells;
 mod layout;

@@ -25,7 +25,7 @@ fn fault(console: &Console) -> String {
 
 /// Connected to vehicles 1 to 4, of which 3 and 4 have become silent.
 fn connected(expected: Option<&str>) -> Console {
-    let expected = expected.map(str::to_owned);
+    let expected = expected.map(|ids| ids.parse().expect("ids"));
     let mut console = Console::set_up(|setup| setup.config.connect.expect = expected);
     console.start(Activity::Connected {
         addresses: vec!["udpin:127.0.0.1:14550".to_owned()],

@@ -7,10 +7,10 @@ use super::files::incomplete;
 use super::{coming, rows};
 use crate::app::State;
 use crate::app::state::{Consequence, ParameterSetting};
-use crate::language::ranges;
 use crate::parameters::{ParameterFinding, is_the_vehicles_own};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// The other side of the comparison with the vehicle under the cursor.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,12 +6,12 @@ use crate::app::State;
 use crate::app::room::Room;
 use crate::app::state::ParameterSetting;
 use crate::commands::{Act, Command, Order, ParameterCommand};
-use crate::language::ranges;
 use crate::ledger::{EntryId, LedgerRow, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// The maximum number of edits kept; beyond that, all are dropped except from the ledger.
 const EDITS_KEPT: usize = 50_000;

@@ -7,7 +7,6 @@ use ratatui::text::{Line, Span};
 
 use super::{Row, edited};
 use crate::app::State;
-use crate::language::ranges;
 use crate::parameters::shown;
 use crate::text;
 use crate::text::Text;
@@ -15,6 +14,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
 
 /// The maximum number of lines; vehicles with the same value and outcome share one.
 const MOST_LINES: usize = 12;

@@ -6,7 +6,6 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::{Action, ParametersAction};
 use crate::app::room::parameters::{Other, Row, extra};
-use crate::language::ranges;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::text;
 use crate::text::Text;
@@ -15,6 +14,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
 
 /// Columns of the progress bar.
 const BAR: usize = 20;

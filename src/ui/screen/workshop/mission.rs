@@ -8,11 +8,11 @@ use ratatui::text::Line;
 use super::{mission_title, put_wrapped};
 use crate::app::State;
 use crate::app::room::workshop::{Stand, bill, mission};
-use crate::language::ranges;
 use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, width};
+use crate::vehicle_id::ranges;
 
 /// Draws the mission's budget and needs.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {

@@ -1,10 +1,10 @@
 //! The vehicles' equipment, and the areas of the mission.
 
 use super::Page;
-use crate::language::ranges;
 use crate::mission::{AreaKind, FitListing};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// Kinds of areas, each with its message from the map's legend.
 const AREAS: [(AreaKind, &str); 6] = [

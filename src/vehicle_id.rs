@@ -1,13 +1,62 @@
-//! Sets of vehicles in the notation `1-4,7`.
+//! The numbers of vehicles, and sets of them in the notation `1-4,7`.
 
-use super::Targets;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+
+/// The number by which users and the command language address a vehicle. It is the vehicle's system id, unless a swarm
+/// is larger than the 255 ids of MAVLink.
+pub type VehicleId = u16;
+
+/// The highest number of a vehicle, since tables have room for four digits.
+pub const HIGHEST_VEHICLE: VehicleId = 9999;
+
+/// Vehicles by number, written as [`ranges`].
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct VehicleIds(Vec<VehicleId>);
+
+impl VehicleIds {
+    /// The numbers, sorted, each once.
+    pub fn iter(&self) -> impl Iterator<Item = VehicleId> {
+        self.0.iter().copied()
+    }
+}
+
+impl FromStr for VehicleIds {
+    type Err = Text;
+
+    fn from_str(text: &str) -> Result<Self, Text> {
+        parse_ranges(text).map(Self)
+    }
+}
+
+impl TryFrom<String> for VehicleIds {
+    type Error = Text;
+
+    fn try_from(text: String) -> Result<Self, Text> {
+        text.parse()
+    }
+}
+
+impl From<VehicleIds> for String {
+    fn from(ids: VehicleIds) -> Self {
+        ranges(ids.0)
+    }
+}
 
 /// Ids as ranges, `1-4,7`. The ids must be sorted.
 pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
-    Targets::Ids(ids.into_iter().collect()).to_string()
+    let ids: Vec<VehicleId> = ids.into_iter().collect();
+    let runs = ids.chunk_by(|a, b| a.checked_add(1) == Some(*b));
+    let parts = runs.map(|run| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        one => one.first().copied().unwrap_or_default().to_string(),
+    });
+    parts.collect::<Vec<_>>().join(",")
 }
 
 /// Reads the notation of [`ranges`], in any order.
