@@ -77,7 +77,34 @@ pub enum Command {
     Raw(RawCommand),
 }
 
+/// What a command changes of a vehicle's setup, apart from its flight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Setup<'command> {
+    /// The parameter with this name.
+    Parameter(&'command str),
+    /// Where its heights count from, and where it returns to.
+    Home,
+    /// Anything: a raw command is not interpreted.
+    Anything,
+}
+
 impl Command {
+    /// What it changes of the vehicle's setup, if it does.
+    pub fn setup(&self) -> Option<Setup<'_>> {
+        match self {
+            Self::Parameter(ParameterCommand::Set { name, .. }) => Some(Setup::Parameter(name)),
+            Self::Motion(MotionCommand::SetHome { .. }) => Some(Setup::Home),
+            Self::Raw(_) => Some(Setup::Anything),
+            Self::Parameter(ParameterCommand::Get { .. })
+            | Self::Motion(_)
+            | Self::Arming(_)
+            | Self::Flight(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Log(_) => None,
+        }
+    }
+
     /// The messages for `vehicle` in its current state.
     ///
     /// Relative commands (an offset, the current height) are resolved here from the vehicle's state, so call it once

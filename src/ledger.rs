@@ -126,6 +126,20 @@ pub struct LedgerRow {
 }
 
 impl LedgerRow {
+    /// Whether it was done, but something has ended its effect since.
+    pub fn is_over(&self) -> bool {
+        self.state == RowState::Done && self.ended_by.is_some()
+    }
+
+    /// The state in a few words.
+    pub fn text(&self) -> Text {
+        match self.state {
+            RowState::Done if self.is_over() => text!("state-over"),
+            RowState::Sent if self.tries > 1 => text!("state-sent-again", tries = self.tries),
+            state => state.text(),
+        }
+    }
+
     /// What there is to say beside the state: the explanation, and what ended the effect.
     pub fn remark(&self) -> Option<Text> {
         let ended = self.ended_by.as_ref();

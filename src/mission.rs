@@ -102,10 +102,6 @@ const ROW_SPACING_M: f64 = 6.0;
 /// The placeholder in a hint for the name of the next cell to sample.
 pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
-/// Prefixes of the parameters that may not be set in a flight that counts: they change the world, make the task easier
-/// or switch off its safeguards.
-const PROTECTED: [&str; 5] = ["SIM_", "BATT_", "FENCE_", "FS_", "ARMING_"];
-
 /// A mission that was read and checked.
 #[derive(Debug)]
 pub struct Mission {
@@ -268,9 +264,7 @@ impl Mission {
     /// Whether a flight that counts may set a parameter.
     pub fn lets_set(&self, parameter: &str) -> bool {
         let is_same = |open: &String| open.eq_ignore_ascii_case(parameter);
-        let name = parameter.to_ascii_uppercase();
-        let is_protected = PROTECTED.iter().any(|prefix| name.starts_with(prefix));
-        !is_protected || self.open_parameters.iter().any(is_same)
+        self.open_parameters.iter().any(is_same)
     }
 
     /// The simulator's world for it: its vehicles on their pads.

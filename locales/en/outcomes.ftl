@@ -7,6 +7,7 @@ state-percent = in progress { $percent } %
 state-in-progress = in progress
 state-accepted = accepted
 state-done = effect seen
+state-over = over
 state-no-effect = no effect
 state-refused = refused
 state-timed-out = timed out

@@ -113,7 +113,7 @@ standing-scores-nothing = no flights yet
 standing-mission = { $count ->
     [one] { $count } flight
    *[other] { $count } flights
-}, best { $best } { $medal }, last { $last } { $when }
+}, best { $best }, last { $last } { $when }
 standing-chart = points, flight by flight: { $mission }   x not passed   p practice
 standing-wealth = credits and experience after each flight and purchase
 standing-wealth-nothing = no flights yet

@@ -7,6 +7,7 @@ state-percent = виконується { $percent } %
 state-in-progress = виконується
 state-accepted = прийнято
 state-done = виконано
+state-over = минуло
 state-no-effect = без ефекту
 state-refused = відхилено
 state-timed-out = без відповіді

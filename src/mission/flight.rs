@@ -15,7 +15,7 @@ use super::survey::Surveys;
 use super::world::World;
 use super::{Hint, Mission, Stake, TICK, lesson};
 use crate::alert::AlertKind;
-use crate::commands::{Command, ParameterCommand};
+use crate::commands::{Command, Setup};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
 use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
@@ -126,14 +126,18 @@ impl Flight {
         self.stake = stake;
     }
 
-    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the world, the battery, the
-    /// fence and the failsafes are part of the task.
+    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the setup of the vehicles is
+    /// part of the task, but for the parameters that the mission opens.
     pub fn refusal(&self, command: &Command) -> Option<Text> {
-        let Command::Parameter(ParameterCommand::Set { name, .. }) = command else {
+        if self.stake == Stake::Practice {
             return None;
-        };
-        let is_refused = self.stake != Stake::Practice && !self.mission.lets_set(name);
-        is_refused.then(|| text!("refused-protected-parameter", parameter = name.as_str()))
+        }
+        match command.setup()? {
+            Setup::Parameter(name) => (!self.mission.lets_set(name))
+                .then(|| text!("refused-protected-parameter", parameter = name)),
+            Setup::Home => Some(text!("refused-protected-home")),
+            Setup::Anything => Some(text!("refused-protected-raw")),
+        }
     }
 
     /// Sets what gives the commands.

@@ -123,12 +123,17 @@ fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
 
 /// The states of the rows for `2 param set NAME 0` in a flight.
 fn setting(name: &str, stake: Stake, rules: &str) -> Vec<RowState> {
+    answered(&format!("2 param set {name} 0"), stake, rules)
+}
+
+/// The states of a line's rows in a flight; none if it goes to the vehicle.
+fn answered(line: &str, stake: Stake, rules: &str) -> Vec<RowState> {
     let source = include_str!("../../missions/00-first-flight.toml");
     let source = source.replacen("[rules]\n", &format!("[rules]\n{rules}\n"), 1);
     let mission = Mission::parse(&source).expect("no faults");
     let mut flight = Flight::new(Arc::new(mission), 1);
     flight.set_stake(stake);
-    let order = read(&format!("2 param set {name} 0")).expect("a good line");
+    let order = read(line).expect("a good line");
     let mut ledger = Ledger::new();
     let entry = ledger.open(Duration::ZERO, order.given(), &order.targets);
     let scene = OperatorScene {
@@ -155,6 +160,8 @@ fn a_flight_that_counts_keeps_the_world_and_the_safety_net_as_they_are() {
         "BATT_CAPACITY",
         "FENCE_ENABLE",
         "FS_THR_ENABLE",
+        "LAND_SPEED",
+        "WPNAV_SPEED",
     ] {
         assert_eq!(
             setting(name, Stake::Graded, ""),
@@ -168,7 +175,27 @@ fn a_flight_that_counts_keeps_the_world_and_the_safety_net_as_they_are() {
         );
         assert_eq!(setting(name, Stake::Practice, ""), [], "{name}");
     }
-    assert_eq!(setting("WPNAV_SPEED", Stake::Graded, ""), []);
     let open = "parameters = ['SIM_WIND_SPD']";
     assert_eq!(setting("SIM_WIND_SPD", Stake::Graded, open), []);
+    assert_eq!(
+        setting("LAND_SPEED", Stake::Graded, open),
+        [RowState::Refused]
+    );
+}
+
+#[test]
+fn a_flight_that_counts_keeps_its_home_and_takes_no_raw_commands() {
+    let lines = [
+        "2 home here",
+        "2 home 50.45 30.52 180",
+        "2 long MAV_CMD_DO_SET_HOME 1",
+        "2 long MAV_CMD_DO_FENCE_ENABLE 0",
+    ];
+    for line in lines {
+        for stake in [Stake::Graded, Stake::Exam] {
+            assert_eq!(answered(line, stake, ""), [RowState::Refused], "{line}");
+        }
+        assert_eq!(answered(line, Stake::Practice, ""), [], "{line}");
+    }
+    assert_eq!(answered("2 param get LAND_SPEED", Stake::Graded, ""), []);
 }

@@ -144,10 +144,15 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Clears a centred box, draws its frame and returns its inside.
-    pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
+    /// Removes what was drawn in its area.
+    pub fn clear(self, buffer: &mut Buffer) {
         Clear.render(self.area, buffer);
         buffer.set_style(self.area, self.style(Role::Text));
+    }
+
+    /// Clears a centred box, draws its frame and returns its inside.
+    pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
+        self.clear(buffer);
         let block = Block::bordered()
             .border_style(self.style(role))
             .title(Span::styled(format!(" {title} "), self.style(Role::Title)));

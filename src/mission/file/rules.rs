@@ -60,7 +60,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
             .may(
                 "parameters",
                 list(text("name of a parameter"), 1, 64),
-                "parameters of the simulation, battery, fence or failsafes that may be set in a flight that counts",
+                "parameters that may be set in a flight that counts; all others are refused there",
             )
             .unwrap_or_default()
             .into_iter()

@@ -250,7 +250,7 @@ fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
     let answer = row
         .answered_after
         .map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
-    let state = aligned(&look.text(&row.state.text()), STATE_WIDTH, false);
+    let state = aligned(&look.text(&row.text()), STATE_WIDTH, false);
     let tries = text!("commands-sent-times", count = row.tries);
     let head = Line::from(vec![
         Span::raw(format!("{:>5}  ", row.vehicle)),

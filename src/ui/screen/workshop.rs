@@ -30,7 +30,7 @@ const TALL: u16 = 34;
 const ROOMY: u16 = 110;
 const CHART_ROWS: u16 = 9;
 /// The share of a wide screen for the list of slots, in percent; then the columns of the figures.
-const SLOTS_PERCENT: u16 = 30;
+const SLOTS_PERCENT: u16 = 34;
 const WIDE_FIGURES: u16 = 56;
 /// Rows of the figures with their title.
 const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;

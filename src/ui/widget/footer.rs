@@ -11,12 +11,40 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, replay, severity_role, width as width_of};
+use crate::ui::widget::{below, clip, put, replay, severity_role, width as width_of, wrap};
 
-/// Draws the footer into the last row of the screen.
+/// The maximum number of rows of a message.
+const MOST_ROWS: usize = 3;
+
+/// Draws the footer into the last row of the screen. A longer message also takes rows above it.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    if let Some(lines) = message(state, panel) {
+        let first = panel.area.height.saturating_sub(lines.len() as u16);
+        let place = panel.below(first);
+        place.clear(buffer);
+        for (row, line) in lines.iter().enumerate() {
+            put(buffer, place.area, row as u16, line);
+        }
+        return;
+    }
     let row = below(panel.area, panel.area.height.saturating_sub(1));
     put(buffer, row, 0, &line(state, panel.at(row)));
+}
+
+/// The lines of the message, unless something else takes the footer.
+fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
+    if !state.typed().is_empty() || state.is_deaf() {
+        return None;
+    }
+    let message = state.message()?;
+    let style = panel.style(severity_role(message.severity));
+    let mut lines = wrap(&panel.text(&message.text), panel.width().saturating_sub(2));
+    if lines.len() > MOST_ROWS {
+        let rest = lines.split_off(MOST_ROWS - 1).join(" ");
+        lines.push(clip(&rest, panel.width().saturating_sub(2)));
+    }
+    let drawn = |line: &String| Line::styled(format!(" {line}"), style);
+    Some(lines.iter().map(drawn).collect())
 }
 
 fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
@@ -31,10 +59,6 @@ fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     }
     if state.is_deaf() {
         return Line::from(muted(format!(" {}", look.say("footer-deaf"))));
-    }
-    if let Some(message) = state.message() {
-        let role = severity_role(message.severity);
-        return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
     }
     if let Some(view) = state.replay() {
         return replay::bar(state, view, panel);
@@ -73,4 +97,33 @@ fn list_keys(state: &State) -> Text {
         commands = commands.join(" "),
         escape = state.key(Action::Escape)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::layout::Rect;
+
+    use super::*;
+    use crate::ui::look::Look;
+    use crate::vehicle::Severity;
+
+    #[test]
+    fn a_long_message_is_read_to_its_end_on_rows_above_the_last() {
+        let mut state = State::default();
+        state.say(
+            Severity::Notice,
+            Text::verbatim("Practice only: the mission is locked; needs a licence for 3 drones"),
+        );
+        let look = Look::default();
+        let area = Rect::new(0, 0, 40, 4);
+        let mut buffer = Buffer::filled(area, ratatui::buffer::Cell::new("x"));
+        draw(&state, Panel::new(&look, area), &mut buffer);
+        let row = |row: usize| -> String {
+            let cells = &buffer.content[row * 40..(row + 1) * 40];
+            cells.iter().map(ratatui::buffer::Cell::symbol).collect()
+        };
+        assert_eq!(row(1), "x".repeat(40));
+        assert_eq!(row(2).trim_end(), " Practice only: the mission is locked;");
+        assert_eq!(row(3).trim_end(), " needs a licence for 3 drones");
+    }
 }

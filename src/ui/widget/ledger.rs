@@ -37,6 +37,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             break;
         }
         let mut block = entry_lines(entry, state.session(), width, panel.look);
+        if rows - used == 1 && block.len() > 1 {
+            block = vec![short_line(entry, state.session(), width, panel.look)];
+        }
         cut(&mut block, rows - used, width);
         used += block.len();
         blocks.push(block);
@@ -56,6 +59,23 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
     }
+}
+
+/// A command on a single row: its line is cut, its states are not, and a mark shows that there is more to read.
+fn short_line<'a>(
+    entry: &LedgerEntry,
+    session: &FlightView,
+    width: usize,
+    look: &Look,
+) -> Line<'a> {
+    let time = format!("{} ", clock(session.time(entry.at)));
+    let states = format!("{}…", summary(entry, look, false));
+    let room = width.saturating_sub(time.width() + states.width() + 2);
+    Line::from(vec![
+        Span::styled(time, look.style(Role::Muted)),
+        Span::raw(format!("{}  ", clip(&entry.line, room))),
+        Span::styled(states, look.style(entry_role(entry))),
+    ])
 }
 
 /// Drops the lines that do not fit; the last visible one is marked.
@@ -135,20 +155,23 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
 /// The number of vehicles in each state, as text.
 pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
-        return look.text(&match row.state {
-            RowState::Sent if row.tries > 1 => text!("state-sent-again", tries = row.tries),
-            state => state.text(),
-        });
+        return look.text(&row.text());
     }
     // The progress of each vehicle in percent would be too much here.
-    let mut counts: BTreeMap<u8, (RowState, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<(u8, bool), (Text, usize)> = BTreeMap::new();
     for row in &entry.rows {
-        let (_, count) = counts.entry(order(row.state)).or_insert((row.state, 0));
+        let name = if row.is_over() {
+            row.text()
+        } else {
+            row.state.name()
+        };
+        let at = (order(row.state), row.is_over());
+        let (_, count) = counts.entry(at).or_insert((name, 0));
         *count += 1;
     }
     let parts: Vec<Text> = counts
         .into_values()
-        .map(|(state, count)| text!("state-count", count = count, state = state.name()))
+        .map(|(state, count)| text!("state-count", count = count, state = state))
         .collect();
     let states = Text::joined(", ", parts);
     look.text(&if with_count {
@@ -180,6 +203,9 @@ fn order(state: RowState) -> u8 {
 
 /// The role of a command: that of its worst outcome.
 pub fn entry_role(entry: &LedgerEntry) -> Role {
+    if !entry.rows.is_empty() && entry.rows.iter().all(LedgerRow::is_over) {
+        return Role::Muted;
+    }
     let worst = entry
         .rows
         .iter()
@@ -293,6 +319,60 @@ mod tests {
             "no one within 8 m; 1 left",
         ];
         assert_eq!(told(sentences), None);
+    }
+
+    /// A ledger with one command, which has been done for both its vehicles and has ended for the first `ended`.
+    fn done_and_ended(line: &str, ended: VehicleId) -> Ledger {
+        let mut ledger = Ledger::new();
+        let given = Given {
+            line,
+            verb: verb("arm").expect("a verb"),
+            risk: Risk::None,
+        };
+        let entry = ledger.open(Duration::ZERO, given, &[1, 2]);
+        let mut report = |vehicle, state, explanation| {
+            ledger.apply(&RowUpdate {
+                entry,
+                vehicle,
+                state,
+                tries: 1,
+                at: Duration::ZERO,
+                explanation,
+            });
+        };
+        for vehicle in [1, 2] {
+            report(vehicle, RowState::Done, None);
+        }
+        for vehicle in 1..=ended {
+            let by = Some(Text::verbatim("disarming"));
+            report(vehicle, RowState::Overtaken, by);
+        }
+        ledger
+    }
+
+    #[test]
+    fn an_effect_that_has_ended_is_no_longer_shown_as_one() {
+        let look = Look::default();
+        for (ended, said, role) in [
+            (0, "2 effect seen", Role::Ok),
+            (1, "1 effect seen, 1 over", Role::Ok),
+            (2, "2 over", Role::Muted),
+        ] {
+            let ledger = done_and_ended("all arm", ended);
+            let entry = ledger.entries().next().expect("it was opened");
+            assert_eq!(summary(entry, &look, false), said);
+            assert_eq!(entry_role(entry), role, "{said}");
+        }
+    }
+
+    #[test]
+    fn on_a_single_row_the_state_of_a_command_is_not_cut() {
+        let look = Look::default();
+        let ledger = done_and_ended("all goto n 120.5 e -35.25 up 30 heading 270", 1);
+        let entry = ledger.entries().next().expect("it was opened");
+        let view = FlightView::default();
+        let line = short_line(entry, &view, 50, &look).to_string();
+        assert_eq!(line, "00:00 all goto n 120.5 …  1 effect seen, 1 over…");
     }
 
     #[test]

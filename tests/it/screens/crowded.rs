@@ -373,3 +373,30 @@ fn what_an_instructor_may_have_happen_is_offered_by_name() {
     console.give("inject flood");
     assert!(console.effects.is_empty(), "{:?}", console.effects);
 }
+
+#[test]
+fn a_few_contacts_all_have_their_names_on_the_map() {
+    let size = (120, 40);
+    let mut console = resized(crowded(), size);
+    let contact = |number: u32, trust| ShownContact {
+        name: format!("c{number}"),
+        kind: FindKind::Mine,
+        at: fixtures::HOME.moved(100.0 + f64::from(number) * 15.0, f64::from(number) * 12.0),
+        trust,
+    };
+    let close = ShownContact {
+        at: contact(4, Trust::Seen).at.moved(0.0, 2.0),
+        ..contact(9, Trust::Seen)
+    };
+    let contacts = (1..=6).map(|number| contact(number, Trust::Seen));
+    let progress = Progress {
+        contacts: contacts.chain([close]).collect(),
+        ..progress()
+    };
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    let text = drawn(&console, Symbols::Ascii, Language::English, size);
+    for name in ["?c1", "?c2", "?c3", "?c5", "?c6"] {
+        assert!(text.contains(name), "{name}: {text}");
+    }
+}

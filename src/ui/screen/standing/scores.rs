@@ -58,14 +58,14 @@ fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
     let look = subject.look;
     let tries = subject.career.growth.tries(&offer.id);
     let best = subject.career.standing.best(&offer.id);
+    let score = best.and_then(|best| best.score);
+    let score = score.map_or_else(|| "-".to_owned(), |score| score.to_string());
+    let score_and_medal = format!("{score} {}", stars(best.and_then(|best| best.medal)));
     let last = tries.last();
     let figures = text!(
         "standing-mission",
         count = tries.len(),
-        best = best
-            .and_then(|best| best.score)
-            .map_or_else(|| "-".to_owned(), |score| score.to_string()),
-        medal = stars(best.and_then(|best| best.medal)),
+        best = score_and_medal.trim_end(),
         last = last.map_or(0, |last| last.score),
         when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))
     );

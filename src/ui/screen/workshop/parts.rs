@@ -12,7 +12,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, row_of, upper, wrap};
+use crate::ui::widget::{aligned, below, columns, put, row_of, upper, width as width_of, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
 /// Columns of a part's price, or of the reason why it is locked.
@@ -29,7 +29,7 @@ const DETAIL: u16 = 5;
 /// Draws the list, and below it the details of the part under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
-    let layout = Layout::new(state, panel.area.width);
+    let layout = Layout::new(state, panel.look, panel.area.width);
     let has_keys = state.rooms().workshop().pane() == Pane::Parts;
     let title = layout.title(bench.slot(), panel.look);
     let mut inner = panel.focused(&title, has_keys, buffer);
@@ -74,13 +74,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 struct Layout {
     name: usize,
     licence: usize,
-    change: usize,
-    shown: Vec<Measure>,
+    /// The measures, with their columns.
+    shown: Vec<(Measure, usize)>,
     width: usize,
 }
 
 impl Layout {
-    fn new(state: &State, columns: u16) -> Self {
+    fn new(state: &State, look: &Look, columns: u16) -> Self {
         let bench = state.rooms().workshop().bench();
         let width = usize::from(columns);
         let licence = if state.career().is_some() { LICENCE } else { 0 };
@@ -89,25 +89,33 @@ impl Layout {
             flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));
         let telling = telling(bench.slot(), has_figures);
         let room = width.saturating_sub(2 + licence);
-        let wide = room >= LONG_NAME + 2 * WIDE_CHANGE;
-        let (change, least) = if wide {
-            (WIDE_CHANGE, LONG_NAME)
-        } else {
-            (CHANGE, NAME)
-        };
-        let count = if wide {
-            room.saturating_sub(least) / change
-        } else {
-            1
-        };
-        let shown: Vec<Measure> = telling.iter().copied().take(count).collect();
-        let left = room.saturating_sub(change * shown.len());
-        let name = if wide { left.min(LONG_NAME + 6) } else { left };
+        if room < LONG_NAME + 2 * WIDE_CHANGE {
+            let shown: Vec<_> = telling.iter().take(1).map(|it| (*it, CHANGE)).collect();
+            let name = room.saturating_sub(CHANGE * shown.len());
+            return Self {
+                name,
+                licence,
+                shown,
+                width,
+            };
+        }
+        let names = bench.candidates().iter();
+        let names = names.map(|it| width_of(&look.text(&it.part.name())));
+        let name = names.max().unwrap_or(0).clamp(NAME, LONG_NAME) + 1;
+        let mut left = room.saturating_sub(name);
+        let wanted = telling.iter().map(|measure| {
+            let heading = width_of(&look.text(&measure.name()));
+            (*measure, (heading + 2).max(WIDE_CHANGE))
+        });
+        let shown = wanted.take_while(|(_, columns)| {
+            let fits = *columns <= left;
+            left = left.saturating_sub(*columns);
+            fits
+        });
         Self {
             name,
             licence,
-            change,
-            shown,
+            shown: shown.collect(),
             width,
         }
     }
@@ -116,16 +124,16 @@ impl Layout {
     fn title(&self, slot: PartSlot, look: &Look) -> String {
         let slot = look.text(&slot.name());
         match self.shown.as_slice() {
-            [only] => format!("{slot}: {}", look.text(&only.name())),
+            [(only, _)] => format!("{slot}: {}", look.text(&only.name())),
             _ => slot,
         }
     }
 
     fn heading(&self, look: &Look) -> String {
         let before = " ".repeat(2 + self.name + self.licence);
-        let names = self.shown.iter().map(|measure| {
+        let names = self.shown.iter().map(|(measure, columns)| {
             let name = look.text(&measure.name());
-            format!(" {}", aligned(&name, self.change - 1, true))
+            aligned(&name, *columns, true)
         });
         before + &names.collect::<String>()
     }
@@ -174,7 +182,7 @@ impl Layout {
     }
 
     fn changes(&self, after: &Sheet, before: &Sheet, look: &Look) -> Vec<Span<'static>> {
-        let cell = |measure: &Measure| {
+        let cell = |(measure, columns): &(Measure, usize)| {
             let (text, role) = match (measure.of(before), measure.of(after)) {
                 (Some(before), Some(after)) => {
                     change(*measure, before, after).unwrap_or_else(|| ("=".to_owned(), Role::Muted))
@@ -182,7 +190,7 @@ impl Layout {
                 (None, Some(after)) => (measure.figure(after), Role::Text),
                 (_, None) => ("-".to_owned(), Role::Muted),
             };
-            let text = aligned(&text, self.change, true);
+            let text = aligned(&text, *columns, true);
             Span::styled(text, look.style(role))
         };
         self.shown.iter().map(cell).collect()

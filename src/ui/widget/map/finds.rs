@@ -1,8 +1,12 @@
 //! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed, so that colours are
 //! not needed.
 
+use std::collections::BTreeSet;
+
+use unicode_width::UnicodeWidthStr as _;
+
 use super::fire;
-use super::labels::Label;
+use super::labels::{Label, MapCell};
 use crate::app::State;
 use crate::geo::{LatLon, Viewport};
 use crate::mission::{Progress, ShownContact, Trust};
@@ -15,6 +19,9 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Confirmed, '!', Role::Accent, "map-legend-confirmed"),
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];
+
+/// With more contacts in view, only some have names.
+const MOST_NAMED: usize = 12;
 
 /// The labels of contacts and reports. A report of a contact has the contact's name.
 pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
@@ -37,8 +44,9 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     // Later ones take precedence if there is no room for all.
     let mut contacts: Vec<&ShownContact> = progress.contacts.iter().collect();
     contacts.sort_by_key(|contact| (is_near(contact), contact.trust));
+    let roomy = Roomy::new(&contacts, view);
     for contact in contacts {
-        let has_name = is_near(contact) || is_named(contact);
+        let has_name = is_near(contact) || is_named(contact) || roomy.lets_name(contact, view);
         let sign = SIGNS.iter().find(|(trust, ..)| *trust == contact.trust);
         let (Some(cell), Some((_, sign, role, _))) = (view.cell(contact.at), sign) else {
             continue;
@@ -55,6 +63,31 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
         });
     }
     labels
+}
+
+/// The cells of the contacts in view, to find those with room for a name.
+struct Roomy {
+    taken: BTreeSet<MapCell>,
+}
+
+impl Roomy {
+    fn new(contacts: &[&ShownContact], view: &Viewport) -> Self {
+        let seen = contacts.iter().filter_map(|contact| view.cell(contact.at));
+        Self {
+            taken: seen.collect(),
+        }
+    }
+
+    /// Whether a name would cover no other contact. In a crowd of contacts, names would hide the ground, so most have
+    /// none. Fires have no names.
+    fn lets_name(&self, contact: &ShownContact, view: &Viewport) -> bool {
+        let Some((column, row)) = view.cell(contact.at) else {
+            return false;
+        };
+        let end = column + 1 + contact.name.width() as u16;
+        let is_free = (column + 1..=end).all(|column| !self.taken.contains(&(column, row)));
+        is_free && self.taken.len() <= MOST_NAMED && !fire::is_fire(contact)
+    }
 }
 
 /// Whether a contact keeps its name on the map even if it is not among the nearest: a contact seen by several sensors
