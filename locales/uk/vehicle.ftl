@@ -61,7 +61,7 @@ vehicle-remaining = заряд
 vehicle-throttle = газ
 
 vehicle-estimate = GPS, EKF, вібрація
-vehicle-gps = { $fix } { $satellites } супутн. HDOP { $hdop }
+vehicle-gps = { $fix } { $satellites } суп HDOP { $hdop }
 vehicle-gps-error = похибка GPS
 vehicle-ekf-position = позиція відома
 vehicle-ekf-lost = позиція невідома

@@ -108,6 +108,13 @@ async fn pages_of_other_sites_are_refused() {
         let answer = served.send("GET", "/list", &words, "").await;
         assert_eq!(answer.status, status, "{headers:?}: {answer:?}");
     }
+    // An address in the request line counts before the header.
+    for (address, status) in [("http://evil.example", 403), ("http://localhost", 200)] {
+        let request =
+            format!("GET {address}/list HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+        let answer = served.raw(request.as_bytes()).await;
+        assert_eq!(answer.status, status, "{address}: {answer:?}");
+    }
     for (whole, status) in [("evil.example", 403), ("localhost", 200)] {
         let path = format!("http://{whole}/list");
         let answer = served.send("GET", &path, &["Host: localhost"], "").await;

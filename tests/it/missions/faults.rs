@@ -218,7 +218,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "dwell = 5",
         "dwell = 70",
-        "36:8: at 10 m/s in straight lines this takes 563 s, and there are 480 s",
+        "36:8: at 10 m/s in straight lines this takes 563 s, but the mission lasts 480 s",
     ),
     (
         "[scoring]",

@@ -96,13 +96,13 @@ mod tests {
             (
                 0.5,
                 |s| s.sim_most_percent = 99.0,
-                Some("0.500 of real time: the simulator takes 99 % of a core in one thread"),
+                Some("0.500 of real time: the simulator uses 99 % of a core in one thread"),
             ),
             (1.0, |s| s.model_most_percent = 95.0, None),
             (
                 1.0,
                 |s| s.model_most_percent = 99.0,
-                Some("the console's model update takes 99 % of a core in one thread"),
+                Some("the console's model update uses 99 % of a core in one thread"),
             ),
             (
                 1.0,

@@ -141,7 +141,7 @@ fn processes_have_a_hangar() {
         ..sample(32, 1.0)
     };
     let table = table::table(&[ScaleRow::of(32, &[with_processes])], &heading(true));
-    for words in ["32 instances' bytes on for 0.50 %", "3.06 % per drone"] {
+    for words in ["32 instances' bytes with 0.50 %", "3.06 % per drone"] {
         assert!(table.contains(words), "{words:?} is not in\n{table}");
     }
 }

@@ -129,7 +129,7 @@ fn another_mission_text_is_named() {
         "SIM_WIND_SPD does not have the value that the mission requires",
     );
     let moved = with_line(RUN, &["sortie_run"], edited("lat = 50.45", "lat = 50.46"));
-    assert_named(&moved, INPUTS, "other places");
+    assert_named(&moved, INPUTS, "other start positions");
 }
 
 #[test]
@@ -188,7 +188,10 @@ fn clocks_and_airframes_that_cannot_be_are_named() {
         1,
     );
     let refused = StoredInputs::read(&crowd).expect_err("there are too many");
-    assert!(refused.to_string().contains("more vehicles"), "{refused}");
+    assert!(
+        refused.to_string().contains("more than 255 vehicles"),
+        "{refused}"
+    );
     let own = INPUTS.replacen("\"starts\"", "\"airframes\":[{}],\"starts\"", 1);
     let graded = RUN.replacen("\"program\":", "\"stake\":\"graded\",\"program\":", 1);
     assert_named(&graded, &own, "airframes");
