@@ -160,6 +160,21 @@ impl Command {
         }
     }
 
+    /// Why it needs a confirmation for this vehicle now, although its verb does not; `None` if it needs none.
+    pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::Plan(command) => command.hazard(vehicle),
+            Self::Device(command) => command.hazard(vehicle),
+            Self::Arming(_)
+            | Self::Flight(_)
+            | Self::Motion(_)
+            | Self::Query(_)
+            | Self::Parameter(_)
+            | Self::Log(_)
+            | Self::Raw(_) => None,
+        }
+    }
+
     /// Its risk, in whatever form it was given.
     pub fn risk(&self) -> Risk {
         match self {

@@ -13,7 +13,9 @@ use tokio_util::sync::CancellationToken;
 use crate::link::{FrameSink, LinkStatus, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
-use crate::session::{LogKeeper, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
+use crate::session::{
+    LogKeeper, PlanShelf, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want,
+};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -21,7 +23,7 @@ use crate::vehicle::VehicleId;
 
 mod clock;
 mod hub;
-mod log_keeper;
+mod keepers;
 mod vehicle_task;
 
 pub use clock::FleetClock;
@@ -66,6 +68,8 @@ pub struct Keeping {
     pub sink: Option<FrameSink>,
     /// The storage for downloaded logs.
     pub logs: Option<Arc<dyn LogKeeper>>,
+    /// The files of plans.
+    pub plans: Option<Arc<dyn PlanShelf>>,
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.

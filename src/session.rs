@@ -60,6 +60,7 @@ pub use naming::Renamed;
 
 pub use order::{Report, Steering, VehicleCommand};
 pub use plan_orders::PlanShelf;
+pub(crate) use plan_orders::format_of;
 pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};

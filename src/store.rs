@@ -23,6 +23,7 @@ mod links;
 mod logs;
 mod new_name;
 mod output;
+mod plans;
 mod profiles;
 mod records;
 mod regular;
@@ -40,6 +41,7 @@ pub use links::open_own;
 pub use logs::LogFolder;
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
+pub use plans::PlanFiles;
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,

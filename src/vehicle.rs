@@ -23,7 +23,6 @@ pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
-    fingerprint,
 };
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,

@@ -95,7 +95,8 @@ impl FlightCommand {
                 None => flight_in_this_mode(before),
             },
             Self::Takeoff { .. } => flight_in_this_mode(before),
-            Self::Resume => Claim::default(),
+            Self::StartPlan => mode(before, "AUTO"),
+            Self::Resume | Self::GotoItem { .. } => Claim::default(),
         }
     }
 }

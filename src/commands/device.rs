@@ -25,6 +25,8 @@ pub enum DeviceCommand {
         relay: u8,
         on: bool,
     },
+    /// Switch the fence on or off.
+    Fence { on: bool },
     /// Reboot the autopilot (refused while armed).
     Reboot,
 }
@@ -40,6 +42,9 @@ impl DeviceCommand {
                 MavCmd::MAV_CMD_DO_SET_RELAY,
                 &[f32::from(relay), f32::from(u8::from(on))],
             ),
+            Self::Fence { on } => {
+                LongFields::new(MavCmd::MAV_CMD_DO_FENCE_ENABLE, &[f32::from(u8::from(on))])
+            }
             Self::Reboot if vehicle.armed() => return Err(text!("refused-reboot-armed")),
             Self::Reboot => LongFields::new(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, &[1.0]),
         })
@@ -55,14 +60,20 @@ impl DeviceCommand {
                 let reboots = before.link.reboots;
                 Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
             }
-            Self::Servo { .. } | Self::Relay { .. } => Effect::nothing(),
+            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } => Effect::nothing(),
         }
+    }
+
+    /// Why it needs a confirmation: without its fence, a vehicle in flight is stopped by nothing.
+    pub(super) fn hazard(self, vehicle: &Vehicle) -> Option<Text> {
+        let switches_off = self == Self::Fence { on: false };
+        (switches_off && vehicle.armed()).then(|| text!("hazard-fence-off"))
     }
 
     pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
         match self {
             Self::Reboot => vehicle.armed().then(|| text!("reason-armed")),
-            Self::Servo { .. } | Self::Relay { .. } => None,
+            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } => None,
         }
     }
 }

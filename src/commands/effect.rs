@@ -48,6 +48,8 @@ pub(super) enum Watched {
     Heading(f64),
     Velocity([f64; 3]),
     Home(LatLon),
+    /// The vehicle flies this item of its plan, or a later one.
+    PlanItem(u16),
     Servo {
         output: u8,
         pulse_us: u16,
@@ -83,6 +85,7 @@ impl Effect {
             Watched::Home(place) => vehicle
                 .home
                 .is_some_and(|home| home.at_point.distance_m(*place) <= HOME_M),
+            Watched::PlanItem(item) => vehicle.plan.current >= *item,
             Watched::Servo { output, pulse_us } => {
                 usize::from(*output)
                     .checked_sub(1)
@@ -121,6 +124,7 @@ impl Effect {
             }
             Watched::Velocity(_) => text!("effect-velocity"),
             Watched::Home(_) => text!("effect-home"),
+            Watched::PlanItem(item) => text!("effect-plan-item", item = *item),
             Watched::Servo { output, pulse_us } => {
                 text!("effect-servo", output = *output, pulse = *pulse_us)
             }

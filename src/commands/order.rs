@@ -2,7 +2,8 @@
 
 use super::{Command, Deed, Manoeuvre};
 use crate::ledger::{Given, Risk};
-use crate::vehicle::VehicleId;
+use crate::text::Text;
+use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
 
 /// A command to vehicles or the mission.
@@ -35,6 +36,17 @@ pub enum Act {
     /// The mission, for each target.
     Deed(Deed),
     Manoeuvre(Manoeuvre),
+}
+
+impl Order {
+    /// Why it needs a confirmation although its verb does not, by the state of its vehicles.
+    pub fn hazard(&self, vehicles: &Vehicles) -> Option<Text> {
+        let Act::Command(command) = &self.act else {
+            return None;
+        };
+        let mut targets = self.targets.iter().filter_map(|id| vehicles.get(id));
+        targets.find_map(|vehicle| command.hazard(vehicle))
+    }
 }
 
 impl Act {

@@ -7,7 +7,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::log_keeper::BlockingKeeper;
+use super::keepers::{BlockingKeeper, BlockingShelf};
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::inspector::Census;
@@ -287,6 +287,9 @@ impl Hub {
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
         if let Some(keeper) = &self.keeping.logs {
             session = session.keeping_logs(Arc::new(BlockingKeeper(Arc::clone(keeper))));
+        }
+        if let Some(shelf) = &self.keeping.plans {
+            session = session.with_plan_files(Arc::new(BlockingShelf(Arc::clone(shelf))));
         }
         session.heard_via(from.link.0, now);
         let task = VehicleTask {

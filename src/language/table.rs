@@ -11,6 +11,7 @@ mod devices;
 mod flight;
 mod mission;
 mod motion;
+mod plans;
 mod replay;
 mod review;
 mod session;
@@ -38,12 +39,13 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 10] = [
+static TABLE: [&[VerbRow]; 11] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
     waiting::ROWS,
     mission::ROWS,
+    plans::ROWS,
     devices::ROWS,
     replay::ROWS,
     review::ROWS,

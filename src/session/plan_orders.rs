@@ -14,10 +14,10 @@ use super::plans::PlanReader;
 use super::{Output, VehicleCommand};
 use crate::commands::{Command, PlanCommand, PlanDeed, flies_plan};
 use crate::ledger::{RowState, RowUpdate};
-use crate::plan::{Item, ListKind};
+use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Transfer, Vehicle, fingerprint};
+use crate::vehicle::{Transfer, Vehicle};
 use crate::wire::{Frame, Outgoing};
 
 mod compare;
@@ -28,6 +28,7 @@ mod shelf;
 mod transaction;
 
 pub use shelf::PlanShelf;
+pub(crate) use shelf::format_of;
 use transaction::{Outcome, Transaction};
 
 /// The maximum number of orders that wait for one vehicle.
@@ -187,14 +188,48 @@ fn wanted(
         PlanDeed::Clear => Ok(Some(Vec::new())),
         PlanDeed::Upload { file } => {
             let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
-            let items = shelf.read(&named(file, vehicle), command.kind)?;
-            if compare::own(command.kind, &items).is_empty() {
+            let document = shelf.read(&named(file, vehicle))?;
+            let own = document.list(command.kind);
+            if own.is_empty() {
                 return Err(text!("refused-plan-empty"));
             }
-            compare::check(command.kind, &items)?;
-            Ok(Some(items))
+            compare::check(command.kind, own)?;
+            Ok(Some(whole(&document, command.kind)))
         }
     }
+}
+
+/// A list as a vehicle carries it: with home as item 0 of a plan, which the vehicle replaces by its own.
+fn whole(document: &Document, kind: ListKind) -> Vec<Item> {
+    let home = document.home.unwrap_or(Home { x: 0, y: 0, z: 0.0 });
+    let home = Item {
+        command: command::WAYPOINT,
+        frame: 0,
+        auto_continue: true,
+        params: [0.0; 4],
+        x: home.x,
+        y: home.y,
+        z: home.z,
+    };
+    let home = (kind == ListKind::Plan).then_some(home);
+    home.into_iter()
+        .chain(document.list(kind).iter().copied())
+        .collect()
+}
+
+/// The content of a file with a vehicle's list.
+fn document_of(kind: ListKind, items: &[Item]) -> Document {
+    let first = items.first().filter(|_| kind == ListKind::Plan);
+    let mut document = Document {
+        home: first.map(|home| Home {
+            x: home.x,
+            y: home.y,
+            z: home.z,
+        }),
+        ..Document::default()
+    };
+    document.list_mut(kind).extend(compare::own(kind, items));
+    document
 }
 
 /// A file's name for a vehicle: `{id}` stands for its number.
@@ -306,7 +341,7 @@ impl Job {
         let (PlanDeed::Download { file }, Some(shelf)) = (&self.command.deed, shelf) else {
             return (RowState::Done, counted("outcome-plan-read", kind, items));
         };
-        match shelf.write(&named(file, vehicle), kind, items) {
+        match shelf.write(&named(file, vehicle), kind, &document_of(kind, items)) {
             Ok(path) => {
                 let count = compare::own(kind, items).len();
                 let text = text!("outcome-plan-saved", count = count, file = path);
@@ -320,7 +355,7 @@ impl Job {
 /// A message about a list with its length and its fingerprint.
 fn counted(message: &'static str, kind: ListKind, items: &[Item]) -> Text {
     let own = compare::own(kind, items);
-    let mark = format!("{:04x}", fingerprint(own));
+    let mark = compare::mark(own);
     Text::new(
         message,
         vec![("count", own.len().into()), ("mark", mark.into())],

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use crate::geo::LatLon;
-use crate::hash::fnv1a;
 use crate::plan::{HeightFrame, Item};
 
 /// The items that fences and rally points consist of.
@@ -99,24 +98,6 @@ impl Plan {
             .filter(|(_, item)| item.is_waypoint())
             .filter_map(|(number, item)| Some((number, item.place()?)))
     }
-}
-
-/// A number that two vehicles with the same items have in common, whatever the spelling of frames and of values that
-/// are not set. Home, which differs, must be left out.
-pub fn fingerprint(items: &[Item]) -> u16 {
-    let mut bytes = Vec::with_capacity(items.len() * 32);
-    for item in items {
-        bytes.extend(item.command.to_le_bytes());
-        bytes.push(item.height_frame() as u8);
-        for value in item.params.into_iter().chain([item.z]) {
-            // Also makes zeros with a sign equal.
-            let value = if value.is_nan() { 0.0 } else { value + 0.0 };
-            bytes.extend(value.to_le_bytes());
-        }
-        bytes.extend(item.x.to_le_bytes());
-        bytes.extend(item.y.to_le_bytes());
-    }
-    fnv1a(&bytes) as u16
 }
 
 /// A fence of areas. The simple fence by parameters (`FENCE_RADIUS`, `FENCE_ALT_MAX`) is not in it.

@@ -38,4 +38,3 @@ pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
 pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
 pub use hash::ContentHash;
 pub use item::{HeightFrame, Item, ListKind};
-pub use place::has_place;

@@ -125,7 +125,6 @@ pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::parameters::{AliasSense, other_name};
 use self::slot::VehicleSlot;
-pub use self::transfer::stored;
 pub use self::truth::Truth;
 use self::wind::Wind;
 

@@ -13,7 +13,7 @@ mod packed;
 mod plan_file;
 mod tree;
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavMissionResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use self::files::Files;
 use self::lists::Lists;
@@ -21,42 +21,8 @@ use self::logs::LogDownload;
 use super::autopilot::Autopilot;
 use super::link::{Link, LinkNumber};
 use super::payload::Payload;
-use super::plan::Item;
 use super::texts;
 use sortie_wire::{Frame, Outgoing};
-
-/// An item as an ArduPilot vehicle stores it: it shortens numbers, and drops parameters that the command does not use.
-///
-/// # Errors
-/// The result with which the vehicle refuses the item.
-pub fn stored(
-    kind: sortie_plan::ListKind,
-    item: &sortie_plan::Item,
-) -> Result<sortie_plan::Item, MavMissionResult> {
-    let sent = Item {
-        command: item.command,
-        frame: item.frame,
-        auto_continue: item.auto_continue,
-        p: item.params,
-        x: item.x,
-        y: item.y,
-        z: item.z,
-    };
-    let kept = match kind {
-        sortie_plan::ListKind::Plan => items::mission_item(&sent)?,
-        sortie_plan::ListKind::Fence => items::fence_item(&sent)?,
-        sortie_plan::ListKind::Rally => items::rally_item(&sent)?,
-    };
-    Ok(sortie_plan::Item {
-        command: kept.command,
-        frame: kept.frame,
-        auto_continue: kept.auto_continue,
-        params: kept.p,
-        x: kept.x,
-        y: kept.y,
-        z: kept.z,
-    })
-}
 
 /// Every transfer of a vehicle.
 #[derive(Debug, Clone, Default)]

@@ -114,7 +114,11 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
     let targets = ranges(order.targets.iter().copied());
     let key = state.keymap.key(Action::Submit, Place::Prompt);
-    match order.verb.danger {
+    let danger = match order.hazard(state.session.vehicles()) {
+        Some(_) => Danger::Confirm,
+        None => order.verb.danger,
+    };
+    match danger {
         Danger::None => text!("palette-sends", key = key, vehicles = targets),
         Danger::Confirm => text!("palette-asks", key = key, vehicles = targets),
     }
@@ -122,7 +126,8 @@ pub fn announced(state: &State, order: &Order) -> Text {
 
 /// Sends a command, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Effects {
-    if order.verb.danger == Danger::None {
+    let hazard = order.hazard(state.session.vehicles());
+    if order.verb.danger == Danger::None && hazard.is_none() {
         return carry_out(state, Consequence::Order(order));
     }
     let count = order.targets.len();
@@ -139,7 +144,8 @@ pub fn give(state: &mut State, order: Order) -> Effects {
             count = count,
             vehicles = named
         ),
-        reason: Text::new(format!("verb-{}", order.verb.name), Vec::new()),
+        reason: hazard
+            .unwrap_or_else(|| Text::new(format!("verb-{}", order.verb.name), Vec::new())),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,

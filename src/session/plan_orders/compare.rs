@@ -2,8 +2,8 @@
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
-use crate::plan::{HeightFrame, Item, ListKind};
-use crate::sim;
+use crate::plan::board::{self, Refusal};
+use crate::plan::{ContentHash, Fence, HeightFrame, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
 
@@ -12,24 +12,59 @@ use crate::text::Text;
 const ROUNDING: f32 = 0.011;
 const RALLY_ROUNDING: f32 = 1.001;
 
-/// Refuses a list with an item that `ArduPilot` would not take.
+/// Refuses a list that `ArduPilot` would not take. Items of a plan are counted from 1, because 0 is home.
 ///
 /// # Errors
 /// The number of the item, and the reason.
-pub(super) fn check(kind: ListKind, items: &[Item]) -> Result<(), Text> {
-    for (number, item) in items.iter().enumerate().skip(home(kind)) {
-        if let Err(result) = sim::stored(kind, item) {
-            let reason = explained(result, item);
-            return Err(text!("refused-plan-item", item = number, reason = reason));
+pub(super) fn check(kind: ListKind, own: &[Item]) -> Result<(), Text> {
+    let total = own.len() + home(kind);
+    let most = board::most_items(kind);
+    if total > most {
+        return Err(text!("refused-plan-long", count = total, most = most));
+    }
+    let refused = |number: usize, reason: Text| {
+        Err(text!("refused-plan-item", item = number, reason = reason))
+    };
+    for (item, number) in own.iter().zip(home(kind)..) {
+        if let Err(refusal) = kept(kind, item) {
+            return refused(number, refusal_of(refusal, item));
+        }
+        if let (ListKind::Plan, Some(target)) = (kind, board::wrong_jump(item, total)) {
+            return refused(number, text!("plan-result-jump", target = target));
         }
     }
-    Ok(())
+    match kind {
+        ListKind::Fence => match Fence::check(own) {
+            Err((number, error)) => refused(number, Text::verbatim(error.to_string().trim())),
+            Ok(_) => Ok(()),
+        },
+        ListKind::Plan | ListKind::Rally => Ok(()),
+    }
+}
+
+/// An item as the vehicle keeps it.
+fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
+    match kind {
+        ListKind::Plan => board::plan_item(item),
+        ListKind::Fence => board::fence_item(item),
+        ListKind::Rally => board::rally_item(item),
+    }
+}
+
+fn refusal_of(refusal: Refusal, item: &Item) -> Text {
+    match refusal {
+        Refusal::Invalid | Refusal::Command => {
+            text!("plan-result-command", command = item.command)
+        }
+        Refusal::Frame => text!("plan-result-frame", frame = item.frame),
+        Refusal::Parameter(number) => text!("plan-result-parameter", number = number),
+    }
 }
 
 /// A vehicle's refusal of an item, or of a list.
 pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
     use MavMissionResult as Result;
-    let parameter = |number: u16| text!("plan-result-parameter", number = number);
+    let parameter = |number: u8| text!("plan-result-parameter", number = number);
     match result {
         Result::MAV_MISSION_UNSUPPORTED => text!("plan-result-command", command = item.command),
         Result::MAV_MISSION_UNSUPPORTED_FRAME => text!("plan-result-frame", frame = item.frame),
@@ -37,9 +72,9 @@ pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
         Result::MAV_MISSION_INVALID_PARAM2 => parameter(2),
         Result::MAV_MISSION_INVALID_PARAM3 => parameter(3),
         Result::MAV_MISSION_INVALID_PARAM4 => parameter(4),
-        Result::MAV_MISSION_INVALID_PARAM5_X => text!("plan-result-latitude"),
-        Result::MAV_MISSION_INVALID_PARAM6_Y => text!("plan-result-longitude"),
-        Result::MAV_MISSION_INVALID_PARAM7 => text!("plan-result-height"),
+        Result::MAV_MISSION_INVALID_PARAM5_X => parameter(5),
+        Result::MAV_MISSION_INVALID_PARAM6_Y => parameter(6),
+        Result::MAV_MISSION_INVALID_PARAM7 => parameter(7),
         Result::MAV_MISSION_NO_SPACE => text!("plan-result-space"),
         Result::MAV_MISSION_DENIED => text!("plan-result-denied"),
         Result::MAV_MISSION_ACCEPTED
@@ -51,7 +86,7 @@ pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
 }
 
 /// The number of items of a list that belong to the vehicle: item 0 of a plan is its home.
-fn home(kind: ListKind) -> usize {
+pub(super) fn home(kind: ListKind) -> usize {
     usize::from(kind == ListKind::Plan)
 }
 
@@ -71,14 +106,14 @@ pub(super) fn is_held(kind: ListKind, sent: &[Item], held: &[Item]) -> bool {
 }
 
 fn is_item(kind: ListKind, sent: &Item, held: &Item) -> bool {
-    let kept = sim::stored(kind, sent).unwrap_or(*sent);
+    let kept = kept(kind, sent).unwrap_or(*sent);
     let rounding = match kind {
         ListKind::Plan | ListKind::Fence => ROUNDING,
         ListKind::Rally => RALLY_ROUNDING,
     };
     let params = sent.params.iter().zip(kept.params).zip(held.params);
     let is_frame = |frame: u8| HeightFrame::of(frame) == HeightFrame::of(held.frame);
-    let has_height = kind != ListKind::Fence && crate::plan::has_place(sent.command);
+    let has_height = kind != ListKind::Fence && command::has_place(sent.command);
     sent.command == held.command
         && (!has_height || is_frame(kept.frame) || is_frame(sent.frame))
         && is_near(sent.x, kept.x, held.x)
@@ -97,6 +132,11 @@ fn is_near(sent: i32, kept: i32, held: i32) -> bool {
 /// Whether two numbers are close; two that are not set are.
 fn is_close(a: f32, b: f32, slack: f32) -> bool {
     (a.is_nan() && b.is_nan()) || (a - b).abs() <= slack
+}
+
+/// The name of a list by its content.
+pub(super) fn mark(own: &[Item]) -> String {
+    ContentHash::of(own).to_string()
 }
 
 /// Whether two readings of a vehicle's list are the same.
@@ -168,7 +208,7 @@ mod tests {
             command: 195,
             ..waypoint([0.0; 4], 5.0)
         };
-        let items = [waypoint([0.0; 4], 0.0), bad];
+        let items = [waypoint([0.0; 4], 5.0), bad];
         assert!(check(ListKind::Plan, &items[..1]).is_ok());
         assert!(check(ListKind::Plan, &items).is_err());
     }

@@ -2,20 +2,29 @@
 
 use std::fmt::Debug;
 
-use crate::plan::{Item, ListKind};
+use crate::plan::{Document, FileFormat, ListKind};
 use crate::text::Text;
 
 /// Reads and writes files of plans, fences and rally points. Names are as the user typed them.
 pub trait PlanShelf: Debug + Send + Sync {
-    /// The items of a list in a file.
+    /// The content of a file.
     ///
     /// # Errors
-    /// A text that names the file, the place of the fault, and the fault.
-    fn read(&self, file: &str, kind: ListKind) -> Result<Vec<Item>, Text>;
+    /// A text that names the file, and the place of the first fault.
+    fn read(&self, file: &str) -> Result<Document, Text>;
 
     /// Writes a new file and returns its path; no file is replaced.
     ///
     /// # Errors
     /// A text if the file exists or cannot be written.
-    fn write(&self, file: &str, kind: ListKind, items: &[Item]) -> Result<String, Text>;
+    fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
+}
+
+/// The format of a file to write, by its name: a list of its own in `QGC WPL 110` unless the ending says otherwise.
+pub(crate) fn format_of(file: &str, kind: ListKind) -> FileFormat {
+    let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
+    match FileFormat::of_ending(ending) {
+        None | Some(FileFormat::Wpl(_)) => FileFormat::Wpl(kind),
+        Some(other) => other,
+    }
 }

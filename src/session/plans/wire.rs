@@ -12,7 +12,8 @@ use mavlink::dialects::ardupilotmega::{
     MavMissionType,
 };
 
-use crate::plan::{Item, ListKind, has_place};
+use crate::plan::command::has_place;
+use crate::plan::{Item, ListKind};
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
 
 /// MAVLink ids of the messages that carry an item.

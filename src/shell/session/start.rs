@@ -28,7 +28,7 @@ use crate::record::InputsHead;
 use crate::scoring::TryReport;
 use crate::session::LogKeeper;
 use crate::sim::{Start, World, WorldConfig};
-use crate::store::{LogFolder, Records, Runs};
+use crate::store::{LogFolder, PlanFiles, Records, Runs};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -112,6 +112,7 @@ impl RunningSession {
         let keeping = Keeping {
             sink,
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
+            plans: Some(Arc::new(PlanFiles)),
         };
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {

@@ -20,6 +20,7 @@ impl Console {
         let keeping = Keeping {
             sink: None,
             logs: Some(folder),
+            plans: None,
         };
         let (fleet, events) =
             Fleet::start_kept(keeping, FleetClock::start(), CancellationToken::new());

@@ -1,11 +1,12 @@
-//! Files of logs, written off the event loop, so that a slow disk or network folder does not delay other vehicles.
+//! Files of logs and plans, off the event loop, so that a slow disk or network folder does not delay other vehicles.
 
 use std::sync::Arc;
 
 use tokio::runtime::{Handle, RuntimeFlavor};
 use tokio::task::block_in_place;
 
-use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, VehicleLog};
+use crate::plan::{Document, ListKind};
+use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, PlanShelf, VehicleLog};
 use crate::text::Text;
 
 /// A keeper whose work blocks only its own vehicle.
@@ -27,6 +28,20 @@ impl LogKeeper for BlockingKeeper {
 
     fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
         off_the_loop(|| self.0.finish(log))
+    }
+}
+
+/// A shelf whose work blocks only its own vehicle.
+#[derive(Debug)]
+pub(super) struct BlockingShelf(pub Arc<dyn PlanShelf>);
+
+impl PlanShelf for BlockingShelf {
+    fn read(&self, file: &str) -> Result<Document, Text> {
+        off_the_loop(|| self.0.read(file))
+    }
+
+    fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text> {
+        off_the_loop(|| self.0.write(file, kind, document))
     }
 }
 
