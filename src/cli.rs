@@ -105,6 +105,8 @@ enum CliCommand {
         /// Limit the swarm to these vehicles, such as 1-4,7: `all` does not address any other vehicle in contact.
         #[arg(long, value_name = "IDS", value_parser = vehicle_ids)]
         expect: Option<VehicleIds>,
+        #[command(flatten)]
+        forwards: fly::ForwardArguments,
         /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -236,13 +238,14 @@ fn dispatch(
         Some(CliCommand::Connect {
             addresses,
             expect,
+            forwards,
             plain,
         }) => {
             let mut settings = settings;
             if expect.is_some() {
                 settings.config.connect.expect = expect;
             }
-            fly::connect(addresses, plain, settings)
+            fly::connect(addresses, &forwards, plain, settings)
         }
         Some(CliCommand::Records(options)) => {
             settings.complain();
@@ -327,7 +330,8 @@ fn create_log(path: &str) -> io::Result<File> {
 
 /// Vehicle ids as a command line names them, such as 1-4,7.
 fn vehicle_ids(text: &str) -> Result<VehicleIds, String> {
-    text.parse().map_err(|reason: crate::text::Text| reason.to_string())
+    text.parse()
+        .map_err(|reason: crate::text::Text| reason.to_string())
 }
 
 /// A speed-up that a simulation can hold.

@@ -84,6 +84,8 @@ pub enum Setup<'command> {
     Parameter(&'command str),
     /// Where its heights count from, and where it returns to.
     Home,
+    /// The areas that it must keep to, or the places where a return may end.
+    Limits,
     /// Anything: a raw command is not interpreted.
     Anything,
 }
@@ -94,6 +96,7 @@ impl Command {
         match self {
             Self::Parameter(ParameterCommand::Set { name, .. }) => Some(Setup::Parameter(name)),
             Self::Motion(MotionCommand::SetHome { .. }) => Some(Setup::Home),
+            Self::Plan(command) => command.changes_limits().then_some(Setup::Limits),
             Self::Raw(_) => Some(Setup::Anything),
             Self::Parameter(ParameterCommand::Get { .. })
             | Self::Motion(_)

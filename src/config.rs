@@ -85,6 +85,8 @@ pub enum Readers {
 pub struct ConnectConfig {
     /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all vehicles that are heard.
     pub expect: Option<VehicleIds>,
+    /// Forwards to other ground stations.
+    pub forward: Vec<String>,
 }
 
 /// The symbols that a terminal can show besides letters.

@@ -10,7 +10,8 @@ use std::sync::Arc;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use crate::link::{FrameSink, LinkStatus, Tap, Transport};
+use crate::forward::ForwardSpec;
+use crate::link::{Address, FrameSink, LinkStatus, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{
@@ -24,9 +25,11 @@ use crate::vehicle::VehicleId;
 mod clock;
 mod hub;
 mod keepers;
+mod sharing;
 mod vehicle_task;
 
 pub use clock::FleetClock;
+pub use sharing::ForwardFeed;
 
 /// The maximum number of reports in the queue to the console; further notices are dropped.
 const EVENTS_KEPT: usize = 4096;
@@ -42,9 +45,11 @@ pub enum FleetEvent {
     Parameters(VehicleId, watch::Receiver<ParameterSnapshot>),
     /// A link was opened; its state and its frames can be watched from now on.
     Linked(watch::Receiver<LinkStatus>, Tap),
+    /// A forward was opened; it can be watched until it ends.
+    Forwarding(ForwardFeed),
     /// A command's progress, or a notice of a vehicle.
     Report(Report),
-    /// A fault in the connections to vehicles.
+    /// A fault in the connections to vehicles, or a command of another ground station.
     Warning(Notice),
     /// This many further reports were dropped because the console did not read them.
     Dropped(u64),
@@ -53,6 +58,8 @@ pub enum FleetEvent {
 /// A request of the console to the hub.
 enum FleetRequest {
     Connect(Transport),
+    Forward(ForwardSpec, Address),
+    Unforward(String),
     Order(VehicleId, VehicleCommand),
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
@@ -131,6 +138,22 @@ impl Fleet {
     /// The hub has ended or cannot keep up.
     pub fn connect(&self, transport: Transport) -> Result<(), Unreachable> {
         self.ask(FleetRequest::Connect(transport))
+    }
+
+    /// Shares the links with the ground stations at an address. It can be watched from [`FleetEvent::Forwarding`] on.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up.
+    pub fn forward(&self, spec: ForwardSpec, address: Address) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Forward(spec, address))
+    }
+
+    /// Ends the forwards at an address, as it was written.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up.
+    pub fn unforward(&self, address: &str) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Unforward(address.to_owned()))
     }
 
     /// Sends a command to one vehicle. Its progress arrives as [`FleetEvent::Report`].

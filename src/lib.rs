@@ -30,6 +30,7 @@
 //! | | [`record`] | what a session stores besides the frames of its links: the journal (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
+//! | | [`forward`] | sharing links with other ground stations: which frame goes where, and who commanded what |
 //! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and which telemetry shows its effect |
@@ -88,6 +89,7 @@ pub mod doctor;
 pub mod exercise;
 pub mod fidelity;
 pub mod fleet;
+pub mod forward;
 pub mod hangar;
 pub mod hash;
 pub mod inspector;

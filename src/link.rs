@@ -7,7 +7,7 @@
 use std::fmt;
 use std::net::SocketAddr;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
@@ -16,6 +16,7 @@ use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
 use crate::doctor::NumberedSenders;
+use crate::forward::ForwardSpec;
 use crate::text;
 use crate::text::Text;
 use crate::wire::{
@@ -29,8 +30,10 @@ mod connect;
 mod core;
 mod datagram;
 mod meter;
+mod parcel;
 mod peer;
 mod playback;
+mod relay;
 mod server;
 mod simulator;
 mod sink;
@@ -41,7 +44,10 @@ mod task;
 mod tests;
 mod tlog;
 
+use parcel::{Outlet, Parcel};
+
 pub use address::{Address, AddressError};
+pub use relay::{ForwardCounts, Relay, StationNews};
 pub use simulator::{
     Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
     step_on_threads,
@@ -52,6 +58,8 @@ pub use tlog::{TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWr
 
 /// The maximum number of messages that wait for a link; more are dropped.
 const OUTBOX_LEN: usize = 256;
+/// The maximum number of frames that wait for a forward, which carries the traffic of all vehicles; more are dropped.
+const FORWARD_OUTBOX_LEN: usize = 2048;
 
 /// The number of a link within this program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -78,6 +86,8 @@ pub enum To {
     /// Every peer of the link; on a link that sends to one UDP address, that address.
     Everyone,
     Peer(LinkPeer),
+    /// Every peer but this one.
+    EveryoneBut(LinkPeer),
 }
 
 /// The transport of a link.
@@ -223,11 +233,8 @@ impl LinkStatus {
 #[derive(Debug, Clone)]
 pub struct LinkHandle {
     id: LinkId,
-    outbox: mpsc::Sender<(To, Outgoing)>,
-    status: watch::Receiver<LinkStatus>,
-    refused: Arc<AtomicU64>,
+    outlet: Outlet,
     tap: Tap,
-    can_send: bool,
     hushed: Arc<AtomicBool>,
 }
 
@@ -245,14 +252,11 @@ impl LinkHandle {
     /// Queues a message; returns whether it was accepted. It is not accepted while the link is down, since a command
     /// after a reconnection would come too late, nor when the queue is full; both cases count as dropped. A recording
     /// accepts no messages.
+    ///
+    /// Stations that share the link see the message too.
     pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
-        let taken = self.can_send
-            && self.status.borrow().state == LinkState::Up
-            && self.outbox.try_send((to, outgoing)).is_ok();
-        if !taken {
-            self.refused.fetch_add(1, Ordering::Relaxed);
-        }
-        taken
+        self.tap.share(&outgoing);
+        self.outlet.queue(to, Parcel::Message(outgoing))
     }
 
     /// The tap for watching the link's frames.
@@ -262,7 +266,7 @@ impl LinkHandle {
 
     /// A receiver of the link's status, which is published about four times a second and at every change of state.
     pub fn status(&self) -> watch::Receiver<LinkStatus> {
-        self.status.clone()
+        self.outlet.status.clone()
     }
 }
 
@@ -292,6 +296,38 @@ pub fn open_recorded(
     open_tapped(id, transport, config, tap, inbound, cancel)
 }
 
+/// Opens a link to vehicles as [`open_recorded`] does, whose frames a relay shares with other ground stations.
+pub fn open_shared(
+    id: LinkId,
+    transport: Transport,
+    sink: Option<FrameSink>,
+    relay: &Relay,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    let tap = Tap::relayed(sink, relay.port_of_link(id));
+    let link = open_tapped(id, transport, LinkConfig::default(), tap, inbound, cancel);
+    relay.add_link(id, link.outlet.clone());
+    link
+}
+
+/// Opens a forward: a link to other ground stations, which share the links of a relay. What they send goes through the
+/// relay; `inbound` must be drained.
+pub fn open_forward(
+    id: LinkId,
+    address: Address,
+    spec: ForwardSpec,
+    relay: &Relay,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    let tap = Tap::relayed(None, relay.port_of_forward(id));
+    let transport = Transport::Address(address);
+    let link = open_tapped(id, transport, LinkConfig::default(), tap, inbound, cancel);
+    relay.add_forward(id, spec, link.outlet.clone());
+    link
+}
+
 /// Opens a link under another identity or at another playback speed from those of [`open`].
 pub fn open_with(
     id: LinkId,
@@ -316,20 +352,26 @@ fn open_tapped(
         Transport::Pipe(_) => ("pipe".to_owned(), LinkState::Up),
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
-    let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
+    let outbox_len = match tap.is_forward() {
+        true => FORWARD_OUTBOX_LEN,
+        false => OUTBOX_LEN,
+    };
+    let (outbox, to_send) = mpsc::channel(outbox_len);
     let (published, status) = watch::channel(LinkStatus::new(id, name, state));
-    let refused = Arc::new(AtomicU64::new(0));
+    let refused = Arc::default();
     let meter = meter::LinkMeter::new(published, Arc::clone(&refused), tap.clone());
     let link = core::LinkCore::new(id, config, meter, inbound, to_send, cancel);
     let hushed = link.hushed();
     tokio::spawn(task::run(link, transport));
     LinkHandle {
         id,
-        outbox,
-        status,
-        refused,
+        outlet: Outlet {
+            outbox,
+            status,
+            refused,
+            can_send,
+        },
         tap,
-        can_send,
         hushed,
     }
 }

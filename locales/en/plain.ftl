@@ -22,6 +22,7 @@ plain-home = { $distance } m from home
 plain-battery = battery { $percent } %
 plain-way-home = way home { $needed } %
 plain-link = { $name }: { $state }, { $received } messages a second in, { $sent } out, { $lost } lost
+plain-forward = forward { $name }: { $state }, stations { $stations }, received { $received } messages ({ $bytes_in } B), sent { $sent } ({ $bytes_out } B), dropped { $dropped }, filtered { $filtered }, held back { $held }, repeated { $repeated }
 plain-before-launch = before takeoff: `1 predict 800` states the score you expect, `1 goal time 200s` sets a goal; `objectives`, `contacts`, `hint`, `pause`, `continue` help in flight
 plain-asked = objective: { $title }, { $target }, { $points } points
 plain-asked-required = objective, required: { $title }, { $target }, { $points } points

@@ -54,6 +54,7 @@ refused-neither-parameter = not sent: the vehicle answered for neither { $name }
 refused-neither-parameter-but = not sent: the vehicle answered for neither { $name } nor { $other }; did you mean { $nearest }?
 refused-protected-parameter = { $parameter } is part of the task: it can be set in practice only
 refused-protected-home = home is part of the task: it can be moved in practice only
+refused-protected-limits = the fence and the rally points are part of the task: they can be changed in practice only
 refused-protected-raw = raw commands are allowed in practice only; use the verb for what you want to do
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 

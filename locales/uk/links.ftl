@@ -31,3 +31,36 @@ links-key-help = довідка
 links-key-choose = вибір
 links-key-messages = повідомлення
 links-key-fly = політ
+
+# Спільне користування каналами зв'язку
+
+forwards-title = пересилання: інші наземні станції
+forwards-stations = станцій
+forwards-received = прийнято
+forwards-sent = передано
+forwards-dropped = відкин.
+forwards-left-out = без них
+forward-down = пересилання { $address }: { $reason }
+forward-opened = відкрито пересилання { $forward }
+forward-closed = закрито пересилання { $address }
+forward-no-session = немає каналів зв'язку: під'єднайтеся до апаратів або почніть політ
+forward-mission = інша програма не може допомагати в завданні: додайте `read-only` після адреси
+forward-open-already = пересилання { $address } вже відкрите: спершу закрийте його
+forward-none-there = немає пересилання { $address }: їх показує `forward`
+forward-empty = бракує адреси: напишіть ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]
+forward-no-value = після "{ $word }" бракує значення
+forward-unknown-word = невідоме слово "{ $word }": після адреси пишуть read-only, only NAMES, except NAMES, rate HZ
+forward-wrong-rate = "{ $word }" не є частотою: напишіть від 0.1 до 1000 повідомлень за секунду
+forward-no-message = невідоме повідомлення "{ $word }": напишіть назви або номери через кому, наприклад ATTITUDE,GPS_RAW_INT
+forward-file = { $address } є записом: для пересилання потрібен порт
+
+# Команди інших наземних станцій
+
+foreign-mode = { $station }: режим { $mode } для { $vehicle }
+foreign-arm = { $station }: активовано двигуни { $vehicle }
+foreign-disarm = { $station }: деактивовано двигуни { $vehicle }
+foreign-command = { $station }: команда { $command } для { $vehicle }
+foreign-parameter = { $station }: параметр { $name } апарата { $vehicle } тепер { $value }
+foreign-plan = { $station }: план для { $vehicle }, пунктів { $count }
+foreign-no-plan = { $station }: план { $vehicle } видалено
+foreign-steering = { $station } керує { $vehicle }

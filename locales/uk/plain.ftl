@@ -26,6 +26,7 @@ plain-home = { $distance } m від дому
 plain-battery = акумулятор { $percent } %
 plain-way-home = дорога додому { $needed } %
 plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }
+plain-forward = пересилання { $name }: { $state }, станцій { $stations }, прийнято повідомлень { $received } ({ $bytes_in } B), надіслано { $sent } ({ $bytes_out } B), відкинуто { $dropped }, відфільтровано { $filtered }, затримано { $held }, повторів { $repeated }
 plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті допоможуть `objectives`, `contacts`, `hint`, `pause`, `continue`
 plain-asked = ціль: { $title }, { $target }, балів { $points }
 plain-asked-required = обов'язкова ціль: { $title }, { $target }, балів { $points }

@@ -54,6 +54,7 @@ refused-neither-parameter = не надіслано: апарат не знає 
 refused-neither-parameter-but = не надіслано: апарат не знає ні { $name }, ні { $other }; може, { $nearest }?
 refused-protected-parameter = { $parameter } — частина завдання: змінювати його можна лише в тренуванні
 refused-protected-home = точка дому — частина завдання: переносити її можна лише в тренуванні
+refused-protected-limits = геозона й точки збору — частина завдання: змінювати їх можна лише в тренуванні
 refused-protected-raw = необроблені команди дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
 

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
+use crate::forward::ForwardSpec;
 use crate::language::{GhostSource, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
@@ -166,6 +167,8 @@ pub enum SessionEffect {
     StartArduPilot,
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
+    /// Open or close a forward to other ground stations.
+    Forward(ForwardChange),
     /// Close the links to these vehicles; if heard again, they count as new.
     Forget(Vec<VehicleId>),
     /// Replay a recorded flight.
@@ -197,6 +200,14 @@ pub enum SessionEffect {
     },
     /// Stop the session and close its links; the state has dropped it already.
     Leave,
+}
+
+/// A change of the forwards.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ForwardChange {
+    Open(ForwardSpec),
+    /// Close the forward at this address, as it was written.
+    Close(String),
 }
 
 /// Control of a replay.

@@ -10,7 +10,9 @@ use super::action::Action;
 use super::effect::{FileKind, PaceChange};
 use super::room::messages::LinkTraffic;
 use super::snapshot::FlightSnapshot;
-use super::state::{Activity, Career, Ghost, Instance, LinkSummary, ReplayPosition, ReplayView};
+use super::state::{
+    Activity, Career, ForwardSummary, Ghost, Instance, LinkSummary, ReplayPosition, ReplayView,
+};
 use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
@@ -119,6 +121,8 @@ pub enum VehicleEvent {
 pub enum LinkEvent {
     /// The state of each link.
     Summaries(Vec<LinkSummary>),
+    /// The state of each forward.
+    Forwards(Vec<ForwardSummary>),
     /// The findings of the link doctor, once a second.
     Findings(Vec<LinkFinding>),
     /// The message counts of the links.

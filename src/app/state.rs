@@ -55,7 +55,7 @@ pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
-pub use links::LinkSummary;
+pub use links::{ForwardSummary, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};

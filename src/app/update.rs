@@ -16,6 +16,7 @@ mod batch;
 mod console_line;
 mod files;
 mod forget;
+mod forwards;
 mod ghost;
 mod hangar;
 mod keys;
@@ -148,6 +149,12 @@ fn link(state: &mut State, event: LinkEvent) {
         LinkEvent::Summaries(summaries) => {
             state.session.links = summaries;
             state.touch();
+        }
+        LinkEvent::Forwards(forwards) => {
+            state.session.forwards = forwards;
+            if state.room == Room::Links {
+                state.touch();
+            }
         }
         // Both come every second: redraw only if they differ or are on the screen.
         LinkEvent::Findings(findings) => links::findings(state, findings),

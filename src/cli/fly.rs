@@ -10,6 +10,7 @@ use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
+use crate::forward::{ForwardFault, ForwardSpec};
 use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::scoring::FlownBy;
@@ -46,6 +47,8 @@ pub(super) struct FlyArguments {
     /// Run this many times as fast as real time.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
+    #[command(flatten)]
+    forwards: ForwardArguments,
     /// Print lines of text instead of drawing a screen, for screen readers and pipes.
     #[arg(long)]
     plain: bool,
@@ -53,6 +56,42 @@ pub(super) struct FlyArguments {
     designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
+}
+
+/// The forwards of `sortie fly` and `sortie connect`.
+#[derive(Debug, Args)]
+pub(super) struct ForwardArguments {
+    /// Share the links with ground stations at this address: "ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]",
+    /// such as udp:127.0.0.1:14550 or "tcpin:127.0.0.1:5790 read-only"; repeat it for several.
+    #[arg(long = "forward", value_name = "ADDR", value_parser = forward)]
+    forwards: Vec<ForwardSpec>,
+}
+
+/// A forward as the command line names it.
+fn forward(words: &str) -> Result<ForwardSpec, String> {
+    let spec: ForwardSpec = words
+        .parse()
+        .map_err(|fault: ForwardFault| fault.to_string())?;
+    let address: Result<Address, _> = spec.address.parse();
+    match address {
+        Ok(Address::File { .. }) => Err(text!("forward-file", address = spec.address).to_string()),
+        Ok(_) => Ok(spec),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+impl ForwardArguments {
+    /// The forwards that were named, or those of the configuration if none was.
+    fn or_configured(&self, settings: &CliSettings) -> Result<Vec<ForwardSpec>, Failure> {
+        if !self.forwards.is_empty() {
+            return Ok(self.forwards.clone());
+        }
+        let configured = settings.config.connect.forward.iter();
+        configured
+            .map(|words| forward(words))
+            .collect::<Result<_, _>>()
+            .map_err(|fault| Failure::Invalid(format!("sortie: connect.forward: {fault}")))
+    }
 }
 
 /// Options of `sortie` without a command.
@@ -95,6 +134,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         None => Opening::Free,
     };
     let options = ConsoleOptions {
+        forwards: arguments.forwards.or_configured(&settings)?,
         // Faults are reported before the screen opens.
         backend: arguments.backend.choose(&settings)?,
         vehicles: arguments.vehicles,
@@ -108,10 +148,15 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
 /// Opens the console on running vehicles.
 pub(super) fn connect(
     addresses: Vec<Address>,
+    forwards: &ForwardArguments,
     plain: bool,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
-    open(options(Opening::Connect(addresses), settings)?, plain)
+    let options = ConsoleOptions {
+        forwards: forwards.or_configured(&settings)?,
+        ..options(Opening::Connect(addresses), settings)?
+    };
+    open(options, plain)
 }
 
 /// Reports a recording that does not exist: it will not appear later, so there is no point in trying again.
@@ -157,6 +202,7 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
         seed: None,
         speedup: 1.0,
         flown_by: FlownBy::Hand,
+        forwards: Vec::new(),
         look: look(&settings),
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),

@@ -26,6 +26,19 @@ pub enum PlanDeed {
 }
 
 impl PlanCommand {
+    /// Whether it changes the fence or the rally points.
+    pub fn changes_limits(&self) -> bool {
+        let is_limit = match self.kind {
+            ListKind::Fence | ListKind::Rally => true,
+            ListKind::Plan => false,
+        };
+        let writes = match self.deed {
+            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+            PlanDeed::Download { .. } | PlanDeed::Show => false,
+        };
+        is_limit && writes
+    }
+
     /// Why it needs a confirmation for this vehicle now; `None` if it does not.
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         let plans = &vehicle.plans;

@@ -230,6 +230,12 @@ pub const SETTINGS: &[Setting] = &[
         "The vehicles that belong to the swarm: \"1-4,7\"; `all` leaves out any other.",
     ),
     setting(
+        "connect.forward",
+        SettingKind::Words,
+        None,
+        "Forwards of `sortie fly` and `sortie connect`: [\"udp:127.0.0.1:14550 read-only\"]; --forward replaces them.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

@@ -8,17 +8,19 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::{BlockingKeeper, BlockingShelf};
+use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
+use crate::forward::ForwardSpec;
 use crate::inspector::Census;
 use crate::ledger::RowState;
-use crate::link::{self, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
+use crate::link::{self, Address, Inbound, LinkHandle, LinkId, LinkPeer, StationNews, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want, autopilot_of};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, Vehicle, VehicleClass, VehicleId};
 use crate::wire::{ComponentId, Frame, SystemId};
 
 /// The maximum number of batches of frames in the queue to the hub; beyond that, links read more slowly.
@@ -45,6 +47,7 @@ struct PeerRoute {
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
+    state: watch::Receiver<Arc<Vehicle>>,
     /// Waiting changes to its simulator or its link, oldest first.
     wants: VecDeque<Want>,
 }
@@ -55,6 +58,7 @@ impl PeerRoute {
         component: ComponentId,
         heard_at: Duration,
         inbox: mpsc::Sender<ToVehicle>,
+        state: watch::Receiver<Arc<Vehicle>>,
     ) -> Self {
         Self {
             sender,
@@ -62,8 +66,15 @@ impl PeerRoute {
             heard_at,
             conflict_said_at: None,
             inbox,
+            state,
             wants: VecDeque::new(),
         }
+    }
+
+    /// The class of the vehicle, as far as it is known.
+    fn class(&self) -> VehicleClass {
+        let heartbeat = self.state.borrow().heartbeat;
+        heartbeat.map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
     }
 
     /// Delivers changes to its simulator or its link while there is room. Each is sent only once, so none may be lost
@@ -94,6 +105,7 @@ struct Hub {
     keeping: Keeping,
     links: Vec<LinkHandle>,
     routes: BTreeMap<SystemId, PeerRoute>,
+    sharing: Sharing,
     inbound: mpsc::Sender<Inbound>,
     events: mpsc::Sender<FleetEvent>,
     cancel: CancellationToken,
@@ -109,12 +121,14 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
         cancel,
     } = surroundings;
     let (inbound, mut inbound_out) = mpsc::channel(INBOUND_KEPT);
+    let (sharing, mut overheard) = Sharing::new();
     let mut hub = Hub {
         clock,
         streams,
         keeping,
         links: Vec::new(),
         routes: BTreeMap::new(),
+        sharing,
         inbound,
         events,
         cancel: cancel.clone(),
@@ -125,6 +139,8 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
             () = cancel.cancelled() => return,
             request = requests.recv() => match request {
                 Some(FleetRequest::Connect(transport)) => hub.connect(transport).await,
+                Some(FleetRequest::Forward(spec, address)) => hub.forward(spec, address).await,
+                Some(FleetRequest::Unforward(address)) => hub.sharing.close(&address),
                 Some(FleetRequest::Order(vehicle, order)) => hub.order(vehicle, order).await,
                 Some(FleetRequest::Steer(vehicle, steering)) => {
                     hub.pass_on(vehicle, ToVehicle::Steer(steering));
@@ -138,6 +154,9 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
+            Some(news) = overheard.news.recv() => hub.overhear(&news).await,
+            // The relay has passed them on.
+            Some(_) = overheard.frames.recv() => {}
             () = tokio::time::sleep(TRIED_AGAIN_AFTER), if hub.has_wants() => {}
         }
         hub.routes.values_mut().for_each(PeerRoute::hand_over_wants);
@@ -148,10 +167,44 @@ impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
         let (sink, inbound) = (self.keeping.sink.clone(), self.inbound.clone());
-        let link = link::open_recorded(id, transport, sink, inbound, self.cancel.clone());
+        let relay = &self.sharing.relay;
+        let link = link::open_shared(id, transport, sink, relay, inbound, self.cancel.clone());
         let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
         self.tell(news).await;
+    }
+
+    async fn forward(&mut self, spec: ForwardSpec, address: Address) {
+        let feed = self.sharing.open(spec, address, &self.cancel);
+        self.tell(FleetEvent::Forwarding(feed)).await;
+    }
+
+    /// Names the station that has commanded vehicles.
+    async fn overhear(&mut self, news: &StationNews) {
+        let now = self.clock.now();
+        let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);
+        let routes = self.routes.iter().filter(|&(&system, _)| is_meant(system));
+        let vehicles: Vec<_> = routes
+            .map(|(&system, route)| (VehicleId::from(system), route.class()))
+            .collect();
+        for vehicle in vehicles {
+            if let Some(notice) = self.sharing.commanded(news, vehicle, now) {
+                self.tell(FleetEvent::Warning(notice)).await;
+            }
+        }
+    }
+
+    /// Names the stations that a vehicle answers.
+    async fn attribute(&mut self, system: SystemId, frames: &[Frame], now: Duration) {
+        let Some(class) = self.routes.get(&system).map(PeerRoute::class) else {
+            return;
+        };
+        let vehicle = (VehicleId::from(system), class);
+        for frame in frames {
+            if let Some(notice) = self.sharing.answered(&frame.content, vehicle, now) {
+                self.tell(FleetEvent::Warning(notice)).await;
+            }
+        }
     }
 
     /// Passes an order on; one that cannot be passed on is answered here, so that no row waits forever.
@@ -234,6 +287,7 @@ impl Hub {
             if let Some(route) = self.routes.get_mut(&system) {
                 route.heard_at = now;
             }
+            self.attribute(system, &frames, now).await;
         }
         self.hand_over(system, frames);
     }
@@ -306,7 +360,7 @@ impl Hub {
         };
         tokio::spawn(task.run(self.cancel.clone()));
         tracing::info!(system, link = from.link.0, "a vehicle is heard");
-        let route = PeerRoute::new(from, component, now, inbox);
+        let route = PeerRoute::new(from, component, now, inbox, state_out.clone());
         self.routes.insert(system, route);
         self.tell(FleetEvent::Appeared(state_out)).await;
         let id = VehicleId::from(system);

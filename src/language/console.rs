@@ -24,6 +24,8 @@ pub enum ConsoleLine {
     Ungroup(String),
     /// Forget vehicles whose link is lost: these, or all.
     Forget(Option<VehicleChoice>),
+    /// Share the links with other ground stations, or end that.
+    Forward(ForwardLine),
     /// Go to the room with this name.
     Show(String),
     /// Start the mission with this id.
@@ -70,6 +72,15 @@ pub enum ConsoleLine {
     /// Return to the home screen.
     Leave,
     Quit,
+}
+
+/// A command about forwards.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ForwardLine {
+    /// Open one: its address and its filters.
+    Add(String),
+    /// Close the one at this address.
+    Remove(String),
 }
 
 /// A report to show.

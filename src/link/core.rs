@@ -11,9 +11,9 @@ use tokio_util::sync::CancellationToken;
 
 use super::beat::{BeatPace, LinkBeat};
 use super::meter::LinkMeter;
-use super::{Inbound, LinkConfig, LinkId, LinkPeer, To};
+use super::{Inbound, LinkConfig, LinkId, LinkPeer, Parcel, To};
 use crate::text::Text;
-use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
+use crate::wire::{Frame, ground_station_heartbeat};
 
 const HEARTBEAT: BeatPace = BeatPace {
     handy: Duration::from_millis(900),
@@ -33,7 +33,7 @@ pub(super) struct LinkCore {
     pub(super) config: LinkConfig,
     pub(super) meter: LinkMeter,
     inbound: mpsc::Sender<Inbound>,
-    to_send: mpsc::Receiver<(To, Outgoing)>,
+    to_send: mpsc::Receiver<(To, Parcel)>,
     cancel: CancellationToken,
     /// Received frames waiting for room in the channel. Reading stops until then.
     undelivered: Option<Inbound>,
@@ -49,7 +49,7 @@ pub(super) struct LinkCore {
 #[derive(Debug)]
 pub(super) enum LinkWork {
     /// Send these; at least one.
-    Send(Vec<(To, Outgoing)>),
+    Send(Vec<(To, Parcel)>),
     /// Do nothing, but check again whether reading is allowed.
     Nothing,
     End,
@@ -72,7 +72,7 @@ impl LinkCore {
         config: LinkConfig,
         meter: LinkMeter,
         inbound: mpsc::Sender<Inbound>,
-        to_send: mpsc::Receiver<(To, Outgoing)>,
+        to_send: mpsc::Receiver<(To, Parcel)>,
         cancel: CancellationToken,
     ) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl LinkCore {
         if self.hushed.load(Ordering::Relaxed) {
             return LinkWork::Nothing;
         }
-        LinkWork::Send(vec![(To::Everyone, ground_station_heartbeat())])
+        LinkWork::Send(vec![(To::Everyone, ground_station_heartbeat().into())])
     }
 
     /// Publishes that the link is up, and sends a heartbeat at once.

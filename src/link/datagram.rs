@@ -12,10 +12,10 @@ use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::meter::LinkMeter;
 use super::peer::{PeerStream, StreamEnding};
 use super::stream::PAUSE;
-use super::{LinkConfig, LinkPeer, To};
+use super::{LinkConfig, LinkPeer, Parcel, To};
 use crate::text;
 use crate::text::Text;
-use crate::wire::{Frame, Outgoing};
+use crate::wire::Frame;
 
 /// The longest possible datagram.
 const DATAGRAM_LEN: usize = 65_536;
@@ -43,8 +43,8 @@ pub(super) async fn session(
                 LinkWork::End => return ConnectionEnd::Cancelled,
                 LinkWork::Nothing => {}
                 LinkWork::Send(batch) => {
-                    for (to, outgoing) in &batch {
-                        peers.send(&socket, *to, outgoing, &mut link.meter).await;
+                    for (to, parcel) in &batch {
+                        peers.send(&socket, *to, parcel, &mut link.meter).await;
                     }
                 }
             },
@@ -235,27 +235,29 @@ impl Peers {
         }
     }
 
-    async fn send(
-        &mut self,
-        socket: &UdpSocket,
-        to: To,
-        outgoing: &Outgoing,
-        meter: &mut LinkMeter,
-    ) {
-        let one = match to {
-            To::Peer(peer) => Some(peer),
-            To::Everyone => self.target,
+    async fn send(&mut self, socket: &UdpSocket, to: To, parcel: &Parcel, meter: &mut LinkMeter) {
+        let (one, without) = match to {
+            To::Peer(peer) => (Some(peer), None),
+            To::Everyone => (self.target, None),
+            To::EveryoneBut(peer) => (self.target, Some(peer)),
         };
         let Some(peer) = one else {
-            for remote in self.all.values_mut() {
-                let sent = remote.send(socket, outgoing, meter).await;
+            for (_, remote) in self
+                .all
+                .iter_mut()
+                .filter(|(peer, _)| Some(**peer) != without)
+            {
+                let sent = remote.send(socket, parcel, meter).await;
                 note(sent, &mut self.sending_fails, meter);
             }
             return;
         };
+        if Some(peer) == without {
+            return;
+        }
         match self.all.get_mut(&peer) {
             Some(remote) => {
-                let sent = remote.send(socket, outgoing, meter).await;
+                let sent = remote.send(socket, parcel, meter).await;
                 note(sent, &mut self.sending_fails, meter);
             }
             None => meter.dropped(1),
@@ -267,11 +269,11 @@ impl DatagramPeer {
     async fn send(
         &mut self,
         socket: &UdpSocket,
-        outgoing: &Outgoing,
+        parcel: &Parcel,
         meter: &mut LinkMeter,
     ) -> Result<(), Text> {
         let mut datagram = Vec::new();
-        self.stream.encode(outgoing, &mut datagram, meter);
+        self.stream.encode(parcel, &mut datagram, meter);
         match socket.send_to(&datagram, self.address).await {
             Ok(len) => meter.sent(1, len),
             Err(error) if is_icmp(&error) => meter.sent(1, datagram.len()),

@@ -3,8 +3,8 @@
 use mavlink::MavlinkVersion;
 
 use super::meter::LinkMeter;
-use super::{LinkConfig, LinkPeer};
-use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing, is_frame_start};
+use super::{LinkConfig, LinkPeer, Parcel};
+use crate::wire::{Decoder, Encoder, Frame, LossMeter, is_frame_start};
 
 /// The state of a peer. Each has its own encoder, so that messages to other peers leave no gaps in its sequence
 /// numbers.
@@ -74,7 +74,7 @@ impl PeerStream {
             let step = self.loss.note(&frame);
             meter.numbered(&frame, step);
             let bytes = self.decoder.bytes_of(&frame);
-            meter.tap.received(self.peer, bytes, frame.is_verified());
+            meter.tap.received(self.peer, bytes, &frame);
             if frame.is_verified() {
                 self.answer_in(frame.version);
             }
@@ -102,10 +102,16 @@ impl PeerStream {
         self.peer = peer;
     }
 
-    /// Appends a message's frame to the output.
-    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &LinkMeter) {
+    /// Appends the frame of a parcel to the output.
+    pub(super) fn encode(&mut self, parcel: &Parcel, bytes: &mut Vec<u8>, meter: &LinkMeter) {
         let from = bytes.len();
-        self.encoder.encode(outgoing, bytes);
+        match parcel {
+            Parcel::Message(outgoing) => {
+                self.encoder.encode(outgoing, bytes);
+                meter.tap.sent_own(&bytes[from..]);
+            }
+            Parcel::Frame(frame) => bytes.extend_from_slice(frame),
+        }
         meter.tap.sent(self.peer, &bytes[from..]);
     }
 }

@@ -13,9 +13,8 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::peer::{PeerStream, StreamEnding};
 use super::stream::{PAUSE, READ_LEN};
-use super::{LinkPeer, To};
+use super::{LinkPeer, Parcel, To};
 use crate::text;
-use crate::wire::Outgoing;
 
 /// The maximum number of clients; others wait in the listener's queue.
 const CLIENT_CAP: usize = 256;
@@ -87,17 +86,22 @@ pub(super) async fn session(link: &mut LinkCore, listener: TcpListener) -> Conne
 fn encode(
     link: &mut LinkCore,
     clients: &mut BTreeMap<LinkPeer, TcpClient>,
-    batch: &[(To, Outgoing)],
+    batch: &[(To, Parcel)],
 ) {
-    for (to, outgoing) in batch {
+    for (to, parcel) in batch {
         match to {
             To::Everyone => {
                 for client in clients.values_mut() {
-                    client.encode(outgoing, link);
+                    client.encode(parcel, link);
+                }
+            }
+            To::EveryoneBut(one) => {
+                for (_, client) in clients.iter_mut().filter(|(peer, _)| *peer != one) {
+                    client.encode(parcel, link);
                 }
             }
             To::Peer(peer) => match clients.get_mut(peer) {
-                Some(client) => client.encode(outgoing, link),
+                Some(client) => client.encode(parcel, link),
                 None => link.meter.dropped(1),
             },
         }
@@ -117,13 +121,13 @@ impl TcpClient {
         }
     }
 
-    fn encode(&mut self, outgoing: &Outgoing, link: &mut LinkCore) {
+    fn encode(&mut self, parcel: &Parcel, link: &mut LinkCore) {
         if self.output.len() >= OUTPUT_CAP {
             link.meter.dropped(1);
             return;
         }
         let before = self.output.len();
-        self.stream.encode(outgoing, &mut self.output, &link.meter);
+        self.stream.encode(parcel, &mut self.output, &link.meter);
         link.meter.sent(1, self.output.len() - before);
     }
 

@@ -5,9 +5,9 @@ use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::time::{Instant, sleep_until};
 
-use super::LinkPeer;
 use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::peer::{PeerStream, StreamEnding};
+use super::{LinkPeer, To};
 use crate::text;
 
 /// The only peer of a stream.
@@ -41,10 +41,14 @@ where
                 LinkWork::End => return ConnectionEnd::Cancelled,
                 LinkWork::Nothing => {}
                 LinkWork::Send(batch) => {
-                    for (_, outgoing) in &batch {
-                        peer.encode(outgoing, &mut output, &link.meter);
+                    let is_for_peer = |to: &To| *to != To::EveryoneBut(PEER);
+                    let mine = batch.iter().filter(|(to, _)| is_for_peer(to));
+                    let mut count = 0;
+                    for (_, parcel) in mine {
+                        peer.encode(parcel, &mut output, &link.meter);
+                        count += 1;
                     }
-                    link.meter.sent(batch.len() as u64, output.len());
+                    link.meter.sent(count, output.len());
                 }
             },
             read = reader.read(&mut input), if link.may_read() => match read {

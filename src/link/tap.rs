@@ -6,9 +6,11 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
+use super::relay::RelayPort;
 use super::{FrameSink, LinkPeer, LinkState, LinkStatus};
 use crate::doctor::{self, Observation};
 use crate::inspector::{Census, FrameWay};
+use crate::wire::{Frame, Outgoing};
 
 /// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a short
 /// copy; nothing is queued, so readers cannot slow the link down.
@@ -18,6 +20,8 @@ pub struct Tap {
     census: Arc<Mutex<Census>>,
     /// The sink for every frame, if the link is recorded.
     sink: Option<FrameSink>,
+    /// Where its frames are shared with other ground stations, if they are.
+    relay: Option<RelayPort>,
 }
 
 impl Tap {
@@ -26,6 +30,33 @@ impl Tap {
             opened: Instant::now(),
             census: Arc::default(),
             sink,
+            relay: None,
+        }
+    }
+
+    pub(super) fn relayed(sink: Option<FrameSink>, port: RelayPort) -> Self {
+        Self {
+            relay: Some(port),
+            ..Self::new(sink)
+        }
+    }
+
+    /// Whether the link leads to other ground stations.
+    pub(super) fn is_forward(&self) -> bool {
+        self.relay.as_ref().is_some_and(RelayPort::is_forward)
+    }
+
+    /// Shows a message that the console sends on the link to the stations that share it.
+    pub(super) fn share(&self, outgoing: &Outgoing) {
+        if let Some(port) = &self.relay {
+            port.share(outgoing);
+        }
+    }
+
+    /// Notes a frame of the console itself.
+    pub(super) fn sent_own(&self, bytes: &[u8]) {
+        if let Some(port) = &self.relay {
+            port.note_own(bytes);
         }
     }
 
@@ -49,11 +80,14 @@ impl Tap {
         }
     }
 
-    pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], is_verified: bool) {
+    pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], frame: &Frame) {
         self.take_down(bytes);
         let now = self.opened.elapsed();
         self.census()
-            .note(FrameWay::received(peer.0), bytes, is_verified, now);
+            .note(FrameWay::received(peer.0), bytes, frame.is_verified(), now);
+        if let Some(port) = &self.relay {
+            port.pass(peer, bytes, frame);
+        }
     }
 
     pub(super) fn sent(&self, peer: LinkPeer, bytes: &[u8]) {

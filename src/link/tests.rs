@@ -15,6 +15,7 @@ use tokio_util::sync::CancellationToken;
 use super::*;
 use crate::wire::{Content, Decoder, Encoder};
 
+mod forward;
 mod playback;
 mod tap;
 mod tcp;

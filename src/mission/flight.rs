@@ -136,6 +136,7 @@ impl Flight {
             Setup::Parameter(name) => (!self.mission.lets_set(name))
                 .then(|| text!("refused-protected-parameter", parameter = name)),
             Setup::Home => Some(text!("refused-protected-home")),
+            Setup::Limits => Some(text!("refused-protected-limits")),
             Setup::Anything => Some(text!("refused-protected-raw")),
         }
     }

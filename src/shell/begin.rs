@@ -178,6 +178,7 @@ impl Console {
                 ..Occasion::default()
             },
             earlier: self.tries_before(&plan),
+            forwards: self.options.forwards.clone(),
         };
         let before = std::mem::take(&mut self.ending);
         let (running, started) = RunningSession::start(plan, &backend, before).await?;

@@ -3,7 +3,7 @@
 use super::Console;
 use super::begin::parse;
 use super::session::SessionPlan;
-use crate::app::effect::{Effect, SessionEffect, TerminalEffect};
+use crate::app::effect::{Effect, ForwardChange, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::notice::sanitised;
 use crate::terminal::Environment;
@@ -76,6 +76,7 @@ impl Console {
                 }
                 Ok(())
             }
+            SessionEffect::Forward(change) => self.change_forwards(change),
             SessionEffect::Process(deed, vehicle) => {
                 if let Some(running) = &self.running {
                     running.process(deed, vehicle);
@@ -108,6 +109,19 @@ impl Console {
             }
         };
         self.tell_failure(outcome);
+    }
+
+    /// Opens or closes a forward, also for later sessions of this console.
+    fn change_forwards(&mut self, change: ForwardChange) -> Result<(), Text> {
+        if let Some(running) = &self.running {
+            running.change_forwards(&change)?;
+        }
+        let forwards = &mut self.options.forwards;
+        match change {
+            ForwardChange::Open(spec) => forwards.push(spec),
+            ForwardChange::Close(address) => forwards.retain(|spec| spec.address != address),
+        }
+        Ok(())
     }
 
     fn adjust(&mut self, effect: TerminalEffect) {

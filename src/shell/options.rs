@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::app::keymap::Keymap;
 use crate::config::Config;
+use crate::forward::ForwardSpec;
 use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::Address;
 use crate::mission::Mission;
@@ -41,6 +42,8 @@ pub struct ConsoleOptions {
     pub speedup: f64,
     /// The source of the commands: a person, or a pipe.
     pub flown_by: FlownBy,
+    /// The forwards to other ground stations, in every session.
+    pub forwards: Vec<ForwardSpec>,
     /// The look of the screen.
     pub look: Look,
     pub preferences: Preferences,
@@ -58,6 +61,7 @@ impl ConsoleOptions {
             vehicles: 1,
             seed: Some(1),
             speedup: 1.0,
+            forwards: Vec::new(),
             look: Look::default(),
             preferences: Preferences::default(),
         }

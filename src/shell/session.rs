@@ -20,6 +20,7 @@ use crate::session::Report;
 use crate::swarm::Path;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
+mod forwards;
 mod hangar;
 mod inspection;
 mod links;
@@ -29,6 +30,7 @@ mod orders;
 mod recorder;
 mod start;
 
+use forwards::SessionForwards;
 use hangar::Processes;
 pub(super) use hangar::SessionEnding;
 use inspection::Inspection;
@@ -49,6 +51,7 @@ pub(super) struct RunningSession {
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     parameters: Vec<(VehicleId, watch::Receiver<ParameterSnapshot>)>,
     links: SessionLinks,
+    forwards: SessionForwards,
     inspection: Inspection,
     /// The number of reports that the fleet dropped so far.
     dropped: u64,
@@ -137,6 +140,7 @@ impl RunningSession {
                     self.inspection.add(&link, tap);
                     self.links.add(link);
                 }
+                Ok(FleetEvent::Forwarding(feed)) => self.forwards.add(feed),
                 Ok(FleetEvent::Report(Report::Row(row))) => {
                     collected.push(VehicleEvent::Row(row).into());
                 }
@@ -161,13 +165,15 @@ impl RunningSession {
             }
         }
         collected.extend(self.changed_parameters());
-        let heard: Vec<Notice> = self.links.hear(now).collect();
+        let mut heard: Vec<Notice> = self.links.hear(now).collect();
+        heard.extend(self.forwards.hear(now));
         for notice in heard {
             self.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
             collected.push(Event::Notice(notice));
         }
         collected.extend(self.hear_recorder(now));
         collected.extend(self.links.changed(&self.vehicles));
+        collected.extend(self.forwards.changed());
         collected.extend(self.inspection.examine(self.links.all(), now));
         collected
     }

@@ -9,7 +9,7 @@ use futures_util::FutureExt as _;
 use futures_util::future::{pending, select_all};
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavMessage, MavType};
 use sortie::commands::{Act, Command};
-use sortie::fleet::{Fleet, FleetClock, FleetEvent};
+use sortie::fleet::{Fleet, FleetClock, FleetEvent, ForwardFeed};
 use sortie::geo::LatLon;
 use sortie::language::{self, Context, Meaning};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
@@ -23,6 +23,7 @@ use tokio::net::UdpSocket;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+mod forwards;
 mod logs;
 mod parameters;
 
@@ -52,6 +53,7 @@ pub struct Console {
     vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
     parameters: BTreeMap<VehicleId, watch::Receiver<ParameterSnapshot>>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    forwards: Vec<ForwardFeed>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
     entries: u32,
@@ -66,6 +68,7 @@ impl Console {
             vehicles: BTreeMap::new(),
             parameters: BTreeMap::new(),
             links: Vec::new(),
+            forwards: Vec::new(),
             rows: Vec::new(),
             notices: Vec::new(),
             entries: 0,
@@ -128,6 +131,7 @@ impl Console {
             }
             FleetEvent::Parameters(id, parameters) => drop(self.parameters.insert(id, parameters)),
             FleetEvent::Linked(link, _) => self.links.push(link),
+            FleetEvent::Forwarding(feed) => self.forwards.push(feed),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
             FleetEvent::Report(Report::Notice(notice)) | FleetEvent::Warning(notice) => {

@@ -21,7 +21,7 @@ const PURE: &[&[&str]] = &[
     &["vehicle"],
     &["notice", "ledger", "moment"],
     &["dataflash"],
-    &["commands", "messages"],
+    &["commands", "messages", "forward"],
     &["language"],
     &["session", "swarm"],
     &["record"],

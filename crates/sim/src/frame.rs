@@ -10,7 +10,6 @@ use mavlink::dialects::ardupilotmega::MavFrame;
 
 pub(crate) const GLOBAL: u8 = MavFrame::MAV_FRAME_GLOBAL as u8;
 pub(crate) const LOCAL_NED: u8 = MavFrame::MAV_FRAME_LOCAL_NED as u8;
-pub(crate) const MISSION: u8 = MavFrame::MAV_FRAME_MISSION as u8;
 /// The frame that a `COMMAND_LONG` with a place means.
 pub(crate) const GLOBAL_RELATIVE_ALT: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT as u8;
 const GLOBAL_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_INT as u8;
@@ -37,15 +36,6 @@ impl HeightOrigin {
             GLOBAL_RELATIVE_ALT | GLOBAL_RELATIVE_ALT_INT => Some(Self::Home),
             GLOBAL_TERRAIN_ALT | GLOBAL_TERRAIN_ALT_INT => Some(Self::Terrain),
             _ => None,
-        }
-    }
-
-    /// The frame that the vehicle itself uses for it.
-    pub(crate) fn frame(self) -> u8 {
-        match self {
-            Self::Sea => GLOBAL,
-            Self::Home => GLOBAL_RELATIVE_ALT,
-            Self::Terrain => GLOBAL_TERRAIN_ALT,
         }
     }
 }

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use super::alert::alert;
 use super::{
-    Alarms, Alert, Hangar, Heights, Histories, LinkSummary, Selection, SessionPace, SessionTime,
+    Alarms, Alert, ForwardSummary, Hangar, Heights, Histories, LinkSummary, Selection, SessionPace,
+    SessionTime,
 };
 use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
@@ -43,6 +44,8 @@ pub struct FlightView {
     pub(in crate::app) ledger: Ledger,
     /// The links, in the order of their addresses.
     pub(in crate::app) links: Vec<LinkSummary>,
+    /// The forwards to other ground stations.
+    pub(in crate::app) forwards: Vec<ForwardSummary>,
     /// The processes that simulate the vehicles, if any.
     pub(in crate::app) hangar: Option<Hangar>,
     /// The mission, if there is one.

@@ -5,6 +5,35 @@ use std::time::Duration;
 use crate::text::Text;
 use crate::wire::{ComponentId, SystemId};
 
+/// The counters of a forward: other ground stations that use the links.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ForwardSummary {
+    /// Its address and its filters.
+    pub name: String,
+    /// Whether it carries data.
+    pub up: bool,
+    /// Why it carries no data.
+    pub error: Option<Text>,
+    /// The number of stations at its other end.
+    pub peers: usize,
+    /// Bytes received from the stations.
+    pub received_bytes: u64,
+    /// Messages received from the stations.
+    pub received_messages: u64,
+    /// Bytes sent to the stations.
+    pub sent_bytes: u64,
+    /// Messages sent to the stations.
+    pub sent_messages: u64,
+    /// Messages to the stations that were dropped: a station does not read fast enough.
+    pub dropped: u64,
+    /// Messages to the stations that the filters left out.
+    pub filtered: u64,
+    /// Messages of the stations that went nowhere: read-only, or their receiver is not known.
+    pub held_back: u64,
+    /// Messages that came on a second way.
+    pub repeated: u64,
+}
+
 /// The counters of a link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Activity, Alarms, Career, FlightView, Hangar, Histories, Keymap, LinkSummary, MissionListing,
-    NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow,
+    Activity, Alarms, Career, FlightView, ForwardSummary, Hangar, Histories, Keymap, LinkSummary,
+    MissionListing, NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow,
 };
 use crate::campaign::Reward;
 use crate::config::Config;
@@ -236,6 +236,11 @@ impl FlightView {
     /// All commands of the session.
     pub fn ledger(&self) -> &Ledger {
         &self.ledger
+    }
+
+    /// The forwards to other ground stations.
+    pub fn forwards(&self) -> &[ForwardSummary] {
+        &self.forwards
     }
 
     /// The links, in the order of their addresses.

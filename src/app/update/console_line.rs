@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, forget, ghost, macros, mission, pace, replay, review};
+use super::{act, alert_line, forget, forwards, ghost, macros, mission, pace, replay, review};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -49,6 +49,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         }
         ConsoleLine::Ungroup(name) => ungroup(state, &name)?,
         ConsoleLine::Forget(vehicles) => return forget::forget(state, vehicles.as_ref()),
+        ConsoleLine::Forward(line) => return forwards::carry_out(state, line),
         // The grammar accepts only names of rooms.
         ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
         ConsoleLine::Fly(id) => return Ok(mission::start(state, state.launch(&id))),

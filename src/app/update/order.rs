@@ -182,6 +182,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         SessionEffect::StartFree => state.say(Severity::Info, text!("home-starting-simulator")),
         SessionEffect::StartArduPilot
         | SessionEffect::Connect(_)
+        | SessionEffect::Forward(_)
         | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)

@@ -266,6 +266,7 @@ mod tests {
     use super::*;
     use crate::app::Setup;
     use crate::app::state::ReplayView;
+    use crate::vehicle::VehicleId;
 
     fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
         let mut state = State::new(Setup::default());

@@ -60,6 +60,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         vehicles: options.vehicles,
         seed: Some(1),
         speedup: 1.0,
+        forwards: Vec::new(),
         look: Look::default(),
         preferences: Preferences::default(),
     };

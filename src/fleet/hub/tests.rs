@@ -16,7 +16,8 @@ fn what_finds_no_room_in_an_inbox_waits_and_comes_in_its_order() {
         link: LinkId(0),
         peer: LinkPeer(0),
     };
-    let mut route = PeerRoute::new(sender, 1, Duration::ZERO, inbox);
+    let (_state, watched) = watch::channel(Arc::new(Vehicle::new(1, 1)));
+    let mut route = PeerRoute::new(sender, 1, Duration::ZERO, inbox, watched);
     route.wants.extend([1.0, 2.0, 3.0].map(parameter));
     route.hand_over_wants();
     assert_eq!(route.wants, [parameter(3.0)]);

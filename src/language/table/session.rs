@@ -2,7 +2,7 @@
 
 use super::console;
 use crate::language::argument::{Argument, Kind, Unit};
-use crate::language::console::{ConsoleLine, ProcessDeed, Report};
+use crate::language::console::{ConsoleLine, ForwardLine, ProcessDeed, Report};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::vehicle::VehicleId;
@@ -10,7 +10,8 @@ use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    HANGAR, MACRO, FLY, CONNECT, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON, RESTART, LEAVE, QUIT,
+    HANGAR, MACRO, FLY, CONNECT, FORWARD, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON, RESTART,
+    LEAVE, QUIT,
 ];
 
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
@@ -91,6 +92,38 @@ const CONNECT: VerbRow = said(
             console(ConsoleLine::Connect(addresses.map(str::to_owned).collect()))
         },
     )],
+);
+
+const FORWARD: VerbRow = said(
+    "forward",
+    &[
+        "forward add udp:192.168.1.20:14550",
+        "forward add tcpin:127.0.0.1:5790 read-only rate 2",
+        "forward remove tcpin:127.0.0.1:5790",
+        "forward",
+    ],
+    &[
+        Form::new(&[], |_| console(ConsoleLine::Report(Report::Links))),
+        Form::new(
+            &[Argument::keyed(
+                "add",
+                "address...",
+                Kind::Rest,
+                "argument-forward",
+            )],
+            |given| {
+                let words = given.required_word("address...")?.to_owned();
+                console(ConsoleLine::Forward(ForwardLine::Add(words)))
+            },
+        ),
+        Form::new(
+            &[Argument::keyed("remove", "address", Kind::Rest, "")],
+            |given| {
+                let address = given.required_word("address")?.trim().to_owned();
+                console(ConsoleLine::Forward(ForwardLine::Remove(address)))
+            },
+        ),
+    ],
 );
 
 const INJECT: VerbRow = said(

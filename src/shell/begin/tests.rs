@@ -1,4 +1,3 @@
-use crate::text;
 use std::sync::Arc;
 
 use crossterm::event::KeyCode;

@@ -394,9 +394,29 @@ fn links(state: &State) -> Vec<Text> {
             lost = link.lost.iter().map(|(_, count)| count).sum::<u64>(),
         )
     });
+    let forwards = session.forwards().iter().map(|forward| {
+        let state = match forward.up {
+            true => text!("links-up"),
+            false => forward.error.clone().unwrap_or(text!("links-down")),
+        };
+        text!(
+            "plain-forward",
+            name = &forward.name,
+            state = state,
+            stations = forward.peers,
+            received = forward.received_messages,
+            bytes_in = forward.received_bytes,
+            sent = forward.sent_messages,
+            bytes_out = forward.sent_bytes,
+            dropped = forward.dropped,
+            filtered = forward.filtered,
+            held = forward.held_back,
+            repeated = forward.repeated,
+        )
+    });
     let findings = session.findings().iter();
     let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
-    links.chain(ailments).collect()
+    links.chain(forwards).chain(ailments).collect()
 }
 
 fn notices(state: &State) -> Vec<Text> {

@@ -69,7 +69,7 @@ impl SessionLinks {
 }
 
 /// The state and the last notice of a link.
-struct LinkHeard {
+pub(super) struct LinkHeard {
     /// The last state seen.
     seen: LinkNews,
     since: Duration,
@@ -78,7 +78,7 @@ struct LinkHeard {
 }
 
 impl LinkHeard {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self {
             seen: LinkNews::Silent,
             since: Duration::ZERO,
@@ -88,7 +88,7 @@ impl LinkHeard {
 
     /// The notice that is due. A link counts as up again only after a while; one that goes up and down repeats the
     /// same notice, which is folded.
-    fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
+    pub fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
         if news == LinkNews::Silent {
             return None;
         }
@@ -116,7 +116,7 @@ impl LinkHeard {
 
 /// A state of a link worth a notice.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum LinkNews {
+pub(super) enum LinkNews {
     /// Nothing has been heard yet.
     Silent,
     /// The link carries data.
@@ -128,7 +128,7 @@ enum LinkNews {
 }
 
 impl LinkNews {
-    fn of(status: &LinkStatus) -> Self {
+    pub fn of(status: &LinkStatus) -> Self {
         match (status.state, &status.last_error) {
             (LinkState::Up, _) => Self::Up,
             (LinkState::Connecting | LinkState::Waiting { .. } | LinkState::Ended, Some(error)) => {

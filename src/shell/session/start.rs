@@ -9,6 +9,7 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 use super::RunningSession;
+use super::forwards::SessionForwards;
 use super::hangar::{Processes, SessionEnding};
 use super::inspection::Inspection;
 use super::links::SessionLinks;
@@ -18,6 +19,7 @@ use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetClock, Keeping};
+use crate::forward::ForwardSpec;
 use crate::geo::LatLon;
 use crate::hangar::{SitlSource, VehicleBackend as Simulation};
 use crate::link::{Address, Endpoint, Simulator, SimulatorPace, Transport};
@@ -69,6 +71,8 @@ pub(in crate::shell) struct SessionBackend {
     pub occasion: Occasion,
     /// The trainee's attempts before this one, oldest first.
     pub earlier: Vec<TryReport>,
+    /// The forwards to other ground stations; in missions, they carry nothing back.
+    pub forwards: Vec<ForwardSpec>,
 }
 
 impl SessionPlan {
@@ -122,6 +126,7 @@ impl RunningSession {
             vehicles: Vec::new(),
             parameters: Vec::new(),
             links: SessionLinks::default(),
+            forwards: SessionForwards::default(),
             inspection: Inspection::default(),
             dropped: 0,
             mission_run: None,
@@ -161,8 +166,21 @@ impl RunningSession {
         };
         started.speedup = backend.speedup;
         started.processes = running.processes.as_ref().map(|processes| processes.count);
+        running.share(&backend.forwards)?;
         running.begin_record(backend, &started);
         Ok((running, started))
+    }
+
+    /// Opens forwards. Others must not help to fly a mission.
+    fn share(&self, forwards: &[ForwardSpec]) -> Result<(), Text> {
+        let is_mission = matches!(self.plan, SessionPlan::Mission(_));
+        for spec in forwards {
+            self.forward(ForwardSpec {
+                read_only: spec.read_only || is_mission,
+                ..spec.clone()
+            })?;
+        }
+        Ok(())
     }
 
     fn begin_record(&mut self, backend: &SessionBackend, started: &Started) {

@@ -18,6 +18,8 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
 
+mod forwards;
+
 /// Columns of a label.
 const LABEL: usize = 16;
 /// The number of senders whose losses are listed.
@@ -37,7 +39,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let wanted = links.len() as u16 + 2;
     let rows = wanted.min((panel.area.height / 3).max(4));
     draw_list(state, cursor, panel.upper(rows), buffer);
-    let rest = draw_doctor(state, cursor, panel.below(rows), buffer);
+    let mut below_list = panel.below(rows);
+    if !state.session().forwards().is_empty() {
+        let rest = forwards::draw(state, below_list, buffer);
+        below_list = panel.at(rest);
+    }
+    let rest = draw_doctor(state, cursor, below_list, buffer);
     draw_link(state, cursor, panel.at(rest), buffer);
 }
 

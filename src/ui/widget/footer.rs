@@ -98,32 +98,3 @@ fn list_keys(state: &State) -> Text {
         escape = state.key(Action::Escape)
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use ratatui::layout::Rect;
-
-    use super::*;
-    use crate::ui::look::Look;
-    use crate::vehicle::Severity;
-
-    #[test]
-    fn a_long_message_is_read_to_its_end_on_rows_above_the_last() {
-        let mut state = State::default();
-        state.say(
-            Severity::Notice,
-            Text::verbatim("Practice only: the mission is locked; needs a licence for 3 drones"),
-        );
-        let look = Look::default();
-        let area = Rect::new(0, 0, 40, 4);
-        let mut buffer = Buffer::filled(area, ratatui::buffer::Cell::new("x"));
-        draw(&state, Panel::new(&look, area), &mut buffer);
-        let row = |row: usize| -> String {
-            let cells = &buffer.content[row * 40..(row + 1) * 40];
-            cells.iter().map(ratatui::buffer::Cell::symbol).collect()
-        };
-        assert_eq!(row(1), "x".repeat(40));
-        assert_eq!(row(2).trim_end(), " Practice only: the mission is locked;");
-        assert_eq!(row(3).trim_end(), " needs a licence for 3 drones");
-    }
-}

@@ -33,6 +33,7 @@ impl Console {
             rows: Vec::new(),
             notices: Vec::new(),
             entries: 0,
+            forwards: Vec::new(),
         }
     }
 

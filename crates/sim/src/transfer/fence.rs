@@ -23,7 +23,7 @@ mod tests {
 
     fn corner(corners: u8) -> Item {
         Item {
-            command: cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION,
+            command: sortie_plan::command::FENCE_POLYGON_INCLUSION,
             params: [f32::from(corners), 0.0, 0.0, 0.0],
             ..Item::default()
         }

@@ -125,7 +125,8 @@ impl<'a> ScaleSwarm<'a> {
                             .unwrap_or_default();
                         self.refusal = Some(format!("vehicle {}: {}{why}", row.vehicle, row.state));
                     }
-                    FleetEvent::Parameters(..)
+                    FleetEvent::Forwarding(_)
+                    | FleetEvent::Parameters(..)
                     | FleetEvent::Report(_)
                     | FleetEvent::Warning(_)
                     | FleetEvent::Dropped(_) => {}

@@ -1,0 +1,13 @@
+//! Sharing the console's links with other ground stations: which frame goes where, and who commanded what.
+//!
+//! Pure: the transports are in [`link`](crate::link), whose relay asks a [`Router`] about every frame.
+
+mod commands;
+mod routes;
+mod spec;
+#[cfg(test)]
+mod tests;
+
+pub use commands::{Deed, StationId, deed_of, station_of_ack};
+pub use routes::{FrameFacts, Port, Reach, Route, Router};
+pub use spec::{ForwardFault, ForwardSpec};

@@ -1,0 +1,270 @@
+//! Which ports a frame goes to.
+//!
+//! The rules are those of MAVLink routing (<https://mavlink.io/en/guide/routing.html>): a message without a receiver
+//! goes everywhere, one with a receiver only where that receiver was heard, and none goes back to where it came from.
+//! Frames of vehicles go to stations, frames of stations to vehicles and to other stations; vehicles are not connected
+//! with each other.
+
+use std::collections::{BTreeMap, HashMap, VecDeque};
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::{MavlinkVersion, Message as _};
+
+use crate::wire::{Anatomy, Content, Frame, MavAddress};
+
+/// A frame with the same content from another port within this time is the same frame on a second way.
+const SAME_WITHIN: Duration = Duration::from_secs(1);
+/// The maximum number of frames remembered to recognise repetitions.
+const MOST_REMEMBERED: usize = 8192;
+/// A sender that was silent for this long is forgotten.
+const STALE: Duration = Duration::from_secs(60);
+/// The maximum number of senders, since their ids can be forged; then the ports of one sender.
+const MOST_SENDERS: usize = 1024;
+const MOST_PORTS: usize = 8;
+
+/// A place that frames come from and go to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Port {
+    /// A peer of a link to vehicles.
+    Vehicle {
+        /// The number of the link.
+        link: u16,
+        /// The number of the peer.
+        peer: u32,
+    },
+    /// A peer of a forward: another ground station.
+    Station {
+        /// The number of the forward.
+        forward: u16,
+        /// The number of the peer.
+        peer: u32,
+    },
+}
+
+/// The properties of a frame that decide its way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FrameFacts {
+    pub sender: MavAddress,
+    /// The message id.
+    pub id: u32,
+    /// The receiver; `None` for everyone.
+    pub receiver: Option<MavAddress>,
+    /// A hash of sender, message and payload. The sequence number is left out: a program that passes on its own
+    /// messages numbers them anew on each link.
+    pub content: u64,
+    /// Whether the sender can be trusted: the checksum was verified.
+    pub is_verified: bool,
+}
+
+impl FrameFacts {
+    /// The facts about a frame and its bytes; `None` if the bytes are no frame.
+    pub fn of(frame: &Frame, bytes: &[u8]) -> Option<Self> {
+        let anatomy = Anatomy::of(bytes)?;
+        let receiver = match &frame.content {
+            Content::Message(message) => message.target_system_id().map(|system| MavAddress {
+                system,
+                component: message.target_component_id().unwrap_or(0),
+            }),
+            Content::Undecoded { id, payload } => receiver_in(*id, &payload[..]),
+            Content::Unknown { .. } => None,
+        };
+        Some(Self {
+            sender: MavAddress {
+                system: frame.system,
+                component: frame.component,
+            },
+            id: anatomy.id,
+            receiver: receiver.filter(|receiver| receiver.system != 0),
+            content: content_of(&anatomy),
+            is_verified: frame.is_verified(),
+        })
+    }
+}
+
+fn content_of(anatomy: &Anatomy<'_>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    let sender = (anatomy.system, anatomy.component, anatomy.id);
+    (sender, anatomy.payload).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// The receiver in a payload that could not be decoded. The dialect tells only where the fields of a decoded message
+/// are, so the places are found by writing a mark into them.
+fn receiver_in(id: u32, payload: &[u8]) -> Option<MavAddress> {
+    const MARK: u8 = 0xA5;
+    let place = |mark: fn(&mut MavMessage) -> Option<&mut u8>| {
+        let mut message = MavMessage::default_message_from_id(id)?;
+        let (mut before, mut after) = ([0; 255], [0; 255]);
+        message.ser(MavlinkVersion::V2, &mut before);
+        *mark(&mut message)? = MARK;
+        message.ser(MavlinkVersion::V2, &mut after);
+        (0..after.len()).find(|&at| after[at] == MARK && before[at] != MARK)
+    };
+    let value = |mark| payload.get(place(mark)?).copied();
+    Some(MavAddress {
+        system: value(|message| message.target_system_id_mut())?,
+        component: value(|message| message.target_component_id_mut()).unwrap_or(0),
+    })
+}
+
+/// The ports of one kind that a frame goes to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Reach {
+    Nobody,
+    /// Everyone but the port that it came from.
+    Everyone,
+    These(Vec<Port>),
+}
+
+/// The way of a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Route {
+    /// It has been passed on already, when it came from another port.
+    Repeated,
+    /// Its receiver was never heard.
+    Unknown,
+    To {
+        vehicles: Reach,
+        stations: Reach,
+    },
+}
+
+/// Learns where senders are, and finds the way of each frame.
+#[derive(Debug)]
+pub struct Router {
+    own: MavAddress,
+    ports: BTreeMap<MavAddress, BTreeMap<Port, Duration>>,
+    /// When a content was passed on, and where it came from; `None` for the console's own messages.
+    passed: HashMap<u64, (Option<Port>, Duration)>,
+    /// The contents in the order in which they were first passed on.
+    order: VecDeque<(u64, Duration)>,
+}
+
+impl Router {
+    /// A router that has heard nobody; `own` is the console's own address.
+    pub fn new(own: MavAddress) -> Self {
+        Self {
+            own,
+            ports: BTreeMap::new(),
+            passed: HashMap::new(),
+            order: VecDeque::new(),
+        }
+    }
+
+    /// Notes a message that the console itself sends to a station, so that its echo is not passed on.
+    pub fn note_own(&mut self, bytes: &[u8], now: Duration) {
+        if let Some(anatomy) = Anatomy::of(bytes) {
+            self.remember(content_of(&anatomy), None, now);
+        }
+    }
+
+    /// The way of a frame from a port.
+    pub fn route(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
+        let known = self.passed.get(&facts.content).copied();
+        let before = known.filter(|&(_, at)| now.saturating_sub(at) < SAME_WITHIN);
+        if let Some((origin, _)) = before
+            && origin != Some(from)
+        {
+            // Another ground station may use the console's own address: answers must reach it.
+            if origin.is_none() {
+                self.learn(from, facts, now);
+            }
+            return Route::Repeated;
+        }
+        self.remember(facts.content, Some(from), now);
+        self.learn(from, facts, now);
+        let Some(receiver) = facts.receiver else {
+            return Route::To {
+                vehicles: match from {
+                    Port::Vehicle { .. } => Reach::Nobody,
+                    Port::Station { .. } => Reach::Everyone,
+                },
+                stations: Reach::Everyone,
+            };
+        };
+        self.to(from, receiver, now)
+    }
+
+    fn to(&self, from: Port, receiver: MavAddress, now: Duration) -> Route {
+        let ports = self.ports_of(receiver, now);
+        if ports.is_empty() && receiver.system != self.own.system {
+            return Route::Unknown;
+        }
+        let others = ports.into_iter().filter(|&port| port != from);
+        let (vehicles, stations): (Vec<Port>, Vec<Port>) =
+            others.partition(|port| matches!(port, Port::Vehicle { .. }));
+        let reach = |ports: Vec<Port>| match ports.is_empty() {
+            true => Reach::Nobody,
+            false => Reach::These(ports),
+        };
+        Route::To {
+            vehicles: match from {
+                Port::Vehicle { .. } => Reach::Nobody,
+                Port::Station { .. } => reach(vehicles),
+            },
+            stations: reach(stations),
+        }
+    }
+
+    /// The ports of a component, or of its whole system if that component was not heard.
+    fn ports_of(&self, receiver: MavAddress, now: Duration) -> Vec<Port> {
+        let is_fresh = |at: Duration| now.saturating_sub(at) < STALE;
+        let fresh = |ports: &BTreeMap<Port, Duration>| {
+            let ports = ports.iter().filter(|&(_, &at)| is_fresh(at));
+            ports.map(|(&port, _)| port).collect::<Vec<_>>()
+        };
+        let exact = self.ports.get(&receiver).map(fresh).unwrap_or_default();
+        if !exact.is_empty() || receiver == self.own {
+            return exact;
+        }
+        let system = self.ports.iter();
+        let mut ports: Vec<Port> = system
+            .filter(|(sender, _)| sender.system == receiver.system)
+            .flat_map(|(_, ports)| fresh(ports))
+            .collect();
+        ports.sort_unstable();
+        ports.dedup();
+        ports
+    }
+
+    fn learn(&mut self, from: Port, facts: &FrameFacts, now: Duration) {
+        if !facts.is_verified || facts.sender.system == 0 {
+            return;
+        }
+        if self.ports.len() >= MOST_SENDERS && !self.ports.contains_key(&facts.sender) {
+            let fresh = |ports: &BTreeMap<Port, Duration>| {
+                ports.values().any(|&at| now.saturating_sub(at) < STALE)
+            };
+            self.ports.retain(|_, ports| fresh(ports));
+            if self.ports.len() >= MOST_SENDERS {
+                return;
+            }
+        }
+        let ports = self.ports.entry(facts.sender).or_default();
+        ports.insert(from, now);
+        if ports.len() > MOST_PORTS {
+            let oldest = ports.iter().min_by_key(|&(_, &at)| at).map(|(&it, _)| it);
+            oldest.map(|oldest| ports.remove(&oldest));
+        }
+    }
+
+    fn remember(&mut self, content: u64, origin: Option<Port>, now: Duration) {
+        while let Some(&(oldest, at)) = self.order.front()
+            && (now.saturating_sub(at) >= SAME_WITHIN || self.order.len() >= MOST_REMEMBERED)
+        {
+            self.order.pop_front();
+            // It may have been passed on again since.
+            if self
+                .passed
+                .get(&oldest)
+                .is_some_and(|&(_, last)| last <= at)
+            {
+                self.passed.remove(&oldest);
+            }
+        }
+        self.passed.insert(content, (origin, now));
+        self.order.push_back((content, now));
+    }
+}

@@ -1,0 +1,346 @@
+//! Passes frames between the links to vehicles and the forwards to other ground stations.
+//!
+//! The links' tasks call it with every frame; it only queues copies and waits for nobody. A link or a forward whose queue
+//! is full drops the frame and counts it.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tokio::sync::mpsc;
+use tokio::time::Instant;
+
+use super::{LinkId, LinkPeer, Outlet, Parcel, To};
+use crate::forward::{
+    Deed, ForwardSpec, FrameFacts, Port, Reach, Route, Router, StationId, deed_of,
+};
+use crate::wire::{Frame, MavAddress, Outgoing, SystemId, is_secret};
+
+/// The maximum number of streams whose rate one forward limits; others pass.
+const MOST_STREAMS: usize = 4096;
+
+/// Another ground station has commanded vehicles over a forward.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StationNews {
+    pub station: StationId,
+    /// The vehicle; `None` for all.
+    pub system: Option<SystemId>,
+    pub deed: Deed,
+}
+
+/// What a relay did with the frames of one forward, besides passing them on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct ForwardCounts {
+    /// Frames to the stations that its filters left out.
+    pub filtered: u64,
+    /// Frames of the stations that did not reach the vehicles because it is read-only.
+    pub held_back: u64,
+    /// Frames of the stations whose receiver was never heard.
+    pub unknown: u64,
+    /// Frames of the stations that came on a second way.
+    pub repeated: u64,
+}
+
+/// Shares links with other ground stations. All clones are one relay.
+#[derive(Debug, Clone)]
+pub struct Relay(Arc<RelayShared>);
+
+#[derive(Debug)]
+struct RelayShared {
+    opened: Instant,
+    /// Whether there is any forward; without one, frames are not looked at.
+    is_used: AtomicBool,
+    core: Mutex<RelayCore>,
+}
+
+#[derive(Debug)]
+struct RelayCore {
+    router: Router,
+    links: BTreeMap<LinkId, Outlet>,
+    forwards: BTreeMap<LinkId, Forward>,
+    news: mpsc::Sender<StationNews>,
+}
+
+#[derive(Debug)]
+struct Forward {
+    spec: ForwardSpec,
+    outlet: Outlet,
+    counts: ForwardCounts,
+    /// When each stream was passed on last, by sender and message.
+    streams: HashMap<(MavAddress, u32), Duration>,
+}
+
+/// The end of a relay that one link holds.
+#[derive(Debug, Clone)]
+pub(super) struct RelayPort {
+    relay: Relay,
+    id: LinkId,
+    is_forward: bool,
+}
+
+impl Relay {
+    /// A relay for a console with this address. Commands of other stations are reported through `news`; while that is
+    /// full, they are passed on without a report.
+    pub fn new(own: MavAddress, news: mpsc::Sender<StationNews>) -> Self {
+        Self(Arc::new(RelayShared {
+            opened: Instant::now(),
+            is_used: AtomicBool::new(false),
+            core: Mutex::new(RelayCore {
+                router: Router::new(own),
+                links: BTreeMap::new(),
+                forwards: BTreeMap::new(),
+                news,
+            }),
+        }))
+    }
+
+    /// Ends the passing of frames to and from a forward.
+    pub fn remove_forward(&self, id: LinkId) {
+        let mut core = self.core();
+        core.forwards.remove(&id);
+        self.0
+            .is_used
+            .store(!core.forwards.is_empty(), Ordering::Relaxed);
+    }
+
+    /// The counts of a forward.
+    pub fn counts(&self, id: LinkId) -> ForwardCounts {
+        let core = self.core();
+        core.forwards
+            .get(&id)
+            .map(|forward| forward.counts)
+            .unwrap_or_default()
+    }
+
+    pub(super) fn port_of_link(&self, id: LinkId) -> RelayPort {
+        self.port(id, false)
+    }
+
+    pub(super) fn port_of_forward(&self, id: LinkId) -> RelayPort {
+        self.port(id, true)
+    }
+
+    fn port(&self, id: LinkId, is_forward: bool) -> RelayPort {
+        RelayPort {
+            relay: self.clone(),
+            id,
+            is_forward,
+        }
+    }
+
+    pub(super) fn add_link(&self, id: LinkId, outlet: Outlet) {
+        self.core().links.insert(id, outlet);
+    }
+
+    pub(super) fn add_forward(&self, id: LinkId, spec: ForwardSpec, outlet: Outlet) {
+        let forward = Forward {
+            spec,
+            outlet,
+            counts: ForwardCounts::default(),
+            streams: HashMap::new(),
+        };
+        self.core().forwards.insert(id, forward);
+        self.0.is_used.store(true, Ordering::Relaxed);
+    }
+
+    fn is_used(&self) -> bool {
+        self.0.is_used.load(Ordering::Relaxed)
+    }
+
+    fn core(&self) -> MutexGuard<'_, RelayCore> {
+        // A panic while passing a frame on loses only that frame.
+        self.0.core.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl RelayPort {
+    pub fn is_forward(&self) -> bool {
+        self.is_forward
+    }
+
+    /// Passes a received frame on.
+    pub fn pass(&self, peer: LinkPeer, bytes: &[u8], frame: &Frame) {
+        if !self.relay.is_used() {
+            return;
+        }
+        let Some(facts) = FrameFacts::of(frame, bytes) else {
+            return;
+        };
+        let now = self.relay.0.opened.elapsed();
+        let mut core = self.relay.core();
+        let bytes: Arc<[u8]> = bytes.into();
+        if self.is_forward {
+            core.pass_from_station(self.id, peer, &facts, (&bytes, frame), now);
+        } else {
+            core.pass_from_vehicle(self.id, peer, &facts, &bytes, now);
+        }
+    }
+
+    /// Shows a message that the console sends to a vehicle to the stations, unless it has a secret.
+    pub fn share(&self, outgoing: &Outgoing) {
+        let id = outgoing.id();
+        if self.is_forward || !self.relay.is_used() || is_secret(id) {
+            return;
+        }
+        for forward in self.relay.core().forwards.values_mut() {
+            if forward.spec.passes(id) {
+                let parcel = Parcel::Message(outgoing.clone());
+                forward.outlet.queue(To::Everyone, parcel);
+            } else {
+                forward.counts.filtered += 1;
+            }
+        }
+    }
+
+    /// Notes a frame of the console to stations, to recognise its echo.
+    pub fn note_own(&self, bytes: &[u8]) {
+        if self.is_forward {
+            let now = self.relay.0.opened.elapsed();
+            self.relay.core().router.note_own(bytes, now);
+        }
+    }
+}
+
+impl RelayCore {
+    fn pass_from_vehicle(
+        &mut self,
+        link: LinkId,
+        peer: LinkPeer,
+        facts: &FrameFacts,
+        bytes: &Arc<[u8]>,
+        now: Duration,
+    ) {
+        let from = Port::Vehicle {
+            link: link.0,
+            peer: peer.0,
+        };
+        if let Route::To { stations, .. } = self.router.route(from, facts, now) {
+            self.to_stations(None, &stations, facts, bytes, now);
+        }
+    }
+
+    fn pass_from_station(
+        &mut self,
+        id: LinkId,
+        peer: LinkPeer,
+        facts: &FrameFacts,
+        (bytes, frame): (&Arc<[u8]>, &Frame),
+        now: Duration,
+    ) {
+        let from = Port::Station {
+            forward: id.0,
+            peer: peer.0,
+        };
+        let route = self.router.route(from, facts, now);
+        let Some(forward) = self.forwards.get_mut(&id) else {
+            return;
+        };
+        match route {
+            Route::Repeated => forward.counts.repeated += 1,
+            _ if forward.spec.read_only => forward.counts.held_back += 1,
+            Route::Unknown => forward.counts.unknown += 1,
+            Route::To { vehicles, stations } => {
+                self.to_vehicles(&vehicles, bytes);
+                self.to_stations(Some((id, peer)), &stations, facts, bytes, now);
+                if vehicles != Reach::Nobody {
+                    self.report(facts, frame);
+                }
+            }
+        }
+    }
+
+    fn report(&self, facts: &FrameFacts, frame: &Frame) {
+        if let Some(deed) = deed_of(&frame.content) {
+            // A report that finds no room is one of many.
+            drop(self.news.try_send(StationNews {
+                station: StationId(facts.sender),
+                system: facts.receiver.map(|receiver| receiver.system),
+                deed,
+            }));
+        }
+    }
+
+    fn to_vehicles(&self, reach: &Reach, bytes: &Arc<[u8]>) {
+        match reach {
+            Reach::Nobody => {}
+            Reach::Everyone => {
+                for outlet in self.links.values() {
+                    outlet.queue(To::Everyone, Parcel::Frame(Arc::clone(bytes)));
+                }
+            }
+            Reach::These(ports) => {
+                for port in ports {
+                    if let Port::Vehicle { link, peer } = *port
+                        && let Some(outlet) = self.links.get(&LinkId(link))
+                    {
+                        let frame = Parcel::Frame(Arc::clone(bytes));
+                        outlet.queue(To::Peer(LinkPeer(peer)), frame);
+                    }
+                }
+            }
+        }
+    }
+
+    fn to_stations(
+        &mut self,
+        from: Option<(LinkId, LinkPeer)>,
+        reach: &Reach,
+        facts: &FrameFacts,
+        bytes: &Arc<[u8]>,
+        now: Duration,
+    ) {
+        match reach {
+            Reach::Nobody => {}
+            Reach::Everyone => {
+                for (&id, forward) in &mut self.forwards {
+                    let to = match from {
+                        Some((origin, peer)) if origin == id => To::EveryoneBut(peer),
+                        Some(_) | None => To::Everyone,
+                    };
+                    forward.pass(to, facts, bytes, now);
+                }
+            }
+            Reach::These(ports) => {
+                for port in ports {
+                    if let Port::Station { forward, peer } = *port
+                        && let Some(forward) = self.forwards.get_mut(&LinkId(forward))
+                    {
+                        let frame = Parcel::Frame(Arc::clone(bytes));
+                        forward.outlet.queue(To::Peer(LinkPeer(peer)), frame);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Forward {
+    /// Passes a message for everyone on, unless the filters leave it out.
+    fn pass(&mut self, to: To, facts: &FrameFacts, bytes: &Arc<[u8]>, now: Duration) {
+        if self.spec.passes(facts.id) && self.is_due(facts, now) {
+            self.outlet.queue(to, Parcel::Frame(Arc::clone(bytes)));
+        } else {
+            self.counts.filtered += 1;
+        }
+    }
+
+    fn is_due(&mut self, facts: &FrameFacts, now: Duration) -> bool {
+        let Some(rate_hz) = self.spec.rate_hz else {
+            return true;
+        };
+        let stream = (facts.sender, facts.id);
+        let last = self.streams.get(&stream).copied();
+        let is_counted = last.is_some() || self.streams.len() < MOST_STREAMS;
+        if !self.spec.is_paced(facts.id) || !is_counted {
+            return true;
+        }
+        // A tenth less, so that a stream at this very rate passes whole in spite of its jitter.
+        let pause = Duration::from_secs_f64(0.9 / rate_hz);
+        let is_due = last.is_none_or(|last| now.saturating_sub(last) >= pause);
+        if is_due {
+            self.streams.insert(stream, now);
+        }
+        is_due
+    }
+}

@@ -1,0 +1,146 @@
+//! Other ground stations that use the fleet's links.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_ACK_DATA, COMMAND_LONG_DATA, HEARTBEAT_DATA, MavAutopilot, MavCmd, MavMessage,
+    MavModeFlag, MavResult, MavType,
+};
+use sortie::forward::ForwardSpec;
+use sortie::link::{Endpoint, Simulator};
+use sortie::wire::{Content, Decoder, Encoder};
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
+use tokio::net::TcpStream;
+use tokio_util::sync::CancellationToken;
+
+use super::{Console, world};
+
+fn encoded(encoder: &mut Encoder, message: MavMessage) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encoder.encode(&message.into(), &mut bytes);
+    bytes
+}
+
+fn guided() -> MavMessage {
+    MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+        target_system: 1,
+        target_component: 1,
+        command: MavCmd::MAV_CMD_DO_SET_MODE,
+        param1: 1.0,
+        param2: 4.0,
+        ..COMMAND_LONG_DATA::default()
+    })
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_station_commands_a_vehicle_over_a_forward_and_is_named() {
+    let cancel = CancellationToken::new();
+    let started = Simulator::start(world(2), 10.0, &[Endpoint::Pipes], cancel.clone())
+        .await
+        .expect("pipes always open");
+    let mut console = Console::start();
+    for pipe in started.pipes {
+        console.connect_to(pipe);
+    }
+    console.until_ready(&[1, 2]).await;
+    let spec: ForwardSpec = "tcpin:127.0.0.1:0".parse().expect("a forward");
+    let address = spec.address.parse().expect("an address");
+    console
+        .fleet
+        .forward(spec, address)
+        .expect("the fleet runs");
+    console
+        .until("the forward is opened", |console| {
+            !console.forwards.is_empty()
+        })
+        .await;
+    let mut status = console.forwards[0].status.clone();
+    let open = status.wait_for(|status| status.local.is_some()).await;
+    let at = open.expect("published").local.expect("a socket");
+    let mut station = TcpStream::connect(at).await.expect("connected");
+    let (mut encoder, mut decoder) = (Encoder::new(254, 1), Decoder::new());
+    let mut bytes = [0; 4096];
+    let mut answer = None;
+    // Vehicle 1 has to be heard before a command can find it.
+    let mut is_sent = false;
+    while answer.is_none() {
+        let read = tokio::time::timeout(Duration::from_secs(60), station.read(&mut bytes));
+        let count = read.await.expect("in time").expect("readable");
+        assert!(count > 0, "the forward stays open");
+        decoder.push(&bytes[..count]);
+        while let Some(frame) = decoder.next_frame() {
+            if frame.system == 1 && !is_sent {
+                is_sent = true;
+                let command = encoded(&mut encoder, guided());
+                station.write_all(&command).await.expect("writable");
+            }
+            if let (1, Content::Message(MavMessage::COMMAND_ACK(ack))) =
+                (frame.system, frame.content)
+            {
+                answer = Some(ack);
+            }
+        }
+    }
+    let answer = answer.expect("it was awaited");
+    assert_eq!(answer.result, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(answer.target_system, 254);
+    console
+        .until("the station is named", |console| {
+            console
+                .notices
+                .iter()
+                .any(|it| it == "GCS 254 set 1 to GUIDED")
+        })
+        .await;
+    let named = console.notices.iter().filter(|it| it.contains("GCS 254"));
+    assert_eq!(named.count(), 1, "its answer is no second command");
+    console
+        .fleet
+        .unforward("tcpin:127.0.0.1:0")
+        .expect("the fleet runs");
+    let rest = async { while station.read(&mut bytes).await.is_ok_and(|count| count > 0) {} };
+    let closed = tokio::time::timeout(Duration::from_secs(60), rest).await;
+    closed.expect("a closed forward closes its connections");
+    cancel.cancel();
+}
+
+#[tokio::test]
+async fn a_station_elsewhere_is_named_from_the_answers_to_it() {
+    let mut console = Console::start();
+    let (ours, mut vehicle) = tokio::io::duplex(64 * 1024);
+    console.connect_to(ours);
+    let mut encoder = Encoder::new(7, 1);
+    let beat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        base_mode: MavModeFlag::empty(),
+        ..HEARTBEAT_DATA::default()
+    });
+    let ack = |command, system| {
+        MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
+            command,
+            target_system: system,
+            target_component: 190,
+            ..COMMAND_ACK_DATA::default()
+        })
+    };
+    for message in [
+        beat,
+        ack(MavCmd::MAV_CMD_NAV_LAND, 255),
+        ack(MavCmd::MAV_CMD_REQUEST_MESSAGE, 253),
+        ack(MavCmd::MAV_CMD_NAV_TAKEOFF, 253),
+    ] {
+        let bytes = encoded(&mut encoder, message);
+        vehicle.write_all(&bytes).await.expect("writable");
+    }
+    console
+        .until("the station is named", |console| {
+            console
+                .notices
+                .iter()
+                .any(|it| it == "GCS 253 sent NAV_TAKEOFF to 7")
+        })
+        .await;
+    let named = console.notices.iter().filter(|it| it.contains("GCS"));
+    assert_eq!(named.count(), 1, "{:?}", console.notices);
+}
