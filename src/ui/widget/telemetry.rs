@@ -17,7 +17,7 @@ mod ekf;
 mod values;
 
 pub use values::Detail;
-use values::{Reading, readings};
+use values::{Reading, fitting, readings};
 
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
@@ -68,8 +68,9 @@ pub fn draw(state: &State, panel: Panel<'_>, detail: Detail, buffer: &mut Buffer
         put(buffer, inner, 0, &line);
         inner = below(inner, 1);
     }
-    let lines = readings(vehicle, state, detail).into_iter();
-    for (row, reading) in lines.take(usize::from(inner.height)).enumerate() {
+    let lines = readings(vehicle, state, detail);
+    let shown = fitting(lines, usize::from(inner.height)).into_iter();
+    for (row, reading) in shown.enumerate() {
         let line = reading_line(&reading, vehicle.link.lost, panel.look);
         put(buffer, inner, row as u16, &line);
     }

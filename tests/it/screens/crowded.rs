@@ -400,3 +400,17 @@ fn a_few_contacts_all_have_their_names_on_the_map() {
         assert!(text.contains(name), "{name}: {text}");
     }
 }
+
+#[test]
+fn a_long_message_is_read_to_its_end() {
+    let size = (80, 24);
+    let mut console = resized(crowded(), size);
+    console.give("ghost reference");
+    let text = drawn(&console, Symbols::Ascii, Language::English, size);
+    let said = text.lines().skip(22).map(str::trim).collect::<Vec<_>>();
+    assert_eq!(
+        said.join(" "),
+        "a flight that counts is flown without the ghost of another pilot: practise, or \
+         use `ghost best`",
+    );
+}

@@ -24,6 +24,18 @@ pub struct Reading {
     pub label: &'static str,
     pub gauge: Option<Gauge>,
     pub parts: Vec<(Text, Role)>,
+    pub need: Need,
+}
+
+/// How much a line is needed where not all lines fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Need {
+    /// Always: what the way home takes.
+    Always,
+    /// As far as lines fit.
+    IfItFits,
+    /// Least, because the table or the line of the state also shows it.
+    Least,
 }
 
 impl Reading {
@@ -32,7 +44,12 @@ impl Reading {
             label,
             gauge: None,
             parts: vec![(text, Role::Text)],
+            need: Need::IfItFits,
         }
+    }
+
+    fn needed(self, need: Need) -> Self {
+        Self { need, ..self }
     }
 
     fn with(self, gauge: Option<Gauge>) -> Self {
@@ -56,11 +73,14 @@ pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading
             label: "telemetry-mode",
             gauge: None,
             parts: mode(vehicle),
+            need: Need::Least,
         },
-        Reading::new("telemetry-height", altitude(vehicle)),
-        Reading::new("telemetry-speed", speed(vehicle)),
+        Reading::new("telemetry-height", altitude(vehicle)).needed(Need::Least),
+        Reading::new("telemetry-speed", speed(vehicle)).needed(Need::Least),
         Reading::new("telemetry-battery", battery(vehicle, detail)).with(charge(vehicle)),
-        Reading::new("telemetry-return", way_home(vehicle)).with(way_home_share(vehicle)),
+        Reading::new("telemetry-return", way_home(vehicle))
+            .with(way_home_share(vehicle))
+            .needed(Need::Always),
         Reading::new("telemetry-link", link(vehicle, state)).with(Some(heard)),
         Reading::new("telemetry-home", home(vehicle)),
         Reading::new("telemetry-target", target(vehicle)),
@@ -83,6 +103,21 @@ pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading
         ]);
     }
     lines.retain(|line| !line.is_empty());
+    lines
+}
+
+/// The lines that fit into some rows, in their order: those needed least make room for those needed always.
+pub fn fitting(mut lines: Vec<Reading>, rows: usize) -> Vec<Reading> {
+    while let Some(needed) = lines.iter().rposition(|line| line.need == Need::Always)
+        && needed >= rows
+    {
+        let before = lines.iter().take(needed);
+        let Some(least) = before.rev().position(|line| line.need == Need::Least) else {
+            break;
+        };
+        lines.remove(needed - 1 - least);
+    }
+    lines.truncate(rows);
     lines
 }
 
@@ -342,4 +377,34 @@ fn firmware(vehicle: &Vehicle) -> String {
         let (major, minor, patch) = version.firmware;
         format!("{major}.{minor}.{patch}")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_way_home_takes_is_shown_however_few_rows_there_are() {
+        let lines = || {
+            [
+                ("mode", Need::Least),
+                ("speed", Need::Least),
+                ("battery", Need::IfItFits),
+                ("return", Need::Always),
+                ("link", Need::IfItFits),
+            ]
+            .map(|(label, need)| Reading::new(label, Text::default()).needed(need))
+        };
+        for (rows, shown) in [
+            (9, vec!["mode", "speed", "battery", "return", "link"]),
+            (4, vec!["mode", "speed", "battery", "return"]),
+            (3, vec!["mode", "battery", "return"]),
+            (2, vec!["battery", "return"]),
+            (1, vec!["battery"]),
+        ] {
+            let kept = fitting(lines().into(), rows);
+            let labels: Vec<&str> = kept.iter().map(|line| line.label).collect();
+            assert_eq!(labels, shown, "{rows}");
+        }
+    }
 }
