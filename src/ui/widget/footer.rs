@@ -31,6 +31,16 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, row, 0, &line(state, panel.at(row)));
 }
 
+/// A text in rows, the last of which is cut if there would be too many.
+fn rows(text: &str, width: usize) -> Vec<String> {
+    let mut rows = wrap(text, width);
+    if rows.len() > MOST_ROWS {
+        let rest = rows.split_off(MOST_ROWS - 1).join(" ");
+        rows.push(clip(&rest, width));
+    }
+    rows
+}
+
 /// The lines of the message, unless something else takes the footer.
 fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
     if !state.typed().is_empty() || state.is_deaf() {
@@ -38,11 +48,7 @@ fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
     }
     let message = state.message()?;
     let style = panel.style(severity_role(message.severity));
-    let mut lines = wrap(&panel.text(&message.text), panel.width().saturating_sub(2));
-    if lines.len() > MOST_ROWS {
-        let rest = lines.split_off(MOST_ROWS - 1).join(" ");
-        lines.push(clip(&rest, panel.width().saturating_sub(2)));
-    }
+    let lines = rows(&panel.text(&message.text), panel.width().saturating_sub(2));
     let drawn = |line: &String| Line::styled(format!(" {line}"), style);
     Some(lines.iter().map(drawn).collect())
 }
@@ -97,4 +103,19 @@ fn list_keys(state: &State) -> Text {
         commands = commands.join(" "),
         escape = state.key(Action::Escape)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_message_takes_up_to_three_rows() {
+        assert_eq!(rows("aaaaa", 5), ["aaaaa"]);
+        assert_eq!(rows("aaaaa bbbbb", 5), ["aaaaa", "bbbbb"]);
+        assert_eq!(
+            rows("aaaaa bbbbb ccccc ddddd", 5),
+            ["aaaaa", "bbbbb", "cccc…"]
+        );
+    }
 }

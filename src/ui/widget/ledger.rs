@@ -372,7 +372,7 @@ mod tests {
         let entry = ledger.entries().next().expect("it was opened");
         let view = FlightView::default();
         let line = short_line(entry, &view, 50, &look).to_string();
-        assert_eq!(line, "00:00 all goto n 120.5 …  1 effect seen, 1 over…");
+        assert_eq!(line, "00:00 all goto n 120.5 e …  1 effect seen, 1 over…");
     }
 
     #[test]
