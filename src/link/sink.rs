@@ -93,7 +93,10 @@ impl FrameSink {
 
 #[cfg(test)]
 mod tests {
-    use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, SETUP_SIGNING_DATA};
+    use mavlink::dialects::ardupilotmega::{
+        AUTH_KEY_DATA, CELLULAR_CONFIG_DATA, CHANGE_OPERATOR_CONTROL_DATA, HEARTBEAT_DATA,
+        MavMessage, SETUP_SIGNING_DATA, WIFI_CONFIG_AP_DATA,
+    };
 
     use super::*;
     use crate::link::TlogReader;
@@ -110,9 +113,15 @@ mod tests {
         let sink = FrameSink::new(|| 1_700_000_000_000_000);
         let beat = frame(MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()));
         sink.note(&beat);
-        sink.clone().note(&frame(MavMessage::SETUP_SIGNING(
-            SETUP_SIGNING_DATA::default(),
-        )));
+        for secret in [
+            MavMessage::SETUP_SIGNING(SETUP_SIGNING_DATA::default()),
+            MavMessage::WIFI_CONFIG_AP(WIFI_CONFIG_AP_DATA::default()),
+            MavMessage::AUTH_KEY(AUTH_KEY_DATA::default()),
+            MavMessage::CHANGE_OPERATOR_CONTROL(CHANGE_OPERATOR_CONTROL_DATA::default()),
+            MavMessage::CELLULAR_CONFIG(CELLULAR_CONFIG_DATA::default()),
+        ] {
+            sink.clone().note(&frame(secret));
+        }
         sink.note(&beat);
         let waiting = sink.take();
         let read: Result<Vec<_>, _> = TlogReader::new(&waiting.bytes[..]).collect();

@@ -7,9 +7,11 @@
 #![warn(missing_docs)]
 
 use mavlink::dialects::ardupilotmega::{
-    HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
+    AUTH_KEY_DATA, CELLULAR_CONFIG_DATA, CHANGE_OPERATOR_CONTROL_DATA, HEARTBEAT_DATA,
+    MavAutopilot, MavMessage, MavModeFlag, MavState, MavType, SETUP_SIGNING_DATA,
+    WIFI_CONFIG_AP_DATA,
 };
-use mavlink::{MavlinkVersion, Message as _};
+use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 
 mod anatomy;
 #[macro_use]
@@ -46,8 +48,15 @@ pub const GROUND_STATION_SYSTEM: SystemId = 255;
 /// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
 pub const GROUND_STATION_COMPONENT: ComponentId = 190;
 
-/// Messages with secrets: `SETUP_SIGNING` has a key, `WIFI_CONFIG_AP` a password.
-const SECRET: [u32; 2] = [256, 299];
+/// Messages with secrets: keys (`SETUP_SIGNING`, `AUTH_KEY`), passwords (`WIFI_CONFIG_AP`, `CHANGE_OPERATOR_CONTROL`),
+/// PINs (`CELLULAR_CONFIG`).
+const SECRET: [u32; 5] = [
+    SETUP_SIGNING_DATA::ID,
+    AUTH_KEY_DATA::ID,
+    WIFI_CONFIG_AP_DATA::ID,
+    CHANGE_OPERATOR_CONTROL_DATA::ID,
+    CELLULAR_CONFIG_DATA::ID,
+];
 
 /// Whether messages with this id carry secrets, which must not be recorded.
 pub fn is_secret(id: u32) -> bool {
