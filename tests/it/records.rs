@@ -64,6 +64,11 @@ fn an_export_that_does_not_fit_leaves_nothing() {
         ];
         let failed = run(data, "trap '' XFSZ; ulimit -f 8;", &line);
         assert_eq!(failed.status.code(), Some(1), "{}", said(&failed));
+        assert!(
+            said(&failed).contains("File too large"),
+            "{}",
+            said(&failed)
+        );
         let left: Vec<_> = fs::read_dir(data).expect("there").flatten().collect();
         let is_left = |it: &&fs::DirEntry| it.file_name().to_string_lossy().contains(name);
         assert!(!left.iter().any(|it| is_left(&it)), "{left:?}");

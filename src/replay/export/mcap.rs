@@ -20,9 +20,17 @@ const LOCATION_SCHEMA: &str = r#"{"title":"foxglove.LocationFix","type":"object"
 "frame_id":{"type":"string"},"latitude":{"type":"number"},"longitude":{"type":"number"},"altitude":{"type":"number"},
 "position_covariance":{"type":"array","items":{"type":"number"}},"position_covariance_type":{"type":"integer"}}}"#;
 
+/// The reason of a failure, in the system's words if a disk is full or gone.
+fn failed(error: McapError) -> io::Error {
+    if let McapError::Io(error) = error {
+        error
+    } else {
+        io::Error::other(error.to_string())
+    }
+}
+
 /// Writes all messages that can be verified.
 pub(super) fn write(film: &Film, to: &Path) -> io::Result<()> {
-    let failed = |error: McapError| io::Error::other(error.to_string());
     let records = records(film).map_err(|fault| io::Error::other(fault.to_string()))?;
     let options = WriteOptions::new().compression(None).profile("");
     let writer = options.create(create(to.to_owned())?).map_err(failed)?;
