@@ -7,6 +7,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::{HintKeys, Place};
 use crate::app::room;
+use crate::app::state::ReplayView;
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
@@ -16,19 +17,37 @@ use crate::ui::widget::{below, clip, put, replay, severity_role, width as width_
 /// The maximum number of rows of a message.
 const MOST_ROWS: usize = 3;
 
-/// Draws the footer into the last row of the screen. A longer message also takes rows above it.
+/// Draws the footer into the last row of the screen. A longer message also takes rows above it; the timeline of a replay
+/// stays in the last row.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    if let Some(lines) = message(state, panel) {
-        let first = panel.area.height.saturating_sub(lines.len() as u16);
-        let place = panel.below(first);
-        place.clear(buffer);
-        for (row, line) in lines.iter().enumerate() {
-            put(buffer, place.area, row as u16, line);
-        }
-        return;
-    }
     let row = below(panel.area, panel.area.height.saturating_sub(1));
-    put(buffer, row, 0, &line(state, panel.at(row)));
+    let lines = match (message(state, panel), state.replay()) {
+        (None, _) => vec![line(state, panel.at(row))],
+        (Some(lines), None) => lines,
+        (Some(lines), Some(view)) => with_timeline(state, view, lines, panel.at(row)),
+    };
+    let first = panel.area.height.saturating_sub(lines.len() as u16);
+    let place = panel.below(first);
+    place.clear(buffer);
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, place.area, row as u16, line);
+    }
+}
+
+/// A message beside the timeline of a replay, or above it if there is no room.
+fn with_timeline<'a>(
+    state: &State,
+    view: &ReplayView,
+    mut lines: Vec<Line<'a>>,
+    panel: Panel<'_>,
+) -> Vec<Line<'a>> {
+    if let [message] = &lines[..]
+        && let Some(bar) = replay::bar_beside(view, message, panel)
+    {
+        return vec![bar];
+    }
+    lines.push(replay::bar(state, view, panel));
+    lines
 }
 
 /// A text in rows, the last of which is cut if there would be too many.

@@ -53,14 +53,49 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
 
 /// The last line of the screen: the position in the recording, its moments, and the keys.
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
-    let look = panel.look;
+    let hints = hints(state, panel.width() / 2, panel.look);
+    let cells = room_beside(view, &hints, panel);
+    let cells = cells.filter(|it| *it >= SHORTEST).unwrap_or_default();
+    timeline(view, cells, hints, panel.look)
+}
+
+/// The same line with a message in place of the keys, if both fit.
+pub fn bar_beside<'a>(view: &ReplayView, message: &Line<'a>, panel: Panel<'_>) -> Option<Line<'a>> {
+    let cells = room_beside(view, &message.spans, panel)?;
+    (cells >= SHORTEST).then(|| timeline(view, cells, message.spans.clone(), panel.look))
+}
+
+/// The cells that a time line has beside these words.
+fn room_beside(view: &ReplayView, says: &[Span<'_>], panel: Panel<'_>) -> Option<usize> {
+    let words: usize = says.iter().map(Span::width).sum();
+    let times = width(&position(view, panel.look)) + width(&end(view));
+    panel.width().checked_sub(words + times + 1)
+}
+
+fn timeline<'a>(view: &ReplayView, cells: usize, says: Vec<Span<'a>>, look: &Look) -> Line<'a> {
+    let mut spans = vec![Span::styled(position(view, look), look.style(Role::Accent))];
+    if cells > 0 {
+        spans.extend(line(view, cells, look));
+    }
+    spans.push(Span::styled(end(view), look.style(Role::Muted)));
+    spans.extend(says);
+    Line::from(spans)
+}
+
+/// The length of the recording.
+fn end(view: &ReplayView) -> String {
+    format!(" {}  ", clock(view.length))
+}
+
+/// The position in the recording: ` ■ 01:23 `, with the mission's time, the goal and the gap if there are any.
+fn position(view: &ReplayView, look: &Look) -> String {
     let position = &view.position;
     let sign = match (position.is_playing, position.is_backwards) {
         (true, false) => "▶",
         (true, true) => "◀",
         (false, _) => "■",
     };
-    let (at, length) = (clock(position.at), clock(view.length));
+    let at = clock(position.at);
     let mission = view.clock.mission_time(position.at);
     let mission = mission.map(|elapsed| text!("replay-mission-time", time = clock(elapsed)));
     let mission = mission.map_or_else(String::new, |it| format!(" {}", look.text(&it)));
@@ -72,19 +107,7 @@ pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
         .gap
         .map(|gap| text!("replay-gap", time = clock(gap)));
     let gap = gap.map_or_else(String::new, |gap| format!(" {}", look.text(&gap)));
-    let head = format!(" {sign} {at}{mission}{goal}{gap} ");
-    let tail = format!(" {length}  ");
-    let hints = hints(state, panel.width() / 2, look);
-    let hints_width: usize = hints.iter().map(Span::width).sum();
-    let used = width(&head) + width(&tail) + hints_width;
-    let cells = panel.width().saturating_sub(used + 1);
-    let mut spans = vec![Span::styled(head, look.style(Role::Accent))];
-    if cells >= SHORTEST {
-        spans.extend(line(view, cells, look));
-    }
-    spans.push(Span::styled(tail, look.style(Role::Muted)));
-    spans.extend(hints);
-    Line::from(spans)
+    format!(" {sign} {at}{mission}{goal}{gap} ")
 }
 
 /// The keys, as many as fit.

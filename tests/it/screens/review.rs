@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::app::effect::{Effect, FileEffect, FileKind, ReplayEffect, SessionEffect};
-use sortie::app::event::{CareerEvent, ReplayEvent, SessionEvent};
+use sortie::app::event::{CareerEvent, Event, ReplayEvent, SessionEvent};
 use sortie::app::state::{Activity, Ghost, ReplayView};
 use sortie::campaign::Stake;
 use sortie::language::GhostSource;
@@ -337,4 +337,20 @@ fn a_mission_asks_for_the_workload_every_two_minutes_unless_it_is_an_exam() {
     assert!(!asks(Stake::Graded, 135, None), "15 s are over");
     assert!(!asks(Stake::Graded, 60, None));
     assert!(!asks(Stake::Exam, 121, None));
+}
+
+#[test]
+fn a_message_leaves_the_time_line_of_a_replay_in_sight() {
+    let mut console = reviewing();
+    console.hear(Event::Answer("bookmark set".into()));
+    let screen = console.screen(80, 24);
+    let last = screen.trim_end().lines().last().unwrap_or_default();
+    for part in ["00:00", "05:12", "●", "◆", "bookmark set"] {
+        assert!(last.contains(part), "{part}: {last}");
+    }
+    let long = "no moment of this kind comes after this one; try another kind of moment";
+    console.hear(Event::Answer(long.into()));
+    let screen = console.screen(80, 24);
+    let last: Vec<&str> = screen.trim_end().lines().rev().take(2).collect();
+    assert!(last[1].contains(long) && last[0].contains("●"), "{last:?}");
 }
