@@ -175,6 +175,7 @@ impl IndexReader {
                 next_key = now + self.key_every;
             }
         }
+        self.lookout.end();
         self.publish();
         self.shared.found().is_over = true;
     }

@@ -121,6 +121,11 @@ impl Lookout {
         self.alarm(now, state);
     }
 
+    /// Handles the end of the recording: vehicles that are still close do not come closer.
+    pub fn end(&mut self) {
+        self.part(&BTreeSet::new());
+    }
+
     /// The result of the mission, once it is over.
     pub fn report(&self) -> Option<Arc<Report>> {
         self.report.clone()
@@ -274,6 +279,7 @@ impl Lookout {
             .map(AsRef::as_ref)
             .filter(|it| it.airborne() && !it.link.lost && it.global.is_some())
             .collect();
+        self.part(&flying.iter().map(|it| it.id).collect());
         for (at, one) in flying.iter().enumerate() {
             for other in &flying[at + 1..] {
                 if let Some(distance_m) = one.distance_m(other) {
@@ -283,6 +289,17 @@ impl Lookout {
                     };
                     self.approach(now, pair, distance_m);
                 }
+            }
+        }
+    }
+
+    /// Ends the approaches of vehicles of which one no longer flies.
+    fn part(&mut self, flying: &BTreeSet<VehicleId>) {
+        let ends = |pair: &Pair| !(flying.contains(&pair.one) && flying.contains(&pair.other));
+        let ended: Vec<Pair> = self.pairs.keys().copied().filter(ends).collect();
+        for pair in ended {
+            if let Some(passed) = self.pairs.remove(&pair) {
+                self.tell_approach(pair, passed);
             }
         }
     }
@@ -324,5 +341,35 @@ impl Lookout {
                 text,
             });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vehicles_that_stay_close_until_they_land_or_the_recording_ends_were_close() {
+        let pair = |one, other| Pair { one, other };
+        let mut lookout = Lookout::default();
+        for (at_s, pair, distance_m) in [
+            (1, pair(1, 2), 12.0),
+            (2, pair(1, 2), 8.0),
+            (3, pair(1, 2), 8.2),
+            (3, pair(2, 3), 9.0),
+            (4, pair(3, 4), 15.5),
+        ] {
+            lookout.approach(Duration::from_secs(at_s), pair, distance_m);
+        }
+        assert_eq!(lookout.found(), Some(Vec::new()));
+        lookout.part(&BTreeSet::from([2, 3, 4]));
+        lookout.end();
+        let found = lookout.found().expect("moments");
+        let found: Vec<_> = found
+            .iter()
+            .map(|it| (it.kind, it.at.as_secs(), &it.vehicles[..]))
+            .collect();
+        let near = MomentKind::Separation;
+        assert_eq!(found, [(near, 2, &[1, 2][..]), (near, 3, &[2, 3][..])]);
     }
 }
