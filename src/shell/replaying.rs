@@ -159,16 +159,107 @@ mod tests {
         )
     }
 
-    #[tokio::test(start_paused = true)]
-    async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrief() {
-        let data = tempfile::tempdir().expect("a folder");
+    /// A console that flies the first mission and keeps its records in a folder.
+    async fn flying(data: &Path) -> Console {
         let mission = Mission::parse(FIRST).expect("it is good");
         let mut options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
         let limits = RecordLimits::default();
-        options.preferences.records = Some(Records::within(data.path(), limits));
-        options.preferences.runs = Some(Runs::within(data.path()));
+        options.preferences.records = Some(Records::within(data, limits));
+        options.preferences.runs = Some(Runs::within(data));
         let mut console = Console::new(options, false);
         console.begin().await;
+        console
+    }
+
+    /// Ends a mission before its end.
+    async fn abandon(console: &mut Console) {
+        say(console, "abandon").await;
+        let confirmed = crate::shell::key(crossterm::event::KeyCode::Char('y'));
+        console.feed(confirmed).await;
+        run(console, 2).await;
+    }
+
+    /// The telemetry of the vehicles, their texts, the commands and the objectives, as the screens show them.
+    fn shown(state: &State) -> [Vec<String>; 4] {
+        let vehicles = state.session().vehicles().values().map(|it| {
+            let is = it.heartbeat.as_ref().map(|it| (it.mode, it.armed));
+            let place = it
+                .global
+                .map(|it| (it.at_point, it.altitude_m, it.east_m_s, it.heading_deg));
+            let attitude = it
+                .attitude
+                .map(|it| (it.roll_deg, it.pitch_deg, it.yaw_deg));
+            let packs = it.batteries.iter();
+            let packs: Vec<_> = packs.map(|it| (it.voltage_v, it.consumed_mah)).collect();
+            format!("{} {is:?} {place:?} {attitude:?} {packs:?}", it.id)
+        });
+        let notices = state.notices().lines().map(|it| &it.notice);
+        let texts = notices.filter(|it| it.vehicle.is_some());
+        let texts = texts.map(|it| format!("{:?} {}", it.vehicle, it.text));
+        let (_, objectives, rows) = told(state);
+        [vehicles.collect(), texts.collect(), rows, objectives]
+    }
+
+    /// Goes to a time of the replay, and waits until it is shown.
+    async fn show(console: &mut Console, at: Duration) -> [Vec<String>; 4] {
+        console.steer_replay(ReplayEffect::Seek(SeekTarget::At(at)));
+        while !console.replaying.as_ref().is_some_and(Replay::is_there) {
+            run(console, 1).await;
+        }
+        console.take_in().await;
+        shown(console.app.state())
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_replay_shows_what_the_console_showed_in_flight() {
+        const LINES: [&str; 4] = [
+            "all guided",
+            "all arm",
+            "all takeoff 20",
+            "all goto n 30 up 15",
+        ];
+        const SEEKS: u32 = 12;
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = flying(data.path()).await;
+        let began = console.clock.now();
+        let mut flown = Vec::new();
+        for second in 0..48_usize {
+            if let Some(line) = LINES.get(second / 4).filter(|_| second % 4 == 3) {
+                say(&mut console, line).await;
+            }
+            run(&mut console, 1).await;
+            flown.push((console.clock.now() - began, shown(console.app.state())));
+        }
+        abandon(&mut console).await;
+        say(&mut console, "replay").await;
+        console.take_in().await;
+        let replay = console.replaying.as_mut().expect("it runs");
+        replay.wait_for_index();
+        for number in 0..SEEKS {
+            // Played on from the last moment at another rate, then to a moment before or after.
+            let rate = [0.5, 4.0, 64.0][number as usize % 3];
+            console.steer_replay(ReplayEffect::Rate(rate));
+            console.steer_replay(ReplayEffect::Play(true));
+            run(&mut console, 1).await;
+            console.steer_replay(ReplayEffect::Play(false));
+            let share = f64::from(number) * 0.618_033_988_75 % 1.0;
+            let (at, live) = &flown[(share * flown.len() as f64) as usize];
+            // A frame contains what came before its end, and the console's tick may lie within it.
+            let mut near = Vec::new();
+            for frames in 0..4 {
+                near.push(show(&mut console, *at + crate::replay::FRAME * frames).await);
+            }
+            for (part, live) in live.iter().enumerate() {
+                let is_shown = near.iter().any(|it| it[part] == *live);
+                assert!(is_shown, "at {at:?}: {live:#?}\n{:#?}", near[1][part]);
+            }
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrief() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = flying(data.path()).await;
         run(&mut console, 5).await;
         for line in ["all guided", "all arm", "all takeoff 20", "bookmark up"] {
             say(&mut console, line).await;
@@ -176,11 +267,7 @@ mod tests {
         }
         run(&mut console, 30).await;
         let flown = told(console.app.state());
-        say(&mut console, "abandon").await;
-        console
-            .feed(crate::shell::key(crossterm::event::KeyCode::Char('y')))
-            .await;
-        run(&mut console, 2).await;
+        abandon(&mut console).await;
         let report = console
             .app
             .state()
@@ -190,7 +277,7 @@ mod tests {
             .expect("a debrief");
 
         // Another console is recording a newer flight.
-        let records = Records::within(data.path(), limits);
+        let records = Records::within(data.path(), RecordLimits::default());
         let head = Head::new(Subject::Free, 4_000_000_000_000_000);
         let other = records.begin(&head, None, "2999-01-01T00:00:00Z", Vec::new);
         drop(other.expect("a record"));
