@@ -67,6 +67,8 @@ struct ReplayCost {
     seek_ms_p99: f64,
     rss_mb: f64,
     recording_core_percent: f64,
+    /// The time to record a frame; without a record, a frame takes none of it.
+    recording_frame_ns: f64,
 }
 
 /// Records flying vehicles, replays the recording, and prints the cost of both.
@@ -95,6 +97,7 @@ pub(in crate::cli) fn replay(options: &BenchReplayArguments) -> Result<ExitCode,
         "recording            {:>9.2} % of a core",
         cost.recording_core_percent
     )?;
+    say!("recording, a frame   {:>9.0} ns", cost.recording_frame_ns)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -220,6 +223,7 @@ fn measure(vehicles: u8, seconds: u64, path: &Path) -> Result<ReplayCost, Failur
         seek_ms_p99: took[took.len() * 99 / 100].as_secs_f64() * 1e3,
         rss_mb: resident_bytes()? as f64 / 1e6,
         recording_core_percent: recording.as_secs_f64() / length.as_secs_f64() * 100.0,
+        recording_frame_ns: recording.as_secs_f64() / frames.max(1) as f64 * 1e9,
     })
 }
 
