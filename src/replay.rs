@@ -12,12 +12,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::app::effect::ReplayEffect;
-use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
+use crate::app::event::{Event, LinkEvent, ReplayEvent, SessionEvent, Started};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
 use crate::dataflash::JoinedLog;
-use crate::language::SeekTarget;
+use crate::doctor::{Cause, LinkFinding, Way};
+use crate::language::{LoopTarget, SeekTarget};
 use crate::moment::{Moment, MomentKind};
 use crate::notice::Notice;
 use crate::review::Review;
@@ -40,7 +41,7 @@ pub use export::{ExportFormat, export};
 pub use film::{Film, TlogSpan};
 use index::Index;
 pub use logs::join_log;
-use stage::Stage;
+use stage::{LINK, Stage};
 
 /// The time between frames of a replay.
 pub const FRAME: Duration = Duration::from_millis(100);
@@ -180,14 +181,14 @@ impl Replay {
                 self.goal = self.near_moment(forward, None).unwrap_or(self.goal);
             }
             ReplayEffect::Show(at) => self.goal = showing(at).min(self.length()),
-            ReplayEffect::Loop(stretch) => {
-                let length = self.length();
-                let within = |(from, to): (Duration, Duration)| (from.min(length), to.min(length));
-                self.position.looped = stretch.map(within);
-                if let Some((from, _)) = self.position.looped {
+            ReplayEffect::Loop(None) => self.position.looped = None,
+            ReplayEffect::Loop(Some(target)) => match self.stretch(target) {
+                Some((from, to)) => {
+                    self.position.looped = Some((from, to));
                     self.goal = from;
                 }
-            }
+                None => return vec![Event::Failed(text!("loop-none"))],
+            },
             ReplayEffect::StopAt(kinds) => self.position.stops = kinds,
             ReplayEffect::Keep(review) => {
                 if let Err(fault) = self.keep(*review) {
@@ -210,6 +211,24 @@ impl Replay {
             SeekTarget::Mission(elapsed) => self.film.clock().record_time(elapsed),
             SeekTarget::End => Some(self.length()),
         }
+    }
+
+    /// The start and the end of a stretch; `None` if it has no moment at one of them.
+    fn stretch(&self, target: LoopTarget) -> Option<(Duration, Duration)> {
+        let length = self.length();
+        let (from, to) = match target {
+            LoopTarget::Times { from, to } => (from, to),
+            LoopTarget::Moments(kind) => {
+                let now = self.stage.now();
+                let times = self.moments.iter().filter(|it| it.kind == kind);
+                let mut shown = times.map(|it| showing(it.at));
+                (
+                    shown.clone().rfind(|at| *at <= now)?,
+                    shown.find(|at| *at > now)?,
+                )
+            }
+        };
+        Some((from.min(length), to.min(length)))
     }
 
     /// The current traffic for the room of messages.
@@ -430,5 +449,11 @@ fn begin(view: ReplayView, started: Started) -> Vec<Event> {
     vec![
         ReplayEvent::Opened(Box::new(view)).into(),
         SessionEvent::Started(Box::new(started)).into(),
+        LinkEvent::Findings(vec![LinkFinding {
+            link: LINK.into(),
+            way: Way::File,
+            cause: Cause::Recording,
+        }])
+        .into(),
     ]
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
 use crate::forward::ForwardSpec;
-use crate::language::{GhostSource, ProcessDeed, SeekTarget};
+use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
 use crate::review::Review;
@@ -229,7 +229,7 @@ pub enum ReplayEffect {
     /// Go to a time in the record.
     Show(Duration),
     /// Repeat a stretch; `None` ends that.
-    Loop(Option<(Duration, Duration)>),
+    Loop(Option<LoopTarget>),
     /// Stop at moments of these kinds.
     StopAt(Vec<MomentKind>),
     /// Store the user's review.

@@ -145,10 +145,19 @@ pub enum ReplayLine {
     /// Go to a moment.
     Seek(SeekTarget),
     /// Repeat a stretch; `None` ends that.
-    Loop(Option<(Duration, Duration)>),
+    Loop(Option<LoopTarget>),
     /// Stop at moments of these kinds; empty for none.
     StopAt(Vec<MomentKind>),
     Rewind,
+}
+
+/// The stretch of a recording to repeat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LoopTarget {
+    /// Between two times of the recording.
+    Times { from: Duration, to: Duration },
+    /// From the last moment of this kind to the next one.
+    Moments(MomentKind),
 }
 
 /// A command about the review of a record.

@@ -38,8 +38,8 @@ pub struct Film {
     review_fault: Option<Text>,
     /// The logs that have been joined to it.
     logs: Vec<JoinedLog>,
-    /// The faults of those logs.
-    log_faults: Vec<Text>,
+    /// The faults of the journal, of the run and of those logs, which leave them out.
+    faults: Vec<Text>,
     began_unix_us: u64,
     length: Duration,
 }
@@ -60,17 +60,18 @@ impl Film {
             });
         };
         let span = TlogSpan::read(&frames)?;
-        let journal = match &files.journal {
-            Some(path) => Some(Journal::read(&read_journal(path)?)?),
-            None => None,
-        };
-        let run = match &files.run {
-            // A flight can be replayed without its score.
-            Some(path) => read_run(path)
-                .ok()
-                .and_then(|text| Stored::read(&text).ok()),
-            None => None,
-        };
+        // The frames of a flight can be replayed without its journal and its score.
+        let mut faults = Vec::new();
+        let journal = files.journal.as_deref().map(read_journal);
+        let journal = journal.and_then(|read| {
+            let unreadable = |fault| text!("replay-without-journal", fault = fault);
+            read.map_err(|fault| faults.push(unreadable(fault))).ok()
+        });
+        let run = files.run.as_deref().map(read_stored);
+        let run = run.and_then(|read| {
+            let unreadable = |fault| text!("replay-without-run", fault = fault);
+            read.map_err(|fault| faults.push(unreadable(fault))).ok()
+        });
         let (review, review_fault) = match files.read_review() {
             Ok(review) => (review, None),
             Err(fault) => (None, Some(fault)),
@@ -81,6 +82,7 @@ impl Film {
             .as_ref()
             .map_or(span.first_unix_us, |it| it.head.began_unix_us);
         let (logs, log_faults) = files.read_joined();
+        faults.extend(log_faults);
         let clock = Arc::new(journal.as_ref().map(MissionClock::of).unwrap_or_default());
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
@@ -93,7 +95,7 @@ impl Film {
             review,
             review_fault,
             logs,
-            log_faults,
+            faults,
             began_unix_us,
             length: span.length_from(began_unix_us).max(told),
         })
@@ -134,14 +136,14 @@ impl Film {
         self.journal.as_ref()
     }
 
-    /// The faults of its journal, its review and its logs.
+    /// The faults of its journal, its run, its review and its logs.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
-        let logs = self.log_faults.iter().cloned();
+        let faults = self.faults.iter().cloned();
         journal
             .into_iter()
             .chain(self.review_fault.clone())
-            .chain(logs)
+            .chain(faults)
     }
 
     /// Why the review next to it could not be read.
@@ -269,7 +271,7 @@ fn times(file: File) -> impl Iterator<Item = u64> {
     })
 }
 
-fn read_journal(path: &Path) -> Result<String, Text> {
+fn read_journal(path: &Path) -> Result<Journal, Text> {
     let read = || {
         let mut bytes = Vec::new();
         File::open(path)?
@@ -277,5 +279,11 @@ fn read_journal(path: &Path) -> Result<String, Text> {
             .read_to_end(&mut bytes)?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     };
-    read().map_err(|error: std::io::Error| unreadable(path, &error))
+    let text = read().map_err(|error: std::io::Error| unreadable(path, &error))?;
+    Journal::read(&text)
+}
+
+fn read_stored(path: &Path) -> Result<Stored, Text> {
+    let text = read_run(path).map_err(|error| unreadable(path, &error))?;
+    Stored::read(&text)
 }

@@ -1,6 +1,7 @@
 //! A console without a screen, whose state becomes a key frame.
 
-use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
+use super::begin;
+use crate::app::event::{Event, ReplayEvent, Started};
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::app::{App, FlightSnapshot, Setup};
 use crate::config::Config;
@@ -17,8 +18,9 @@ impl Observer {
             ..Setup::default()
         };
         let mut observer = Self(App::new(setup));
-        observer.see(ReplayEvent::Opened(Box::new(view)).into());
-        observer.see(SessionEvent::Started(Box::new(started.clone())).into());
+        for event in begin(view, started.clone()) {
+            observer.see(event);
+        }
         observer
     }
 

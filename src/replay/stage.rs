@@ -31,7 +31,7 @@ const STEP_BACK_US: i64 = 1_000_000;
 /// A longer gap means that the clock was set.
 const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
 /// The number of a recording's only link.
-const LINK: u16 = 0;
+pub(super) const LINK: u16 = 0;
 const PEER: u32 = 0;
 
 /// The vehicles, the mission and the traffic of a recording at one moment.

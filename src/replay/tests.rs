@@ -6,6 +6,7 @@ use super::observer::Observer;
 use super::*;
 use crate::alert::AlertKind;
 use crate::app::State;
+use crate::doctor::Cause;
 use crate::ledger::RowState;
 use crate::link::TlogWriter;
 use crate::moment::MomentKind;
@@ -337,6 +338,18 @@ fn a_gap_is_a_gap_and_no_lost_link() {
 }
 
 #[test]
+fn the_link_doctor_says_that_a_recording_is_played() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    for at in [1, 40, 3] {
+        seek(&mut replay, &mut observer, s(at));
+        let findings = observer.app().state().session().findings();
+        let causes: Vec<_> = findings.iter().map(|it| (it.link, &it.cause)).collect();
+        assert_eq!(causes, [(0, &Cause::Recording)], "at {at} s");
+    }
+}
+
+#[test]
 fn moments_are_found_and_stopped_at() {
     let recorded = record();
     let (mut replay, _) = watched(&recorded);
@@ -370,7 +383,10 @@ fn moments_are_found_and_stopped_at() {
 fn a_stretch_is_played_over_and_over_at_a_rate() {
     let recorded = record();
     let (mut replay, _) = watched(&recorded);
-    drop(replay.steer(ReplayEffect::Loop(Some((s(10), s(12))))));
+    drop(replay.steer(ReplayEffect::Loop(Some(LoopTarget::Times {
+        from: s(10),
+        to: s(12),
+    }))));
     drop(replay.steer(ReplayEffect::Rate(4.0)));
     let mut seen = Vec::new();
     for tick in 0..20 {
@@ -504,6 +520,23 @@ fn it_plays_backwards_and_stops_at_what_comes_up() {
 }
 
 #[test]
+fn frames_are_replayed_without_a_journal_or_a_run_that_cannot_be_read() {
+    let recorded = record();
+    for (file, content) in [
+        ("flight.jsonl", "{\"sortie_flight\":1,\"began\":7}\n"),
+        ("flight.jsonl", "{\"sortie_flight\":2}\n"),
+        ("run.jsonl", "not a run\n"),
+    ] {
+        std::fs::write(recorded.frames.with_extension(file), content).expect("written");
+        let (mut replay, mut observer) = watched(&recorded);
+        assert!(replay.damage().count() >= 1, "{file}: {content}");
+        seek(&mut replay, &mut observer, s(40));
+        let vehicles = observer.app().state().session().vehicles();
+        assert_eq!(vehicles.len(), 2, "{file}: {content}");
+    }
+}
+
+#[test]
 fn a_review_that_cannot_be_read_is_not_replaced() {
     let recorded = record();
     let path = recorded.frames.with_extension("review.json");
@@ -522,9 +555,38 @@ fn a_stretch_ends_with_the_recording() {
     let (mut replay, _) = watched(&recorded);
     replay.wait_for_index();
     let length = replay.length();
-    drop(replay.steer(ReplayEffect::Loop(Some((s(10), s(9999))))));
+    drop(replay.steer(ReplayEffect::Loop(Some(LoopTarget::Times {
+        from: s(10),
+        to: s(9999),
+    }))));
     assert_eq!(replay.position.looped, Some((s(10), length)));
     let none = SeekTarget::Next(MomentKind::Rule);
     let said = replay.steer(ReplayEffect::Seek(none));
     assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
+}
+
+#[test]
+fn a_stretch_lies_between_two_moments_of_a_kind() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    let bookmark = |at| Moment {
+        at: s(at),
+        vehicles: Vec::new(),
+        kind: MomentKind::Bookmark,
+        text: Text::verbatim("here"),
+    };
+    replay.moments = Arc::new(vec![bookmark(10), bookmark(20)]);
+    let bookmarks = || ReplayEffect::Loop(Some(LoopTarget::Moments(MomentKind::Bookmark)));
+    seek(&mut replay, &mut observer, s(15));
+    drop(replay.steer(bookmarks()));
+    let looped = Some((s(10) + FRAME, s(20) + FRAME));
+    assert_eq!(replay.position.looped, looped);
+    assert_eq!(replay.goal, s(10) + FRAME);
+    for at in [5, 25] {
+        seek(&mut replay, &mut observer, s(at));
+        let said = replay.steer(bookmarks());
+        assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
+    }
+    drop(replay.steer(ReplayEffect::Loop(None)));
+    assert_eq!(replay.position.looped, None);
 }

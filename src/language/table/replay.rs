@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{Built, console};
 use crate::language::argument::{Argument, Arguments, Kind, Problem};
-use crate::language::console::{ConsoleLine, ReplayLine, SeekTarget};
+use crate::language::console::{ConsoleLine, LoopTarget, ReplayLine, SeekTarget};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::moment::MomentKind;
 use crate::text;
@@ -74,7 +74,7 @@ const REWIND: VerbRow = said(
 const LOOP: VerbRow = said(
     "loop",
     Scope::Screen,
-    &["loop 1:10 1:40", "loop off"],
+    &["loop 1:10 1:40", "loop bookmark", "loop off"],
     &[
         Form::new(&[Argument::flag("off", "")], |_| {
             console(ConsoleLine::Replay(ReplayLine::Loop(None)))
@@ -124,13 +124,20 @@ const BOOKMARK: VerbRow = said(
 );
 
 fn built_loop(given: &Arguments) -> Built {
-    let words: Vec<&str> = given.required_word("times")?.split_whitespace().collect();
-    let times: Option<Vec<Duration>> = words.into_iter().map(time).collect();
-    match times.as_deref() {
-        Some(&[from, to]) if from < to => {
-            console(ConsoleLine::Replay(ReplayLine::Loop(Some((from, to)))))
+    let target = loop_target(given.required_word("times")?);
+    let target = target.ok_or_else(|| Problem::new("times", text!("loop-unreadable")))?;
+    console(ConsoleLine::Replay(ReplayLine::Loop(Some(target))))
+}
+
+fn loop_target(words: &str) -> Option<LoopTarget> {
+    let words: Vec<&str> = words.split_whitespace().collect();
+    match words[..] {
+        [kind] => MomentKind::named(kind).map(LoopTarget::Moments),
+        [from, to] => {
+            let (from, to) = (time(from)?, time(to)?);
+            (from < to).then_some(LoopTarget::Times { from, to })
         }
-        _ => Err(Problem::new("times", text!("loop-unreadable"))),
+        _ => None,
     }
 }
 
@@ -209,5 +216,15 @@ mod tests {
         assert_eq!(seek_target("mission 4:10"), Some(elapsed));
         assert_eq!(seek_target("next meal"), None);
         assert_eq!(seek_target("soon"), None);
+        let times = LoopTarget::Times {
+            from: Duration::from_secs(70),
+            to: Duration::from_secs(100),
+        };
+        assert_eq!(loop_target("1:10 1:40"), Some(times));
+        let bookmarks = LoopTarget::Moments(MomentKind::Bookmark);
+        assert_eq!(loop_target("bookmark"), Some(bookmarks));
+        for words in ["1:40 1:10", "1:10", "1:10 1:40 2:00", "meal"] {
+            assert_eq!(loop_target(words), None, "{words}");
+        }
     }
 }
