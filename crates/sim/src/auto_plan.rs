@@ -108,6 +108,11 @@ impl AutoPlan {
         self.nav.unwrap_or(0)
     }
 
+    /// Whether the mission was flown to its end.
+    pub(super) fn is_complete(&self) -> bool {
+        self.state == PlanState::Complete
+    }
+
     /// The state that `MISSION_CURRENT` shows for a list of `items`, home included.
     pub(super) fn reported_state(&self, items: usize) -> MissionState {
         match self.state {

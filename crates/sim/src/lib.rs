@@ -124,6 +124,7 @@ pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::parameters::{AliasSense, other_name};
+use self::plan::{Item, ListKind};
 use self::slot::VehicleSlot;
 pub use self::truth::Truth;
 use self::wind::Wind;
@@ -250,6 +251,15 @@ impl World {
         self.slots[vehicle].autopilot.vehicle.parameters.value(name)
     }
 
+    /// The value of a parameter of a vehicle, counted from 0, if it has such a parameter.
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
+    pub fn find_parameter(&self, vehicle: usize, name: &str) -> Option<f64> {
+        let found = self.slots[vehicle].autopilot.vehicle.parameters.named(name);
+        found.map(|parameter| f64::from(parameter.value))
+    }
+
     fn keep(&mut self, port: PortId, what: impl FnOnce() -> InputKind) {
         if let Some(inputs) = &mut self.inputs {
             inputs.push(Input {
@@ -259,6 +269,23 @@ impl World {
                 what: what(),
             });
         }
+    }
+
+    /// Puts a list on board of a vehicle, counted from 0, by the rules of an upload: the items of a plan are numbered from
+    /// 1 there. Returns `false` if the vehicle refuses an item. This is not an [input](Self::take_inputs).
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
+    pub fn load(&mut self, vehicle: usize, kind: ListKind, items: &[Item]) -> bool {
+        let home = Item {
+            command: sortie_plan::command::WAYPOINT,
+            ..Item::default()
+        };
+        let list: Vec<Item> = match kind {
+            ListKind::Plan => std::iter::once(home).chain(items.iter().copied()).collect(),
+            ListKind::Fence | ListKind::Rally => items.to_vec(),
+        };
+        transfer::load(&mut self.slots[vehicle].autopilot, kind, &list)
     }
 
     /// The number of vehicles.

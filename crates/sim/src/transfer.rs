@@ -21,6 +21,7 @@ use self::logs::LogDownload;
 use super::autopilot::Autopilot;
 use super::link::{Link, LinkNumber};
 use super::payload::Payload;
+use super::plan::{Item, ListKind};
 use super::texts;
 use sortie_wire::{Frame, Outgoing};
 
@@ -32,6 +33,11 @@ pub(super) struct Transfers {
     download: LogDownload,
     /// The number of links that have sent a request.
     links: u32,
+}
+
+/// Stores a whole list as an upload would, with home in that of a plan; `false` if the vehicle refuses it.
+pub(super) fn load(autopilot: &mut Autopilot, kind: ListKind, items: &[Item]) -> bool {
+    plan_file::take_list(autopilot, kind, items)
 }
 
 impl Transfers {

@@ -26,6 +26,10 @@ pub struct Truth {
     pub on_ground: bool,
     /// The flight mode as `ArduCopter`'s `custom_mode` (0 is STABILIZE).
     pub mode: u8,
+    /// The number of the item of the plan under way or flown last; 0 before the first.
+    pub plan_item: u16,
+    /// Whether the plan was flown to its end.
+    pub plan_complete: bool,
     /// Volts at the battery's terminals, under load.
     pub battery_voltage_v: f64,
     /// Amperes drawn from the battery.
@@ -53,6 +57,8 @@ impl Truth {
             armed: autopilot.vehicle.safety.armed,
             on_ground: body.on_ground,
             mode: autopilot.reported_mode(),
+            plan_item: autopilot.auto_plan.current(),
+            plan_complete: autopilot.auto_plan.is_complete(),
             battery_voltage_v: autopilot.vehicle.plant.battery.voltage_v,
             battery_current_a: autopilot.vehicle.plant.battery.current_a,
             battery_consumed_mah: autopilot.vehicle.plant.battery.consumed_mah,

@@ -1,14 +1,13 @@
 //! The reported length of a fence.
 //! [`Fence::check`](crate::fence::Fence::check) checks whether it is valid.
 
-use crate::cmd;
 use crate::plan::Item;
 
 /// The value of `FENCE_TOTAL`: corners and circles, and two more that the old fence protocol counts.
 pub(super) fn total(items: &[Item]) -> f32 {
     let counted = items
         .iter()
-        .filter(|item| item.command != cmd::NAV_FENCE_RETURN_POINT)
+        .filter(|item| item.command != sortie_plan::command::FENCE_RETURN_POINT)
         .count();
     if counted < 3 {
         0.0
@@ -32,7 +31,7 @@ mod tests {
     #[test]
     fn the_old_protocol_counts_two_points_more_and_no_return_point() {
         let returning = Item {
-            command: cmd::NAV_FENCE_RETURN_POINT,
+            command: sortie_plan::command::FENCE_RETURN_POINT,
             ..Item::default()
         };
         for (corners, expected) in [(2, 0.0), (3, 5.0), (4, 6.0)] {

@@ -66,19 +66,20 @@ pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bo
     let keep = options & KEEP_THE_REST != 0;
     match kind {
         ListKind::Plan => take_mission(autopilot, &items, start, keep),
-        ListKind::Fence | ListKind::Rally if keep => false,
-        ListKind::Fence => {
-            let stored: Result<Vec<_>, _> =
-                items.iter().map(|item| items::kept(kind, item)).collect();
-            stored.is_ok_and(|stored| lists::take_fence(autopilot, stored))
-        }
-        ListKind::Rally => {
-            let stored: Result<Vec<_>, _> =
-                items.iter().map(|item| items::kept(kind, item)).collect();
-            let Ok(stored) = stored else { return false };
-            lists::replace(autopilot, kind, stored)
-        }
+        ListKind::Fence | ListKind::Rally => !keep && take_list(autopilot, kind, &items),
     }
+}
+
+/// Stores a whole list, with home in that of a plan; `false` if the vehicle refuses it.
+pub(super) fn take_list(autopilot: &mut Autopilot, kind: ListKind, items: &[Item]) -> bool {
+    if kind == ListKind::Plan {
+        return take_mission(autopilot, items, 0, false);
+    }
+    let kept: Result<Vec<_>, _> = items.iter().map(|item| items::kept(kind, item)).collect();
+    kept.is_ok_and(|kept| match kind {
+        ListKind::Fence => lists::take_fence(autopilot, kept),
+        ListKind::Plan | ListKind::Rally => lists::replace(autopilot, kind, kept),
+    })
 }
 
 fn take_mission(autopilot: &mut Autopilot, items: &[Item], start: usize, keep: bool) -> bool {

@@ -1,0 +1,101 @@
+//! How near two vehicles come to each other.
+
+/// Two vehicles nearer than this over the ground...
+pub const TOO_NEAR_M: f64 = 5.0;
+/// ... and nearer than this in height are in conflict.
+pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
+
+/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, in units
+/// of what is too near, was smallest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Approach {
+    /// The first vehicle.
+    pub a: usize,
+    /// The second vehicle.
+    pub b: usize,
+    /// Over the ground, in metres.
+    pub horizontal_m: f64,
+    /// In height, in metres.
+    pub vertical_m: f64,
+    /// Seconds since the first vehicle started.
+    pub at_s: f64,
+}
+
+impl Approach {
+    /// Whether that is too near.
+    pub fn is_conflict(&self) -> bool {
+        self.horizontal_m < TOO_NEAR_M && self.vertical_m < TOO_NEAR_VERTICALLY_M
+    }
+
+    /// The square of the distance in units of what is too near: less than 1 is a conflict.
+    pub(crate) fn nearness(&self) -> f64 {
+        let horizontal = self.horizontal_m / TOO_NEAR_M;
+        let vertical = self.vertical_m / TOO_NEAR_VERTICALLY_M;
+        (horizontal * horizontal).max(vertical * vertical)
+    }
+}
+
+/// The same for two points in metres north, east and up.
+pub(crate) fn nearness(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    let horizontal = (north * north + east * east) / (TOO_NEAR_M * TOO_NEAR_M);
+    horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
+}
+
+/// The closest approaches of all pairs.
+#[derive(Debug)]
+pub(crate) struct Closest {
+    vehicles: usize,
+    /// For each pair (a, b) with a < b in the order of a and then b: nearness, sample and the two points.
+    pairs: Vec<Option<(f64, u32, [[f64; 3]; 2])>>,
+}
+
+impl Closest {
+    pub(crate) fn new(vehicles: usize) -> Self {
+        let pairs = vehicles * vehicles.saturating_sub(1) / 2;
+        Self {
+            vehicles,
+            pairs: vec![None; pairs],
+        }
+    }
+
+    /// Takes the points of the vehicles that are in the air.
+    pub(crate) fn take(&mut self, sample: u32, points: &[Option<[f64; 3]>]) {
+        let mut pairs = self.pairs.iter_mut();
+        for (a, first) in points.iter().enumerate() {
+            for second in &points[a + 1..] {
+                let Some(pair) = pairs.next() else { return };
+                let (Some(first), Some(second)) = (first, second) else {
+                    continue;
+                };
+                let near = nearness(*first, *second);
+                if pair.is_none_or(|(least, ..)| near < least) {
+                    *pair = Some((near, sample, [*first, *second]));
+                }
+            }
+        }
+    }
+
+    /// The pairs that were in the air together, the closest first.
+    pub(crate) fn found(&self, sample_s: f64) -> Vec<Approach> {
+        let mut found = Vec::new();
+        let mut pairs = self.pairs.iter();
+        for a in 0..self.vehicles {
+            for b in a + 1..self.vehicles {
+                let Some(Some((_, sample, [first, second]))) = pairs.next() else {
+                    continue;
+                };
+                let [north, east, up] = [0, 1, 2].map(|axis| first[axis] - second[axis]);
+                found.push(Approach {
+                    a,
+                    b,
+                    horizontal_m: (north * north + east * east).sqrt(),
+                    vertical_m: up.abs(),
+                    at_s: f64::from(*sample) * sample_s,
+                });
+            }
+        }
+        found.sort_by(|one, other| one.nearness().total_cmp(&other.nearness()));
+        found
+    }
+}

@@ -1,0 +1,210 @@
+//! One vehicle of a rehearsal: how it is started, and what is noted of its flight.
+
+use sortie_geo::LatLon;
+use sortie_plan::{Fence, FenceArea};
+use sortie_sim::mavlink::dialects::ardupilotmega::{
+    COMMAND_LONG_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
+};
+use sortie_sim::mavlink::types::CharArray;
+use sortie_sim::{PortId, SYSTEMS, Truth, World};
+use sortie_wire::Encoder;
+
+use crate::stage::{Place, Track, sample_s};
+use crate::{Ending, Flown, Participant};
+
+/// ArduCopter's modes.
+const AUTO: u8 = 3;
+const GUIDED: f32 = 4.0;
+/// The time between two attempts to start, in samples, and their number.
+const RETRY: u32 = 50;
+const ATTEMPTS: u32 = 30;
+
+/// What a vehicle is doing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stage {
+    /// On the ground; the number of attempts to start.
+    Waiting(u32),
+    /// Its motors run; whether it has left the ground.
+    Flying {
+        lifted: bool,
+    },
+    Over,
+}
+
+/// The ground station of one vehicle, and its notes.
+#[derive(Debug)]
+pub(crate) struct Flight {
+    vehicle: usize,
+    port: Option<PortId>,
+    encoder: Encoder,
+    stage: Stage,
+    /// In samples.
+    starts_at: u32,
+    started_at: Option<u32>,
+    areas: Vec<FenceArea<[f64; 2]>>,
+    flown: Flown,
+    capacity_mah: f64,
+    pub(crate) track: Track,
+}
+
+impl Flight {
+    pub(crate) fn new(
+        vehicle: usize,
+        participant: &Participant,
+        place: &Place,
+        world: &mut World,
+    ) -> Self {
+        let fence = Fence::check(&participant.document.fence).unwrap_or_default();
+        let metres = |point: &LatLon| <[f64; 2]>::from(place.start.at.offset_to(*point));
+        Self {
+            vehicle,
+            port: Some(world.connect(vehicle)),
+            encoder: Encoder::new(255, 190),
+            stage: Stage::Waiting(0),
+            starts_at: (participant.delay_s / sample_s()).round().max(0.0) as u32,
+            started_at: None,
+            areas: fence.areas.iter().map(|area| area.map(metres)).collect(),
+            flown: Flown {
+                time_s: 0.0,
+                energy_left_percent: 100.0,
+                farthest_m: 0.0,
+                broke_fence_s: None,
+                ending: Ending::TimeUp,
+                moved_east_m: place.moved_east_m,
+            },
+            capacity_mah: world.parameter(vehicle, "BATT_CAPACITY").max(1.0),
+            track: Track::default(),
+        }
+    }
+
+    fn system(&self) -> u8 {
+        (self.vehicle % SYSTEMS) as u8 + 1
+    }
+
+    pub(crate) fn is_over(&self) -> bool {
+        self.stage == Stage::Over
+    }
+
+    pub(crate) fn flown(&self) -> Flown {
+        self.flown
+    }
+
+    pub(crate) fn set_parameter(&mut self, world: &mut World, name: &str, value: f32) {
+        let message = MavMessage::PARAM_SET(PARAM_SET_DATA {
+            param_value: value,
+            target_system: self.system(),
+            target_component: 1,
+            param_id: CharArray::from(name),
+            param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
+        });
+        self.send(world, message);
+        self.capacity_mah = world.parameter(self.vehicle, "BATT_CAPACITY").max(1.0);
+    }
+
+    fn command(&mut self, world: &mut World, command: MavCmd, [param1, param2]: [f32; 2]) {
+        let message = MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+            command,
+            param1,
+            param2,
+            target_system: self.system(),
+            target_component: 1,
+            ..Default::default()
+        });
+        self.send(world, message);
+    }
+
+    fn send(&mut self, world: &mut World, message: MavMessage) {
+        let Some(port) = self.port else { return };
+        let mut bytes = Vec::new();
+        self.encoder.encode(&message.into(), &mut bytes);
+        world.receive(port, &bytes);
+        // Answers show in the vehicle's true state.
+        world.take_output(port, &mut Vec::new());
+    }
+
+    /// Follows the vehicle for a sample. Returns whether it is in the air.
+    pub(crate) fn follow(&mut self, sample: u32, world: &mut World) -> bool {
+        let truth = world.truth(self.vehicle);
+        match self.stage {
+            Stage::Waiting(attempts) => self.try_to_start(attempts, sample, &truth, world),
+            Stage::Flying { lifted } => {
+                let lifted = lifted || !truth.on_ground;
+                self.stage = Stage::Flying { lifted };
+                self.note(sample, &truth);
+                if let Some(ending) = ending(&truth, lifted) {
+                    self.end(ending);
+                }
+            }
+            Stage::Over => {}
+        }
+        !truth.on_ground
+    }
+
+    fn try_to_start(&mut self, attempts: u32, sample: u32, truth: &Truth, world: &mut World) {
+        if sample < self.starts_at || !(sample - self.starts_at).is_multiple_of(RETRY) {
+            return;
+        }
+        if truth.armed && truth.mode == AUTO {
+            return;
+        }
+        self.command(world, MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED]);
+        self.command(world, MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]);
+        self.command(world, MavCmd::MAV_CMD_MISSION_START, [0.0, 0.0]);
+        let truth = world.truth(self.vehicle);
+        if truth.armed && truth.mode == AUTO {
+            self.started_at = Some(sample);
+            self.stage = Stage::Flying { lifted: false };
+            // Telemetry that nobody reads would take most of the time.
+            if let Some(port) = self.port.take() {
+                world.disconnect(port);
+            }
+        } else if attempts >= ATTEMPTS {
+            self.end(Ending::Grounded);
+        } else {
+            self.stage = Stage::Waiting(attempts + 1);
+        }
+    }
+
+    fn note(&mut self, sample: u32, truth: &Truth) {
+        let begun = self.started_at.unwrap_or(sample);
+        let [north_m, east_m, _] = truth.position_ned_m;
+        let time_s = f64::from(sample - begun) * sample_s();
+        self.flown.time_s = time_s;
+        let used = truth.battery_consumed_mah / self.capacity_mah;
+        self.flown.energy_left_percent = 100.0 * (1.0 - used).max(0.0);
+        let away_m = (north_m * north_m + east_m * east_m).sqrt();
+        self.flown.farthest_m = self.flown.farthest_m.max(away_m);
+        let is_outside = || {
+            self.areas
+                .iter()
+                .any(|area| area.is_broken_at([north_m, east_m]))
+        };
+        if self.flown.broke_fence_s.is_none() && !truth.on_ground && is_outside() {
+            self.flown.broke_fence_s = Some(time_s);
+        }
+    }
+
+    /// Ends the flight because of a collision.
+    pub(crate) fn crash(&mut self) {
+        if !self.is_over() {
+            self.end(Ending::Crashed);
+        }
+    }
+
+    fn end(&mut self, ending: Ending) {
+        self.flown.ending = ending;
+        self.stage = Stage::Over;
+    }
+}
+
+fn ending(truth: &Truth, lifted: bool) -> Option<Ending> {
+    if !truth.armed {
+        return Some(match (lifted, truth.mode) {
+            (false, _) => Ending::Grounded,
+            (true, AUTO) => Ending::Landed,
+            (true, mode) => Ending::LeftPlan(mode),
+        });
+    }
+    let ends_in_air = truth.plan_complete && truth.mode == AUTO && lifted && !truth.on_ground;
+    ends_in_air.then_some(Ending::InAir)
+}

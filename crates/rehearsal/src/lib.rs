@@ -1,0 +1,152 @@
+//! Plans of several vehicles, flown in the embedded simulator before any vehicle leaves the ground: how long each
+//! takes, what is left of its battery, and how near the vehicles come to each other.
+//!
+//! A rehearsal is a pure function of the documents and the conditions: no clock, no threads, no files.
+
+#![warn(missing_docs)]
+
+mod approach;
+mod deconflict;
+mod flight;
+mod stage;
+
+use std::sync::Arc;
+
+use sortie_plan::{Document, ListKind};
+use sortie_sim::{Airframe, Start};
+
+pub use approach::{Approach, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
+pub use deconflict::{Proposal, Remedy, deconflict};
+
+/// A vehicle and its plan.
+#[derive(Debug, Clone)]
+pub struct Participant {
+    /// The lists on board.
+    pub document: Document,
+    /// The airframe; the standard quadcopter if there is none.
+    pub airframe: Option<Arc<Airframe>>,
+    /// The time at which its motors start, in seconds.
+    pub delay_s: f64,
+}
+
+/// What is the same for all vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conditions {
+    /// Home of documents without one.
+    pub home: Option<Start>,
+    /// The mean wind in m/s.
+    pub wind_m_s: f32,
+    /// Where it comes from, in degrees clockwise from north.
+    pub wind_from_deg: f32,
+    /// The gusts, as in `SIM_WIND_TURB`.
+    pub turbulence: f32,
+    /// The seed of the gusts.
+    pub seed: u64,
+    /// Parameters of the vehicles that differ from the usual ones.
+    pub parameters: Vec<(String, f32)>,
+    /// The longest flight, in seconds.
+    pub limit_s: f64,
+}
+
+impl Default for Conditions {
+    /// A calm, and at most an hour.
+    fn default() -> Self {
+        Self {
+            home: None,
+            wind_m_s: 0.0,
+            wind_from_deg: 0.0,
+            turbulence: 0.0,
+            seed: 1,
+            parameters: Vec::new(),
+            limit_s: 3600.0,
+        }
+    }
+}
+
+/// Why plans cannot be rehearsed. Vehicles are counted from 0.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RehearsalError {
+    /// A document without a plan.
+    #[error("vehicle {0} has no plan")]
+    NoPlan(usize),
+    /// Neither the document nor the conditions have a home.
+    #[error("vehicle {0} has no home")]
+    NoHome(usize),
+    /// The vehicle refuses a list.
+    #[error("vehicle {0} refuses its {1:?} list")]
+    Refused(usize, ListKind),
+    /// A parameter that the vehicle does not have.
+    #[error("no parameter {0}")]
+    NoParameter(String),
+}
+
+/// How a flight ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The vehicle landed and stopped its motors.
+    Landed,
+    /// The plan ended in the air.
+    InAir,
+    /// The vehicle left its plan for another mode, such as RTL, because of a failsafe: the mode's number.
+    LeftPlan(u8),
+    /// It never left the ground.
+    Grounded,
+    /// It collided.
+    Crashed,
+    /// It was still flying when the time was up.
+    TimeUp,
+}
+
+/// What became of one vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flown {
+    /// From the start of its motors to the end, in seconds.
+    pub time_s: f64,
+    /// What is left of its battery, in per cent of the capacity.
+    pub energy_left_percent: f64,
+    /// The greatest distance from home over the ground, in metres.
+    pub farthest_m: f64,
+    /// When it first broke its fence, in seconds of its flight.
+    pub broke_fence_s: Option<f64>,
+    /// How it ended.
+    pub ending: Ending,
+    /// How far east of its home it started, in metres, because another vehicle stood there.
+    pub moved_east_m: f64,
+}
+
+/// The outcome of a rehearsal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The vehicles, in the order of the participants.
+    pub vehicles: Vec<Flown>,
+    /// For each pair that was in the air together, when it was closest; the closest pair first.
+    pub closest: Vec<Approach>,
+    /// The simulated time, in seconds.
+    pub simulated_s: f64,
+    tracks: Vec<stage::Track>,
+}
+
+impl Outcome {
+    /// The pairs that came too near to each other.
+    pub fn conflicts(&self) -> impl Iterator<Item = &Approach> {
+        self.closest
+            .iter()
+            .filter(|approach| approach.is_conflict())
+    }
+}
+
+/// Flies all plans at once.
+///
+/// # Errors
+/// See [`RehearsalError`].
+pub fn rehearse(
+    participants: &[Participant],
+    conditions: &Conditions,
+) -> Result<Outcome, RehearsalError> {
+    let places = stage::places(participants, conditions)?;
+    let origin = stage::origin(&places);
+    Ok(stage::Stage::new(participants, &places, origin, conditions)?.run())
+}
+
+#[cfg(test)]
+mod tests;

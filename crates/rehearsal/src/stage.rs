@@ -1,0 +1,228 @@
+//! The world of a rehearsal: all vehicles in lock step.
+
+use sortie_geo::LatLon;
+use sortie_plan::{Home, ListKind};
+use sortie_sim::{Airframe, STEP, Start, World, WorldConfig};
+
+use crate::approach::Closest;
+use crate::flight::Flight;
+use crate::{Conditions, Outcome, Participant, RehearsalError};
+
+/// Steps between two samples: two vehicles that meet at 30 m/s come 0.6 m nearer in that time.
+const STEPS: u32 = 2;
+/// The time in which the vehicles boot and find their position, in seconds.
+const BOOT_S: f64 = 5.0;
+/// Samples between two points of a track.
+pub(crate) const TRACK_EVERY: u32 = 10;
+/// Vehicles whose homes are nearer than this stand side by side...
+const SAME_PLACE_M: f64 = 2.0;
+/// ... at this distance, which is no conflict.
+const SIDE_BY_SIDE_M: f64 = 8.0;
+
+/// Where a vehicle was in the air: metres north and east of the first vehicle's home and above sea level, at even times
+/// from its start on.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Track {
+    pub(crate) points: Vec<Option<[f64; 3]>>,
+}
+
+pub(crate) struct Stage {
+    world: World,
+    flights: Vec<Flight>,
+    /// The first vehicle's home, and each start from there.
+    starts_m: Vec<[f64; 2]>,
+    amsl_m: Vec<f64>,
+    limit: u32,
+}
+
+/// The time between two samples, in seconds.
+pub(crate) fn sample_s() -> f64 {
+    STEP.as_secs_f64() * f64::from(STEPS)
+}
+
+impl Stage {
+    /// The vehicles at their starts; points are measured from `origin`.
+    ///
+    /// # Errors
+    /// A parameter is not known, or a vehicle refuses a list.
+    pub(crate) fn new(
+        participants: &[Participant],
+        starts: &[Place],
+        origin: LatLon,
+        conditions: &Conditions,
+    ) -> Result<Self, RehearsalError> {
+        let airframe = |it: &Participant| {
+            let own = it.airframe.clone();
+            own.unwrap_or_else(Airframe::shared_standard)
+        };
+        let mut world = World::new(&WorldConfig {
+            starts: starts.iter().map(|place| place.start).collect(),
+            airframes: participants.iter().map(airframe).collect(),
+            seed: conditions.seed,
+            obstacles: Vec::new(),
+            realistic_boot: false,
+        });
+        let mut flights = Vec::new();
+        for (vehicle, (participant, place)) in participants.iter().zip(starts).enumerate() {
+            let mut flight = Flight::new(vehicle, participant, place, &mut world);
+            prepare(&mut flight, vehicle, conditions, &mut world)?;
+            flights.push(flight);
+        }
+        for _ in 0..(BOOT_S / STEP.as_secs_f64()) as u32 {
+            world.step();
+        }
+        for (vehicle, (participant, place)) in participants.iter().zip(starts).enumerate() {
+            for kind in ListKind::ALL {
+                if !world.load(vehicle, kind, participant.document.list(kind)) {
+                    return Err(RehearsalError::Refused(place.vehicle, kind));
+                }
+            }
+        }
+        let last = participants.iter().map(|it| it.delay_s);
+        let metres = |place: &Place| origin.offset_to(place.start.at).into();
+        Ok(Self {
+            world,
+            flights,
+            starts_m: starts.iter().map(metres).collect(),
+            amsl_m: starts
+                .iter()
+                .map(|place| place.start.altitude_amsl_m)
+                .collect(),
+            limit: ((conditions.limit_s + last.fold(0.0, f64::max)) / sample_s()) as u32,
+        })
+    }
+
+    pub(crate) fn run(mut self) -> Outcome {
+        let mut closest = Closest::new(self.flights.len());
+        let mut points = vec![None; self.flights.len()];
+        let mut sample = 0;
+        while sample < self.limit && !self.flights.iter().all(Flight::is_over) {
+            for _ in 0..STEPS {
+                self.world.step();
+            }
+            sample += 1;
+            self.look(sample, &mut points);
+            closest.take(sample, &points);
+            if sample.is_multiple_of(TRACK_EVERY) {
+                for (flight, point) in self.flights.iter_mut().zip(&points) {
+                    flight.track.points.push(*point);
+                }
+            }
+        }
+        Outcome {
+            vehicles: self.flights.iter().map(Flight::flown).collect(),
+            closest: closest.found(sample_s()),
+            simulated_s: f64::from(sample) * sample_s(),
+            tracks: self
+                .flights
+                .into_iter()
+                .map(|flight| flight.track)
+                .collect(),
+        }
+    }
+
+    fn look(&mut self, sample: u32, points: &mut [Option<[f64; 3]>]) {
+        for vehicle in 0..self.flights.len() {
+            let is_in_air = self.flights[vehicle].follow(sample, &mut self.world);
+            let [north_m, east_m, down_m] = self.world.truth(vehicle).position_ned_m;
+            let [start_north_m, start_east_m] = self.starts_m[vehicle];
+            points[vehicle] = is_in_air.then_some([
+                start_north_m + north_m,
+                start_east_m + east_m,
+                self.amsl_m[vehicle] - down_m,
+            ]);
+        }
+        for collision in self.world.collisions() {
+            if let Some(flight) = self.flights.get_mut(collision.vehicle) {
+                flight.crash();
+            }
+        }
+    }
+}
+
+/// Sets the parameters of a vehicle.
+fn prepare(
+    flight: &mut Flight,
+    vehicle: usize,
+    conditions: &Conditions,
+    world: &mut World,
+) -> Result<(), RehearsalError> {
+    let wind = [
+        ("SIM_WIND_SPD", conditions.wind_m_s),
+        ("SIM_WIND_DIR", conditions.wind_from_deg),
+        ("SIM_WIND_TURB", conditions.turbulence),
+    ];
+    let own = conditions
+        .parameters
+        .iter()
+        .map(|(name, value)| (name.as_str(), *value));
+    for (name, value) in wind.into_iter().chain(own) {
+        flight.set_parameter(world, name, value);
+        let set = world.find_parameter(vehicle, name);
+        let is_set = |set: f64| (set - f64::from(value)).abs() <= f64::from(value.abs()) * 1e-5;
+        if !set.is_some_and(is_set) {
+            return Err(RehearsalError::NoParameter(name.to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// Where a vehicle starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    /// Its number, from 0.
+    pub(crate) vehicle: usize,
+    pub(crate) start: Start,
+    /// How far that is to the east of its home.
+    pub(crate) moved_east_m: f64,
+}
+
+/// Where the vehicles start.
+///
+/// # Errors
+/// One has no plan or no home.
+pub(crate) fn places(
+    participants: &[Participant],
+    conditions: &Conditions,
+) -> Result<Vec<Place>, RehearsalError> {
+    let mut places: Vec<Place> = Vec::new();
+    for (vehicle, participant) in participants.iter().enumerate() {
+        if participant.document.plan.is_empty() {
+            return Err(RehearsalError::NoPlan(vehicle));
+        }
+        let own = participant.document.home.map(|Home { x, y, z }| Start {
+            at: LatLon::from_e7(x, y),
+            altitude_amsl_m: f64::from(z),
+            heading_deg: 0.0,
+        });
+        let home = own
+            .or(conditions.home)
+            .ok_or(RehearsalError::NoHome(vehicle))?;
+        let mut moved_east_m = 0.0;
+        let at = |moved_m| home.at.moved(0.0, moved_m);
+        let is_taken = |moved_m| {
+            let near = |it: &Place| it.start.at.distance_m(at(moved_m)) < SAME_PLACE_M;
+            places.iter().any(near)
+        };
+        while is_taken(moved_east_m) {
+            moved_east_m += SIDE_BY_SIDE_M;
+        }
+        let start = Start {
+            at: at(moved_east_m),
+            ..home
+        };
+        places.push(Place {
+            vehicle,
+            start,
+            moved_east_m,
+        });
+    }
+    Ok(places)
+}
+
+/// The origin of all points: the first start.
+pub(crate) fn origin(places: &[Place]) -> LatLon {
+    places
+        .first()
+        .map_or(LatLon::new(0.0, 0.0), |place| place.start.at)
+}

@@ -1,0 +1,195 @@
+use sortie_geo::LatLon;
+use sortie_plan::{Home, Item, command};
+
+use super::*;
+
+const HOME: LatLon = LatLon::new(50.4501, 30.5234);
+
+fn item(number: u16, (north_m, east_m): (f64, f64), z: f32) -> Item {
+    let (x, y) = HOME.moved(north_m, east_m).to_e7();
+    let (x, y) = if command::has_place(number) {
+        (x, y)
+    } else {
+        (0, 0)
+    };
+    Item {
+        command: number,
+        frame: 3,
+        auto_continue: true,
+        params: [0.0; 4],
+        x,
+        y,
+        z,
+    }
+}
+
+/// A vehicle that starts at a place, flies to others at 20 m and returns.
+fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
+    let (x, y) = HOME.moved(start.0, start.1).to_e7();
+    let mut plan = vec![item(command::TAKEOFF, start, 20.0)];
+    plan.extend(way.iter().map(|at| item(command::WAYPOINT, *at, 20.0)));
+    plan.push(item(command::RETURN_TO_LAUNCH, start, 0.0));
+    Participant {
+        document: Document {
+            home: Some(Home { x, y, z: 170.0 }),
+            plan,
+            ..Document::default()
+        },
+        airframe: None,
+        delay_s: 0.0,
+    }
+}
+
+/// Two vehicles whose ways cross at the same time.
+fn crossing() -> [Participant; 2] {
+    [
+        vehicle((0.0, 0.0), &[(100.0, 100.0)]),
+        vehicle((0.0, 100.0), &[(100.0, 0.0)]),
+    ]
+}
+
+fn calm() -> Conditions {
+    Conditions::default()
+}
+
+#[test]
+fn a_plan_takes_its_time_and_its_energy_and_ends_where_it_began() {
+    let outcome = rehearse(&[vehicle((0.0, 0.0), &[(200.0, 0.0)])], &calm()).expect("it can fly");
+    let flown = outcome.vehicles[0];
+    assert_eq!(flown.ending, Ending::Landed);
+    assert!((flown.farthest_m - 200.0).abs() < 3.0, "{flown:?}");
+    // Up, there, back and down: about 20 + 2 * 24 + 40 s.
+    assert!((80.0..160.0).contains(&flown.time_s), "{flown:?}");
+    assert!(
+        (50.0..99.5).contains(&flown.energy_left_percent),
+        "{flown:?}"
+    );
+    assert_eq!((flown.broke_fence_s, outcome.closest.len()), (None, 0));
+    assert_eq!(
+        rehearse(&[vehicle((0.0, 0.0), &[(200.0, 0.0)])], &calm()),
+        Ok(outcome)
+    );
+}
+
+#[test]
+fn a_fence_that_the_way_leaves_is_noticed() {
+    let mut one = vehicle((0.0, 0.0), &[(150.0, 0.0)]);
+    let circle = item(command::FENCE_CIRCLE_INCLUSION, (0.0, 0.0), 0.0);
+    one.document.fence = vec![Item {
+        params: [100.0, 0.0, 0.0, 0.0],
+        ..circle
+    }];
+    let flown = rehearse(&[one], &calm()).expect("it can fly").vehicles[0];
+    assert!(
+        flown
+            .broke_fence_s
+            .is_some_and(|at_s| at_s > 10.0 && at_s < flown.time_s),
+        "{flown:?}"
+    );
+}
+
+#[test]
+fn a_plan_without_an_end_ends_in_the_air_and_one_without_a_takeoff_on_the_ground() {
+    let mut open = vehicle((0.0, 0.0), &[(50.0, 0.0)]);
+    open.document.plan.pop();
+    let mut grounded = vehicle((0.0, 50.0), &[(50.0, 50.0)]);
+    grounded.document.plan.remove(0);
+    let outcome = rehearse(
+        &[open, grounded],
+        &Conditions {
+            limit_s: 200.0,
+            ..calm()
+        },
+    )
+    .expect("they can try");
+    let endings: Vec<Ending> = outcome.vehicles.iter().map(|flown| flown.ending).collect();
+    assert_eq!(endings, [Ending::InAir, Ending::Grounded]);
+}
+
+#[test]
+fn crossing_ways_are_a_conflict_that_later_starts_or_layers_end() {
+    let both = crossing();
+    let outcome = rehearse(&both, &calm()).expect("they can fly");
+    let conflict = outcome.conflicts().next().expect("they meet");
+    assert_eq!((conflict.a, conflict.b), (0, 1));
+    assert!(conflict.at_s > 10.0, "{conflict:?}");
+    let proposal = deconflict(&both, &calm(), 6.0)
+        .expect("they can fly")
+        .expect("there is a way");
+    assert_eq!(proposal.outcome.conflicts().count(), 0);
+    assert_eq!(proposal.remedies[0], Remedy::Nothing);
+    assert_ne!(proposal.remedies[1], Remedy::Nothing);
+    assert!(
+        proposal.lost_s > 0.0 && proposal.lost_s < 60.0,
+        "{}",
+        proposal.lost_s
+    );
+    let alone = deconflict::alone(&both, &calm()).expect("they can fly");
+    let tracks: Vec<_> = alone.into_iter().map(|(_, track)| track).collect();
+    for (what, proposal) in [
+        ("delays", deconflict::by_delays(&both, &calm(), &tracks)),
+        (
+            "layers",
+            deconflict::by_layers(&both, &calm(), &outcome, 6.0),
+        ),
+    ] {
+        let proposal = proposal.expect("they can fly");
+        assert!(proposal.is_some(), "{what}");
+    }
+}
+
+#[test]
+fn vehicles_of_one_home_stand_side_by_side_and_wind_costs_energy() {
+    let two = [
+        vehicle((0.0, 0.0), &[(60.0, 0.0)]),
+        vehicle((0.0, 0.0), &[(0.0, 150.0)]),
+    ];
+    let outcome = rehearse(&two, &calm()).expect("they can fly");
+    let moved: Vec<f64> = outcome
+        .vehicles
+        .iter()
+        .map(|flown| flown.moved_east_m)
+        .collect();
+    assert_eq!(moved, [0.0, 8.0]);
+    let windy = Conditions {
+        wind_m_s: 9.0,
+        wind_from_deg: 90.0,
+        ..calm()
+    };
+    let blown = rehearse(&two[1..], &windy).expect("they can fly").vehicles[0];
+    let still = rehearse(&two[1..], &calm()).expect("they can fly").vehicles[0];
+    assert!(
+        blown.energy_left_percent < still.energy_left_percent,
+        "{blown:?} {still:?}"
+    );
+}
+
+#[test]
+fn what_cannot_be_flown_is_said() {
+    let mut homeless = vehicle((0.0, 0.0), &[(10.0, 0.0)]);
+    homeless.document.home = None;
+    assert_eq!(
+        rehearse(&[homeless], &calm()),
+        Err(RehearsalError::NoHome(0))
+    );
+    let empty = Participant {
+        document: Document::default(),
+        ..vehicle((0.0, 0.0), &[])
+    };
+    assert_eq!(rehearse(&[empty], &calm()), Err(RehearsalError::NoPlan(0)));
+    let mut refused = vehicle((0.0, 0.0), &[(10.0, 0.0)]);
+    refused.document.plan[1].command = 195;
+    assert_eq!(
+        rehearse(&[refused], &calm()),
+        Err(RehearsalError::Refused(0, ListKind::Plan))
+    );
+    let wrong = Conditions {
+        parameters: vec![("NO_SUCH".to_owned(), 1.0)],
+        ..calm()
+    };
+    let one = vehicle((0.0, 0.0), &[(10.0, 0.0)]);
+    assert_eq!(
+        rehearse(&[one], &wrong),
+        Err(RehearsalError::NoParameter("NO_SUCH".to_owned()))
+    );
+}
