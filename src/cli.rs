@@ -43,6 +43,7 @@ mod fly;
 mod hangar;
 mod home;
 mod manual;
+mod plan;
 mod profile;
 mod programs;
 mod progress;
@@ -59,7 +60,7 @@ mod workshop;
 
 /// The exit codes, as `--help` shows them.
 const EXIT_CODES: &str = "\
-0  success; for run: the mission was passed; for check: no faults
+0  success; for run: the mission was passed; for check: no faults; for plan rehearse: no conflict, fence kept
 1  the command failed; for run: the mission was not passed; for check: there are faults
 2  wrong usage or an invalid file
 ";
@@ -124,14 +125,16 @@ enum CliCommand {
     Verify(verify::VerifyArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
+    /// Checks, converts and rehearses plans, fences and rally points in files.
+    Plan(plan::PlanArguments),
     /// Serves the embedded simulator to any ground station.
     Sim(sim::SimArguments),
     /// Checks this machine (terminal, folders, SITL, ports) and shows how to fix each problem.
     Doctor(doctor::DoctorArguments),
     /// Runs ArduPilot SITL processes on this host as a service, or prints how to start one by hand.
     Hangar(Box<hangar::HangarArguments>),
-    /// Checks missions, pilot scripts, themes, keymaps and configurations, and prints each fault with its line and
-    /// column.
+    /// Checks missions, pilot scripts, themes, keymaps, configurations and plans, and prints each fault with its line
+    /// and column.
     #[command(after_help = "Examples:\n  \
                             sortie check missions/*.toml missions/pilots/*.pilot\n  \
                             sortie check ~/.config/sortie/*.toml\n  \
@@ -264,6 +267,10 @@ fn dispatch(
             settings.complain();
             debrief::debrief(&options, &settings)
         }
+        Some(CliCommand::Plan(options)) => {
+            settings.complain();
+            plan::plan(&options, &settings)
+        }
         Some(CliCommand::Sim(options)) => {
             settings.complain();
             sim::serve(&options)
@@ -276,7 +283,7 @@ fn dispatch(
             settings.complain();
             hangar::hangar(&options, &settings)
         }
-        Some(CliCommand::Check(options)) => check::check(&options),
+        Some(CliCommand::Check(options)) => check::check(&options, &settings),
         Some(CliCommand::Profile(options)) => {
             settings.complain();
             profile::profile(&options, &settings)

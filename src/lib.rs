@@ -43,11 +43,13 @@
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
 //! | | [`config`] | settings and the source of each |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
+//! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
-//! | libraries | [`sim`] | simulated vehicles |
+//! | libraries | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
+//! | | [`sim`] | simulated vehicles |
 //! | | [`wire`] | MAVLink frames |
 //! | | [`plan`] | items of plans, fences and rally points: their files, and the faults in them |
 //! | | [`geo`] | positions and maps |
@@ -102,6 +104,7 @@ pub mod moment;
 pub mod notice;
 pub mod operator;
 pub mod parameters;
+pub mod preflight;
 pub mod record;
 pub mod replay;
 pub mod review;
@@ -121,5 +124,6 @@ pub mod workshop;
 
 pub use sortie_geo as geo;
 pub use sortie_plan as plan;
+pub use sortie_rehearsal as rehearsal;
 pub use sortie_sim as sim;
 pub use sortie_wire as wire;

@@ -8,12 +8,15 @@ use toml::de::DeTable;
 
 use clap::Args;
 
-use super::{Failure, settings};
+use super::{Failure, plan, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
+use crate::plan::ReadOptions;
+use crate::plan::check::CheckOptions;
 use crate::store::{self, Source};
+use crate::text::Locale;
 use crate::workshop::{Design, PartSlot};
 
 mod fly;
@@ -22,8 +25,8 @@ mod script;
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Files that end in .pilot or .toml, or folders of such files. The content of a .toml file shows which kind it
-    /// is.
+    /// Files that end in .pilot or .toml, or folders of such files; the content of a .toml file shows which kind it is.
+    /// Plans: .plan, .waypoints, .fence, .rally, .kml, .kmz, .geojson; `sortie plan check` has more options for them.
     #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Fly missions with their reference pilot, a naive pilot and no pilot: the first must earn silver, the second
@@ -68,7 +71,10 @@ const MISSION_KEYS: &[&str] = &[
 ];
 
 /// Prints the faults of each file, or the results of flown missions; exit code 1 if there is any fault.
-pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
+pub(super) fn check(
+    options: &CheckArguments,
+    settings: &settings::CliSettings,
+) -> Result<ExitCode, Failure> {
     if options.schema {
         say!("{}", crate::mission::schema())?;
         return Ok(ExitCode::SUCCESS);
@@ -86,6 +92,12 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     // A wrong name is a fault of usage, so no file is checked before all names are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
+        if plan::is_plan_file(path) {
+            let locale = Locale::new(settings.language());
+            let (reading, rules) = (ReadOptions::default(), CheckOptions::default());
+            faulty |= plan::report(path, &reading, &rules, &locale)?;
+            continue;
+        }
         match store::read(path, "file-any") {
             Ok(source) => {
                 let others = OtherFiles {
@@ -153,8 +165,9 @@ fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
 fn has_known_ending(path: &Path) -> Result<(), Failure> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("toml" | "pilot") => Ok(()),
+        _ if plan::is_plan_file(path) => Ok(()),
         _ => Err(Failure::Invalid(format!(
-            "sortie: cannot tell the kind of {}: expected a name ending in .toml or .pilot",
+            "sortie: cannot tell the kind of {}: expected a name ending in .toml, .pilot or that of a plan (.plan, .waypoints, .kml ..)",
             path.display()
         ))),
     }

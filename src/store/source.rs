@@ -99,6 +99,22 @@ impl From<&StoreError> for Text {
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
 pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
+    let bytes = read_bytes(path, kind)?;
+    let text = String::from_utf8(bytes).map_err(|error| StoreError::Unreadable {
+        path: path.to_owned(),
+        error: io::Error::new(io::ErrorKind::InvalidData, error),
+    })?;
+    Ok(Source {
+        name: path.display().to_string(),
+        text,
+    })
+}
+
+/// Reads a file of at most 1 MiB, text or not. `kind` is the id of the message for what it should be.
+///
+/// # Errors
+/// It does not exist, cannot be read or is too large.
+pub fn read_bytes(path: &Path, kind: &'static str) -> Result<Vec<u8>, StoreError> {
     let unreadable = |error| StoreError::Unreadable {
         path: path.to_owned(),
         error,
@@ -114,12 +130,7 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
             kind,
         });
     }
-    let text = String::from_utf8(bytes)
-        .map_err(|error| unreadable(io::Error::new(io::ErrorKind::InvalidData, error)))?;
-    Ok(Source {
-        name: path.display().to_string(),
-        text,
-    })
+    Ok(bytes)
 }
 
 /// A path as typed: `~/` is the home folder.

@@ -37,6 +37,7 @@ catalogue! {
     "mission",
     "parameters",
     "plain",
+    "plans",
     "rooms",
     "scoring",
     "standing",

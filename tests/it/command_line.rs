@@ -2,6 +2,7 @@
 
 mod check;
 mod designs;
+mod plans;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -34,7 +34,7 @@ mod place;
 
 pub use areas::{AreaShape, Fence, FenceArea, FenceError, is_inside};
 pub use document::{Document, Home, Origin};
-pub use fault::{Fault, FaultKind, Note, NoteKind, Unwritable};
+pub use fault::{ArchiveFault, Expected, Fault, FaultKind, Note, NoteKind, Syntax, Unwritable};
 pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
 pub use hash::ContentHash;
 pub use item::{HeightFrame, Item, ListKind};

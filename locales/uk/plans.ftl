@@ -1,0 +1,138 @@
+# Файли планів: `sortie plan`, `sortie check`.
+
+file-plan = файл плану
+plan-holds-plan = план { $hash }: { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+}
+plan-holds-fence = геозона: { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+}
+plan-holds-rally = точки збору: { $count }
+plan-holds-nothing = пунктів немає
+plan-list-plan = план
+plan-list-fence = геозона
+plan-list-rally = точки збору
+plan-good = помилок немає
+plan-warning = (попередження)
+plan-at-item = { $list }, пункт { $number }: { $what }
+
+plan-file-unknown = невідомий формат: потрібен QGC WPL, .plan, геозона чи точки збору MAVProxy, KML, KMZ або GeoJSON
+plan-file-not-text = файл не є текстом UTF-8
+plan-file-version = версія { $found } невідома: потрібна { $known }
+plan-file-fields = полів { $found }, має бути { $expected }
+plan-file-number = `{ $text }` не є числом
+plan-file-range = `{ $text }` поза допустимими межами
+plan-file-order = цей пункт має номер { $found }, а має бути { $expected }
+plan-file-xml = хибний XML: { $error }
+plan-file-missing = бракує `{ $name }`
+plan-file-no-items = складений пункт `{ $kind }` не містить простих пунктів: збережіть план у QGroundControl ще раз
+plan-file-jump = перехід веде до ідентифікатора { $id }, якого не має жоден пункт
+plan-file-corners = многокутник має мати 3 кути, а цей має { $count }
+plan-file-line = лінія має мати щонайменше 2 точки
+plan-file-many = забагато пунктів для списку
+plan-file-empty = у файлі немає ні плану, ні геозони, ні точок збору
+plan-file-archive-damaged = архів пошкоджено
+plan-file-archive-no-kml = в архіві немає файлу .kml
+plan-file-archive-method = архів стиснено невідомим способом: скористайтеся deflate
+plan-file-archive-large = вміст архіву завеликий
+plan-file-syntax-end = файл закінчується зарано
+plan-file-syntax-unexpected = несподіваний символ `{ $character }`
+plan-file-syntax-text = хибний рядок
+plan-file-syntax-trailing = тут документ закінчується, але файл триває
+plan-file-syntax-deep = забагато рівнів
+plan-file-expected-number = тут має бути число
+plan-file-expected-number-or-null = тут має бути число або `null`
+plan-file-expected-text = тут має бути рядок
+plan-file-expected-flag = тут має бути `true` або `false`
+plan-file-expected-list = тут має бути список
+plan-file-expected-object = тут має бути об'єкт
+plan-file-expected-length = тут має бути список, кількість значень: { $count }
+plan-file-expected-position = тут мають бути довгота й широта
+plan-file-expected-word = тут має бути { $words }
+
+plan-note-height = у файлі немає висоти: взято { $height } m над домом (`--height`)
+plan-note-fraction = дробову частину параметра 5 або 6 округлено: MAVLink передає їх цілими числами
+plan-note-lines = ліній { $count }: їх об'єднано в один план
+
+plan-refused-command = апарат відхиляє { $command } у цьому списку
+plan-refused-frame = апарат відхиляє систему висот { $command }: потрібен рівень моря (0), дім (3) або рельєф (10)
+plan-refused-latitude = широта { $command } не в межах від -90 до 90
+plan-refused-longitude = довгота { $command } не в межах від -180 до 180
+plan-refused-height = висоту { $command } апарат не може зберегти
+plan-refused-parameter = параметр { $number } команди { $command } не є припустимим числом
+plan-skipped = { $command } під час польоту пропускає { $vehicle }
+plan-vehicle-copter = коптер
+plan-vehicle-plane = літак
+plan-vehicle-rover = ровер
+plan-too-many = пунктів { $count }; апарат зберігає щонайбільше { $most }
+plan-jump-nowhere = перехід веде до пункту { $target }; є пункти від 1 до { $last }
+plan-jump-ring = перехід повертається до себе, не маючи куди летіти: план тут закінчується
+plan-no-tag = жоден пункт не має мітки { $tag }
+plan-fence-count = многокутник має мати 3 кути, а цей має { $count }
+plan-fence-other-count = цей кут належить многокутнику з кількістю кутів { $got }, а попередній - з { $wanted }
+plan-fence-other-type = пункт іншого виду всередині многокутника: перед ним бракує кутів
+plan-fence-missing = останній многокутник неповний
+plan-fence-radius = радіус кола не є додатним
+plan-fence-returns = друга точка повернення
+plan-fence-place = такого місця на землі немає
+plan-fence-large = геозона займає { $bytes } байтів; апарат має { $most }
+plan-breaks-fence = поза геозоною (ділянка { $area })
+plan-leg-breaks-fence = шлях до цього пункту перетинає геозону (ділянка { $area })
+plan-home-breaks-fence = дім поза геозоною (ділянка { $area })
+plan-beyond-radius = { $distance } m від дому; межа { $most } m
+plan-above-ceiling = { $height } m над домом; межа { $most } m
+plan-no-takeoff = немає зльоту перед першою точкою: апарат лишається на землі
+plan-no-end = план не має завершення: після останнього пункту апарат зависає; додайте RTL або LAND
+plan-unreached = до цього пункту апарат не дійде
+plan-no-terrain = висота над рельєфом, а апарат не має даних про рельєф (`--terrain`, якщо має)
+plan-mixed-frames = висота змінює відлік: { $before }, тепер { $here }
+plan-mixed-frames-home = висота змінює відлік: { $before }, тепер { $here } ({ $first } m і { $second } m над домом)
+plan-height-sea = { $height } m над рівнем моря
+plan-height-home = { $height } m над домом
+plan-height-terrain = { $height } m над рельєфом
+plan-height-other = { $height } m без відліку
+plan-low-height = { $height } m над домом: апарат полетів би в землю
+plan-far-away = { $distance } km від дому: перевірте координати
+
+plan-would-lose = цей формат не вміщує: { $list }; запишіть файл .plan або виберіть один список через `--list`
+plan-would-lose-frame = файл .plan не вміщує точку збору { $number }: її висота не над домом
+plan-would-lose-fence = файл .plan не вміщує геозону: пункт { $number } не належить жодній повній ділянці
+plan-would-lose-infinite = { $list }, пункт { $number }: цей формат не вміщує нескінченного числа
+plan-written = { $path }: { $content }
+
+plan-rehearse-no-plan = { $file }: немає плану, який летіти
+plan-rehearse-no-home = { $file }: у файлі немає дому; задайте його через `--home LAT,LON,ALT,HDG`
+plan-rehearse-refused = { $file }: апарат відхиляє { $list }; причину показує `sortie plan check`
+plan-rehearse-no-parameter = невідомий параметр або значення: { $name }
+plan-rehearse-vehicle = апарат
+plan-rehearse-file = файл
+plan-rehearse-time = час
+plan-rehearse-energy = лишок батареї
+plan-rehearse-farthest = найдалі
+plan-rehearse-fence = геозона
+plan-rehearse-end = кінець
+plan-rehearse-fence-kept = дотримано
+plan-rehearse-fence-broken = порушено на { $time }
+plan-rehearse-fence-none = немає
+plan-rehearse-landed = сів
+plan-rehearse-in-air = у повітрі
+plan-rehearse-left-plan = покинув план (режим { $mode })
+plan-rehearse-grounded = не злетів
+plan-rehearse-crashed = зіткнувся
+plan-rehearse-time-up = ще летить
+plan-rehearse-moved = апарат { $vehicle } стартує на { $distance } m східніше від свого дому: той самий дім має інший апарат
+plan-rehearse-closest = найближче: { $a } і { $b } на { $time }: { $horizontal } m убік, { $vertical } m по висоті
+plan-rehearse-conflict = заблизько: { $a } і { $b } на { $time }: { $horizontal } m убік, { $vertical } m по висоті
+plan-rehearse-done = { $simulated } польоту за { $wall } s
+
+plan-deconflict-none = плани досить далеко один від одного; змінювати нічого
+plan-deconflict-impossible = ні пізніші старти, ні шари не розводять ці плани
+plan-deconflict-keep = { $vehicle } ({ $file }): без змін
+plan-deconflict-delay = { $vehicle } ({ $file }): стартує на { $time } пізніше
+plan-deconflict-layer = { $vehicle } ({ $file }): летить на { $height } m вище
+plan-deconflict-cost = усі апарати разом втрачають { $time }
+plan-deconflict-disarm = затримку записано як NAV_DELAY перед зльотом: задайте DISARM_DELAY 0, інакше апарат деактивує двигуни, поки чекає

@@ -1,0 +1,332 @@
+//! `sortie plan rehearse`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use serde::Serialize;
+
+use super::{Failure, ShapeArguments, invalid, load_all};
+use crate::cli::backend::frame;
+use crate::cli::home::StartPlace;
+use crate::cli::table::{Side, TextTable};
+use crate::plan::Loaded;
+use crate::preflight::list_words;
+use crate::rehearsal::{
+    self, Approach, Conditions, Ending, Flown, Outcome, Participant, RehearsalError,
+};
+use crate::text;
+use crate::text::{Locale, Text, clock, figure, rounded};
+
+/// Pairs that are listed, besides those that are too close.
+const LISTED: usize = 3;
+
+/// Options of `sortie plan rehearse`.
+#[derive(Debug, Args)]
+pub(super) struct RehearseArguments {
+    /// The plan of each vehicle, in any format.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    flying: FlyingArguments,
+    /// Print one JSON document instead of the table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// The vehicles and the weather.
+#[derive(Debug, Args)]
+pub(super) struct FlyingArguments {
+    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
+    /// times: one file for each vehicle, the last one for all that follow.
+    #[arg(long = "frame", value_name = "FILE")]
+    frames: Vec<PathBuf>,
+    /// Start vehicles here if their file has no home: latitude, longitude, height above sea level in metres, heading in
+    /// degrees.
+    #[arg(long, allow_hyphen_values = true, value_name = "LAT,LON,ALT,HDG")]
+    home: Option<StartPlace>,
+    /// The mean wind: speed in m/s, and the direction from which it blows, in degrees.
+    #[arg(long, value_name = "M/S[,FROM]", value_parser = parse_wind)]
+    wind: Option<(f32, f32)>,
+    /// The strength of gusts (SIM_WIND_TURB).
+    #[arg(long, default_value_t = 0.0)]
+    turbulence: f32,
+    /// Set a parameter of all vehicles, such as WPNAV_SPEED=800; use the option several times for several parameters.
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
+    parameters: Vec<(String, f32)>,
+    /// Use this seed for the gusts.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Stop after this many minutes of flight.
+    #[arg(long, value_name = "MIN", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=600))]
+    limit: u32,
+    #[command(flatten)]
+    shapes: ShapeArguments,
+}
+
+fn parse_wind(text: &str) -> Result<(f32, f32), String> {
+    let (speed, from) = text.split_once(',').unwrap_or((text, "0"));
+    let number = |text: &str| {
+        text.trim()
+            .parse()
+            .ok()
+            .filter(|number: &f32| number.is_finite())
+    };
+    let wind = number(speed).zip(number(from));
+    wind.filter(|(speed, _)| (0.0..=60.0).contains(speed))
+        .ok_or_else(|| "expected M/S or M/S,FROM, such as 8,270; at most 60 m/s".to_owned())
+}
+
+fn parse_parameter(text: &str) -> Result<(String, f32), String> {
+    let parts = text.split_once('=');
+    let parsed = parts
+        .and_then(|(name, value)| Some((name.trim().to_uppercase(), value.trim().parse().ok()?)));
+    parsed.ok_or_else(|| "expected NAME=VALUE, such as WPNAV_SPEED=800".to_owned())
+}
+
+/// What is to fly: each vehicle's file and plan, and the weather.
+pub(super) struct Cast {
+    pub(super) names: Vec<String>,
+    pub(super) participants: Vec<Participant>,
+    pub(super) conditions: Conditions,
+}
+
+impl FlyingArguments {
+    pub(super) fn cast(&self, files: &[PathBuf]) -> Result<Cast, Failure> {
+        let loaded: Vec<(String, Loaded)> = load_all(files, &self.shapes.options())?;
+        let frames: Result<Vec<_>, Failure> = self.frames.iter().map(|path| frame(path)).collect();
+        let frames = frames?;
+        let (wind_m_s, wind_from_deg) = self.wind.unwrap_or_default();
+        let airframe = |vehicle: usize| frames.get(vehicle).or(frames.last()).cloned();
+        Ok(Cast {
+            names: loaded.iter().map(|(name, _)| name.clone()).collect(),
+            participants: loaded
+                .into_iter()
+                .enumerate()
+                .map(|(vehicle, (_, loaded))| Participant {
+                    document: loaded.document,
+                    airframe: airframe(vehicle),
+                    delay_s: 0.0,
+                })
+                .collect(),
+            conditions: Conditions {
+                home: self.home.map(|place| place.0),
+                wind_m_s,
+                wind_from_deg,
+                turbulence: self.turbulence,
+                seed: self.seed,
+                parameters: self.parameters.clone(),
+                limit_s: f64::from(self.limit) * 60.0,
+            },
+        })
+    }
+}
+
+/// Why plans cannot be flown.
+pub(super) fn unfit(error: &RehearsalError, names: &[String], locale: &Locale) -> Failure {
+    let file = |vehicle: &usize| names.get(*vehicle).map_or("", String::as_str);
+    let text = match error {
+        RehearsalError::NoPlan(vehicle) => text!("plan-rehearse-no-plan", file = file(vehicle)),
+        RehearsalError::NoHome(vehicle) => text!("plan-rehearse-no-home", file = file(vehicle)),
+        RehearsalError::Refused(vehicle, kind) => text!(
+            "plan-rehearse-refused",
+            file = file(vehicle),
+            list = list_words(*kind)
+        ),
+        RehearsalError::NoParameter(name) => text!("plan-rehearse-no-parameter", name = name),
+    };
+    invalid(&text, locale)
+}
+
+pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<ExitCode, Failure> {
+    let cast = options.flying.cast(&options.files)?;
+    let begun = Instant::now();
+    let outcome = rehearsal::rehearse(&cast.participants, &cast.conditions)
+        .map_err(|error| unfit(&error, &cast.names, locale))?;
+    let wall_time_s = begun.elapsed().as_secs_f64();
+    if options.json {
+        let document = Document::of(&outcome, &cast.names, wall_time_s);
+        say!("{}", serde_json::to_string_pretty(&document)?)?;
+    } else {
+        print(&outcome, &cast, locale)?;
+        let simulated = clock(Duration::from_secs_f64(outcome.simulated_s));
+        let wall = figure(wall_time_s, 2);
+        let done = text!("plan-rehearse-done", simulated = simulated, wall = wall);
+        say!("{}", locale.text(&done))?;
+    }
+    Ok(ExitCode::from(u8::from(!is_sound(&outcome))))
+}
+
+/// Whether every vehicle flew its plan to the end, inside its fence and apart from the others.
+fn is_sound(outcome: &Outcome) -> bool {
+    let flew = |flown: &Flown| match flown.ending {
+        Ending::Landed | Ending::InAir => flown.broke_fence_s.is_none(),
+        Ending::LeftPlan(_) | Ending::Grounded | Ending::Crashed | Ending::TimeUp => false,
+    };
+    outcome.vehicles.iter().all(flew) && outcome.conflicts().next().is_none()
+}
+
+pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(), Failure> {
+    let columns = [
+        (text!("plan-rehearse-vehicle"), Side::Right),
+        (text!("plan-rehearse-file"), Side::Left),
+        (text!("plan-rehearse-time"), Side::Right),
+        (text!("plan-rehearse-energy"), Side::Right),
+        (text!("plan-rehearse-farthest"), Side::Right),
+        (text!("plan-rehearse-fence"), Side::Left),
+        (text!("plan-rehearse-end"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for (vehicle, (flown, name)) in outcome.vehicles.iter().zip(&cast.names).enumerate() {
+        let has_fence = !cast.participants[vehicle].document.fence.is_empty();
+        table.push(vec![
+            (vehicle + 1).to_string(),
+            name.clone(),
+            minutes(flown.time_s),
+            format!("{} %", figure(flown.energy_left_percent, 0)),
+            format!("{} m", figure(flown.farthest_m, 0)),
+            locale.text(&fence_words(flown, has_fence)),
+            locale.text(&ending_words(flown.ending)),
+        ]);
+    }
+    say!("{}", table.plain().trim_end())?;
+    for (vehicle, flown) in outcome.vehicles.iter().enumerate() {
+        if flown.moved_east_m > 0.0 {
+            let distance = figure(flown.moved_east_m, 0);
+            let moved = text!(
+                "plan-rehearse-moved",
+                vehicle = vehicle + 1,
+                distance = distance
+            );
+            say!("{}", locale.text(&moved))?;
+        }
+    }
+    for (place, approach) in outcome.closest.iter().enumerate() {
+        if approach.is_conflict() || place < LISTED {
+            say!("{}", locale.text(&approach_words(approach)))?;
+        }
+    }
+    Ok(())
+}
+
+fn minutes(seconds: f64) -> String {
+    clock(Duration::from_secs_f64(seconds.max(0.0)))
+}
+
+fn fence_words(flown: &Flown, has_fence: bool) -> Text {
+    match flown.broke_fence_s {
+        Some(at_s) => text!("plan-rehearse-fence-broken", time = minutes(at_s)),
+        None if has_fence => text!("plan-rehearse-fence-kept"),
+        None => text!("plan-rehearse-fence-none"),
+    }
+}
+
+fn ending_words(ending: Ending) -> Text {
+    match ending {
+        Ending::Landed => text!("plan-rehearse-landed"),
+        Ending::InAir => text!("plan-rehearse-in-air"),
+        Ending::LeftPlan(mode) => text!("plan-rehearse-left-plan", mode = mode),
+        Ending::Grounded => text!("plan-rehearse-grounded"),
+        Ending::Crashed => text!("plan-rehearse-crashed"),
+        Ending::TimeUp => text!("plan-rehearse-time-up"),
+    }
+}
+
+fn approach_words(approach: &Approach) -> Text {
+    let [horizontal, vertical] =
+        [approach.horizontal_m, approach.vertical_m].map(|it| figure(it, 1));
+    let time = minutes(approach.at_s);
+    let (a, b) = (approach.a + 1, approach.b + 1);
+    if approach.is_conflict() {
+        text!(
+            "plan-rehearse-conflict",
+            a = a,
+            b = b,
+            time = time,
+            horizontal = horizontal,
+            vertical = vertical
+        )
+    } else {
+        text!(
+            "plan-rehearse-closest",
+            a = a,
+            b = b,
+            time = time,
+            horizontal = horizontal,
+            vertical = vertical
+        )
+    }
+}
+
+/// The outcome for programs.
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    vehicles: Vec<VehicleRow<'a>>,
+    closest: Vec<PairRow>,
+    wall_time_s: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct VehicleRow<'a> {
+    vehicle: usize,
+    file: &'a str,
+    time_s: f64,
+    energy_left_percent: f64,
+    farthest_m: f64,
+    fence_ok: bool,
+    ending: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct PairRow {
+    a: usize,
+    b: usize,
+    horizontal_m: f64,
+    vertical_m: f64,
+    at_s: f64,
+    conflict: bool,
+}
+
+impl<'a> Document<'a> {
+    fn of(outcome: &Outcome, names: &'a [String], wall_time_s: f64) -> Self {
+        let vehicles = outcome.vehicles.iter().zip(names).enumerate();
+        Self {
+            vehicles: vehicles
+                .map(|(vehicle, (flown, file))| VehicleRow {
+                    vehicle: vehicle + 1,
+                    file,
+                    time_s: rounded(flown.time_s, 2),
+                    energy_left_percent: rounded(flown.energy_left_percent, 1),
+                    farthest_m: rounded(flown.farthest_m, 1),
+                    fence_ok: flown.broke_fence_s.is_none(),
+                    ending: ending_name(flown.ending),
+                })
+                .collect(),
+            closest: outcome
+                .closest
+                .iter()
+                .map(|approach| PairRow {
+                    a: approach.a + 1,
+                    b: approach.b + 1,
+                    horizontal_m: rounded(approach.horizontal_m, 2),
+                    vertical_m: rounded(approach.vertical_m, 2),
+                    at_s: rounded(approach.at_s, 2),
+                    conflict: approach.is_conflict(),
+                })
+                .collect(),
+            wall_time_s: rounded(wall_time_s, 3),
+        }
+    }
+}
+
+fn ending_name(ending: Ending) -> &'static str {
+    match ending {
+        Ending::Landed => "landed",
+        Ending::InAir => "in_air",
+        Ending::LeftPlan(_) => "left_plan",
+        Ending::Grounded => "grounded",
+        Ending::Crashed => "crashed",
+        Ending::TimeUp => "time_up",
+    }
+}

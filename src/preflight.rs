@@ -1,0 +1,91 @@
+//! Plan files before a flight: faults, notes and findings in words.
+
+use crate::diagnostic::Diagnostic;
+use crate::plan::board;
+use crate::plan::check::{Finding, Severity};
+use crate::plan::{ContentHash, Document, Fault, ListKind, Loaded, Note};
+use crate::text;
+use crate::text::Text;
+
+mod faults;
+mod findings;
+
+pub use findings::words as finding_words;
+
+/// What is wrong with a file, with its place, and whether it is only a warning.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Remark {
+    pub diagnostic: Diagnostic,
+    pub severity: Severity,
+}
+
+/// A fault that keeps a file from being read.
+pub fn fault(fault: &Fault) -> Diagnostic {
+    Diagnostic::new(fault.span.clone(), faults::words(&fault.kind))
+}
+
+/// The notes of a reader, and the findings about what was read, in the order of the file.
+pub fn remarks(loaded: &Loaded, findings: &[Finding]) -> Vec<Remark> {
+    let notes = loaded.notes.iter().map(|note: &Note| Remark {
+        diagnostic: Diagnostic::new(note.span.clone(), faults::note(&note.kind)),
+        severity: Severity::Warning,
+    });
+    let found = findings.iter().map(|finding| {
+        let place = match finding.item {
+            Some(index) => loaded.places.item(finding.list, index),
+            None => loaded.places.home.clone(),
+        };
+        let first = || loaded.places.item(finding.list, 0);
+        let span = place.or_else(first).unwrap_or(0..0);
+        // A line is enough to find the item, and does not fill the screen with all of it.
+        let item = loaded.text.get(span.clone()).unwrap_or_default();
+        let end = item
+            .find('\n')
+            .map_or(span.end, |length| span.start + length);
+        Remark {
+            diagnostic: Diagnostic::new(span.start..end, findings::words(finding)),
+            severity: finding.severity(),
+        }
+    });
+    let mut remarks: Vec<Remark> = notes.chain(found).collect();
+    remarks.sort_by_key(|remark| remark.diagnostic.span.start);
+    remarks
+}
+
+/// What a document holds: `plan 7f3a: 12 items, fence: 5 items`.
+pub fn summary(document: &Document) -> Text {
+    let parts: Vec<Text> = document
+        .kinds()
+        .map(|kind| {
+            let items = document.list(kind);
+            let count = items.len();
+            match kind {
+                ListKind::Plan => {
+                    let hash = ContentHash::of(items).to_string();
+                    text!("plan-holds-plan", hash = hash, count = count)
+                }
+                ListKind::Fence => text!("plan-holds-fence", count = count),
+                ListKind::Rally => text!("plan-holds-rally", count = count),
+            }
+        })
+        .collect();
+    if parts.is_empty() {
+        text!("plan-holds-nothing")
+    } else {
+        Text::joined(", ", parts)
+    }
+}
+
+/// The name of a list.
+pub fn list_words(kind: ListKind) -> Text {
+    match kind {
+        ListKind::Plan => text!("plan-list-plan"),
+        ListKind::Fence => text!("plan-list-fence"),
+        ListKind::Rally => text!("plan-list-rally"),
+    }
+}
+
+/// A command by its name in MAVLink, or by its number.
+fn command_name(command: u16) -> String {
+    board::name(command).map_or_else(|| command.to_string(), str::to_owned)
+}

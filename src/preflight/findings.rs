@@ -1,0 +1,134 @@
+//! Findings about what is to fly.
+
+use super::{command_name, list_words};
+use crate::plan::board::Refusal;
+use crate::plan::check::{Finding, FindingKind, Height, VehicleKind};
+use crate::plan::{FenceError, HeightFrame};
+use crate::text;
+use crate::text::{Text, figure};
+
+/// A finding in words; the item is named by its number, as the vehicle counts.
+pub fn words(finding: &Finding) -> Text {
+    let what = kind_words(&finding.kind);
+    match finding.item {
+        Some(index) => {
+            let list = list_words(finding.list);
+            text!("plan-at-item", list = list, number = index + 1, what = what)
+        }
+        None => what,
+    }
+}
+
+fn kind_words(kind: &FindingKind) -> Text {
+    match kind {
+        FindingKind::Refused { command, reason } => refusal(*command, *reason),
+        FindingKind::Skipped { command, vehicle } => text!(
+            "plan-skipped",
+            command = command_name(*command),
+            vehicle = vehicle_words(*vehicle)
+        ),
+        FindingKind::TooMany { count, most } => {
+            text!("plan-too-many", count = *count, most = *most)
+        }
+        FindingKind::JumpNowhere { target, last } => {
+            text!("plan-jump-nowhere", target = *target, last = *last)
+        }
+        FindingKind::JumpRing => text!("plan-jump-ring"),
+        FindingKind::NoTag(tag) => text!("plan-no-tag", tag = *tag),
+        FindingKind::Fence(error) => fence_error(*error),
+        FindingKind::FenceTooLarge { bytes, most } => {
+            text!("plan-fence-large", bytes = *bytes, most = *most)
+        }
+        FindingKind::BreaksFence { area } => text!("plan-breaks-fence", area = area + 1),
+        FindingKind::LegBreaksFence { area } => text!("plan-leg-breaks-fence", area = area + 1),
+        FindingKind::HomeBreaksFence { area } => text!("plan-home-breaks-fence", area = area + 1),
+        FindingKind::BeyondRadius { distance_m, most_m } => text!(
+            "plan-beyond-radius",
+            distance = figure(*distance_m, 0),
+            most = figure(*most_m, 0)
+        ),
+        FindingKind::AboveCeiling { height_m, most_m } => text!(
+            "plan-above-ceiling",
+            height = figure(*height_m, 0),
+            most = figure(*most_m, 0)
+        ),
+        FindingKind::NoTakeoff => text!("plan-no-takeoff"),
+        FindingKind::NoEnd => text!("plan-no-end"),
+        FindingKind::Unreached => text!("plan-unreached"),
+        FindingKind::NoTerrain => text!("plan-no-terrain"),
+        FindingKind::MixedFrames {
+            before,
+            here,
+            above_home_m,
+        } => mixed_frames(*before, *here, *above_home_m),
+        FindingKind::LowHeight { height_m } => {
+            text!("plan-low-height", height = figure(*height_m, 0))
+        }
+        FindingKind::FarAway { distance_m } => {
+            let distance = figure(f64::from(*distance_m) / 1000.0, 0);
+            text!("plan-far-away", distance = distance)
+        }
+    }
+}
+
+fn refusal(command: u16, reason: Refusal) -> Text {
+    let command = command_name(command);
+    match reason {
+        Refusal::Invalid | Refusal::Command => text!("plan-refused-command", command = command),
+        Refusal::Frame => text!("plan-refused-frame", command = command),
+        Refusal::Parameter(5) => text!("plan-refused-latitude", command = command),
+        Refusal::Parameter(6) => text!("plan-refused-longitude", command = command),
+        Refusal::Parameter(7) => text!("plan-refused-height", command = command),
+        Refusal::Parameter(number) => {
+            text!("plan-refused-parameter", command = command, number = number)
+        }
+    }
+}
+
+fn fence_error(error: FenceError) -> Text {
+    match error {
+        FenceError::VertexCount(count) => text!("plan-fence-count", count = count),
+        FenceError::OtherCount { wanted, got } => {
+            text!("plan-fence-other-count", wanted = wanted, got = got)
+        }
+        FenceError::OtherVertex { .. } | FenceError::OtherType { .. } => {
+            text!("plan-fence-other-type")
+        }
+        FenceError::ItemCount => text!("plan-fence-missing"),
+        FenceError::Radius => text!("plan-fence-radius"),
+        FenceError::ReturnPoints => text!("plan-fence-returns"),
+        FenceError::Place => text!("plan-fence-place"),
+    }
+}
+
+fn vehicle_words(kind: VehicleKind) -> Text {
+    match kind {
+        VehicleKind::Copter => text!("plan-vehicle-copter"),
+        VehicleKind::Plane => text!("plan-vehicle-plane"),
+        VehicleKind::Rover => text!("plan-vehicle-rover"),
+    }
+}
+
+fn mixed_frames(before: Height, here: Height, above_home_m: Option<[f32; 2]>) -> Text {
+    let (earlier, now) = (height(before), height(here));
+    match above_home_m {
+        Some([first, second]) => text!(
+            "plan-mixed-frames-home",
+            before = earlier,
+            here = now,
+            first = figure(first, 0),
+            second = figure(second, 0)
+        ),
+        None => text!("plan-mixed-frames", before = earlier, here = now),
+    }
+}
+
+fn height(height: Height) -> Text {
+    let metres = figure(height.metres, 0);
+    match height.frame {
+        HeightFrame::SeaLevel => text!("plan-height-sea", height = metres),
+        HeightFrame::Home => text!("plan-height-home", height = metres),
+        HeightFrame::Terrain => text!("plan-height-terrain", height = metres),
+        HeightFrame::Other => text!("plan-height-other", height = metres),
+    }
+}
