@@ -4,7 +4,8 @@ use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
 use crate::approach::nearness;
-use crate::stage::{self, Place, Stage, TRACK_EVERY, Track, sample_s};
+use crate::place::{self, Place, TRACK_EVERY, Track, sample_s};
+use crate::stage::Stage;
 use crate::{Conditions, Outcome, Participant, RehearsalError, rehearse};
 
 /// The step of delays, and the longest one, in seconds.
@@ -139,8 +140,8 @@ pub(crate) fn alone(
     participants: &[Participant],
     conditions: &Conditions,
 ) -> Result<Vec<(f64, Track)>, RehearsalError> {
-    let places = stage::places(participants, conditions)?;
-    let origin = stage::origin(&places);
+    let places = place::places(participants, conditions)?;
+    let origin = place::origin(&places);
     let fly = |(participant, place): (&Participant, &Place)| {
         let (one, place) = (
             std::slice::from_ref(participant),

@@ -9,7 +9,7 @@ use sortie_sim::mavlink::types::CharArray;
 use sortie_sim::{PortId, SYSTEMS, Truth, World};
 use sortie_wire::Encoder;
 
-use crate::stage::{Place, Track, sample_s};
+use crate::place::{Place, Track, sample_s};
 use crate::{Ending, Flown, Participant};
 
 /// ArduCopter's modes.

@@ -8,6 +8,7 @@
 mod approach;
 mod deconflict;
 mod flight;
+mod place;
 mod stage;
 
 use std::sync::Arc;
@@ -123,7 +124,7 @@ pub struct Outcome {
     pub closest: Vec<Approach>,
     /// The simulated time, in seconds.
     pub simulated_s: f64,
-    tracks: Vec<stage::Track>,
+    tracks: Vec<place::Track>,
 }
 
 impl Outcome {
@@ -143,8 +144,8 @@ pub fn rehearse(
     participants: &[Participant],
     conditions: &Conditions,
 ) -> Result<Outcome, RehearsalError> {
-    let places = stage::places(participants, conditions)?;
-    let origin = stage::origin(&places);
+    let places = place::places(participants, conditions)?;
+    let origin = place::origin(&places);
     Ok(stage::Stage::new(participants, &places, origin, conditions)?.run())
 }
 

@@ -1,31 +1,16 @@
 //! The world of a rehearsal: all vehicles in lock step.
 
 use sortie_geo::LatLon;
-use sortie_plan::{Home, ListKind};
-use sortie_sim::{Airframe, STEP, Start, World, WorldConfig};
+use sortie_plan::ListKind;
+use sortie_sim::{Airframe, STEP, World, WorldConfig};
 
 use crate::approach::Closest;
 use crate::flight::Flight;
+use crate::place::{Place, STEPS, TRACK_EVERY, sample_s};
 use crate::{Conditions, Outcome, Participant, RehearsalError};
 
-/// Steps between two samples: two vehicles that meet at 30 m/s come 0.6 m nearer in that time.
-const STEPS: u32 = 2;
 /// The time in which the vehicles boot and find their position, in seconds.
 const BOOT_S: f64 = 5.0;
-/// Samples between two points of a track.
-pub(crate) const TRACK_EVERY: u32 = 10;
-/// Vehicles whose homes are nearer than this stand side by side...
-const SAME_PLACE_M: f64 = 2.0;
-/// ... at this distance, which is no conflict.
-const SIDE_BY_SIDE_M: f64 = 8.0;
-
-/// Where a vehicle was in the air: metres north and east of the first vehicle's home and above sea level, at even times
-/// from its start on.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Track {
-    pub(crate) points: Vec<Option<[f64; 3]>>,
-}
-
 pub(crate) struct Stage {
     world: World,
     flights: Vec<Flight>,
@@ -33,11 +18,6 @@ pub(crate) struct Stage {
     starts_m: Vec<[f64; 2]>,
     amsl_m: Vec<f64>,
     limit: u32,
-}
-
-/// The time between two samples, in seconds.
-pub(crate) fn sample_s() -> f64 {
-    STEP.as_secs_f64() * f64::from(STEPS)
 }
 
 impl Stage {
@@ -165,64 +145,4 @@ fn prepare(
         }
     }
     Ok(())
-}
-
-/// Where a vehicle starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
-    /// Its number, from 0.
-    pub(crate) vehicle: usize,
-    pub(crate) start: Start,
-    /// How far that is to the east of its home.
-    pub(crate) moved_east_m: f64,
-}
-
-/// Where the vehicles start.
-///
-/// # Errors
-/// One has no plan or no home.
-pub(crate) fn places(
-    participants: &[Participant],
-    conditions: &Conditions,
-) -> Result<Vec<Place>, RehearsalError> {
-    let mut places: Vec<Place> = Vec::new();
-    for (vehicle, participant) in participants.iter().enumerate() {
-        if participant.document.plan.is_empty() {
-            return Err(RehearsalError::NoPlan(vehicle));
-        }
-        let own = participant.document.home.map(|Home { x, y, z }| Start {
-            at: LatLon::from_e7(x, y),
-            altitude_amsl_m: f64::from(z),
-            heading_deg: 0.0,
-        });
-        let home = own
-            .or(conditions.home)
-            .ok_or(RehearsalError::NoHome(vehicle))?;
-        let mut moved_east_m = 0.0;
-        let at = |moved_m| home.at.moved(0.0, moved_m);
-        let is_taken = |moved_m| {
-            let near = |it: &Place| it.start.at.distance_m(at(moved_m)) < SAME_PLACE_M;
-            places.iter().any(near)
-        };
-        while is_taken(moved_east_m) {
-            moved_east_m += SIDE_BY_SIDE_M;
-        }
-        let start = Start {
-            at: at(moved_east_m),
-            ..home
-        };
-        places.push(Place {
-            vehicle,
-            start,
-            moved_east_m,
-        });
-    }
-    Ok(places)
-}
-
-/// The origin of all points: the first start.
-pub(crate) fn origin(places: &[Place]) -> LatLon {
-    places
-        .first()
-        .map_or(LatLon::new(0.0, 0.0), |place| place.start.at)
 }

@@ -61,7 +61,7 @@ fn a_faulty_plan_is_pointed_at_in_both_languages() {
         said.contains("torn.waypoints:5:1: 11 fields, expected 12"),
         "{said}"
     );
-    let output = check(&["plan", "check", "frame.waypoints", "--language", "uk"]);
+    let output = check(&["plan", "check", "frame.waypoints", "--lang", "uk"]);
     assert!(
         text(&output.stdout).contains("план, пункт 3: апарат відхиляє"),
         "{}",
