@@ -32,7 +32,7 @@ pub enum SourceFormat {
     Kml,
     /// KML in a zip archive.
     Kmz,
-    /// GeoJSON.
+    /// `GeoJSON`.
     GeoJson,
 }
 
@@ -45,7 +45,7 @@ pub enum FileFormat {
     QgcPlan,
     /// KML with all lists: shapes to look at, and every field of the items as extended data.
     Kml,
-    /// GeoJSON with all lists, in the same way.
+    /// `GeoJSON` with all lists, in the same way.
     GeoJson,
 }
 
@@ -69,7 +69,7 @@ impl FileFormat {
 pub struct ReadOptions {
     /// The height above home of shapes without heights, in metres.
     pub height_m: f32,
-    /// Whether a vehicle must stay inside the polygons of KML and GeoJSON, or outside.
+    /// Whether a vehicle must stay inside the polygons of KML and `GeoJSON`, or outside.
     pub polygons_keep_in: bool,
 }
 
@@ -153,7 +153,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Loaded, (String, Vec<
         text_of(bytes)
     };
     let text = text.map_err(|fault| (String::from_utf8_lossy(bytes).into_owned(), vec![fault]))?;
-    let (format, parsed) = parsed(&text, in_archive, options);
+    let (format, parsed) = parsed(&text, in_archive, *options);
     let checked = parsed.and_then(|parsed| {
         let most = ListKind::ALL.map(|kind| parsed.document.list(kind).len());
         if most.into_iter().any(|length| length > MOST_ITEMS) {
@@ -205,7 +205,7 @@ fn text_of(bytes: &[u8]) -> Result<String, Fault> {
 fn parsed(
     text: &str,
     in_archive: bool,
-    options: &ReadOptions,
+    options: ReadOptions,
 ) -> (SourceFormat, Result<Parsed, Vec<Fault>>) {
     // A mark of the byte order is kept in the text, so that places stay right.
     let start = text.trim_start_matches('\u{feff}').trim_start();

@@ -42,12 +42,15 @@ pub(crate) fn nearness(a: [f64; 3], b: [f64; 3]) -> f64 {
     horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
 }
 
+/// The nearness of two vehicles, the sample, and their points.
+type Meeting = (f64, u32, [[f64; 3]; 2]);
+
 /// The closest approaches of all pairs.
 #[derive(Debug)]
 pub(crate) struct Closest {
     vehicles: usize,
-    /// For each pair (a, b) with a < b in the order of a and then b: nearness, sample and the two points.
-    pairs: Vec<Option<(f64, u32, [[f64; 3]; 2])>>,
+    /// For each pair (a, b) with a < b, in the order of a and then b.
+    pairs: Vec<Option<Meeting>>,
 }
 
 impl Closest {

@@ -102,15 +102,13 @@ impl Stage {
     }
 
     fn look(&mut self, sample: u32, points: &mut [Option<[f64; 3]>]) {
-        for vehicle in 0..self.flights.len() {
-            let is_in_air = self.flights[vehicle].follow(sample, &mut self.world);
+        let starts = self.starts_m.iter().zip(&self.amsl_m);
+        let flights = self.flights.iter_mut().zip(points).zip(starts);
+        for (vehicle, ((flight, point), (start_m, amsl_m))) in flights.enumerate() {
+            let is_in_air = flight.follow(sample, &mut self.world);
             let [north_m, east_m, down_m] = self.world.truth(vehicle).position_ned_m;
-            let [start_north_m, start_east_m] = self.starts_m[vehicle];
-            points[vehicle] = is_in_air.then_some([
-                start_north_m + north_m,
-                start_east_m + east_m,
-                self.amsl_m[vehicle] - down_m,
-            ]);
+            *point =
+                is_in_air.then_some([start_m[0] + north_m, start_m[1] + east_m, amsl_m - down_m]);
         }
         for collision in self.world.collisions() {
             if let Some(flight) = self.flights.get_mut(collision.vehicle) {

@@ -1,4 +1,4 @@
-//! GeoJSON (RFC 7946). Heights of other programs' shapes are taken as heights above sea level.
+//! `GeoJSON` (RFC 7946). Heights of other programs' shapes are taken as heights above sea level.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::fault::{Expected, Fault, FaultKind, Unwritable};
 const TYPES: &str = "FeatureCollection, Feature, Point, MultiPoint, LineString, MultiLineString, Polygon, \
                      MultiPolygon, GeometryCollection";
 
-pub(super) fn parse(root: &Node, options: &ReadOptions) -> Result<Parsed, Vec<Fault>> {
+pub(super) fn parse(root: &Node, options: ReadOptions) -> Result<Parsed, Vec<Fault>> {
     let features = features(root).map_err(|fault| vec![fault])?;
     shapes::document(&features, options)
 }

@@ -15,7 +15,7 @@ mod element;
 
 use element::Element;
 
-pub(super) fn parse(text: &str, options: &ReadOptions) -> Result<Parsed, Vec<Fault>> {
+pub(super) fn parse(text: &str, options: ReadOptions) -> Result<Parsed, Vec<Fault>> {
     let root = element::parse(text).map_err(|fault| vec![fault])?;
     let mut placemarks = Vec::new();
     root.find_all("Placemark", &mut placemarks);

@@ -106,16 +106,14 @@ pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
 }
 
 fn fence_point(words: &[Word<'_>]) -> Result<(i32, i32), Fault> {
-    match words {
-        [lat, lon] => Ok((lat.fixed(7)?, lon.fixed(7)?)),
-        _ => {
-            let (found, expected) = (words.len(), 2);
-            Err(Fault::new(
-                span(words),
-                FaultKind::Fields { found, expected },
-            ))
-        }
-    }
+    let [lat, lon] = words else {
+        let (found, expected) = (words.len(), 2);
+        return Err(Fault::new(
+            span(words),
+            FaultKind::Fields { found, expected },
+        ));
+    };
+    Ok((lat.fixed(7)?, lon.fixed(7)?))
 }
 
 fn point(command: u16, frame: u8, param1: f32, x: i32, y: i32, z: f32) -> Item {

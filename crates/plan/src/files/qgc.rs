@@ -55,7 +55,7 @@ fn head(root: &Node) -> Result<(), Fault> {
 fn check_version(node: &Node, known: &[u32], listed: &'static str) -> Result<(), Fault> {
     let version = node.need("version")?;
     let number = version.number()?;
-    if known.iter().any(|known| f64::from(*known) == number) {
+    if super::number::whole(number).is_some_and(|number: u32| known.contains(&number)) {
         return Ok(());
     }
     let found = number.to_string();
@@ -119,20 +119,17 @@ fn read_origin(mission: &Node) -> Result<Origin, Fault> {
 /// The plain items that a complex item stands for, such as those of a survey.
 fn embedded(node: &Node) -> Result<&[Node], Fault> {
     let inner = node.get("TransectStyleComplexItem").unwrap_or(node);
-    match inner.get("Items") {
-        Some(items) => items.list(),
-        None => {
-            let name = node.get("complexItemType");
-            let written = name.and_then(|name| name.text().ok()).unwrap_or_default();
-            let span = name.map_or(node.span.start..node.span.start + 1, |name| {
-                name.span.clone()
-            });
-            Err(Fault::new(
-                span,
-                FaultKind::NoEmbeddedItems(written.to_owned()),
-            ))
-        }
+    if let Some(items) = inner.get("Items") {
+        return items.list();
     }
+    let name = node.get("complexItemType");
+    let written = name.and_then(|name| name.text().ok()).unwrap_or_default();
+    let start = node.span.start..node.span.start + 1;
+    let span = name.map_or(start, |name| name.span.clone());
+    Err(Fault::new(
+        span,
+        FaultKind::NoEmbeddedItems(written.to_owned()),
+    ))
 }
 
 fn read_item(
@@ -174,16 +171,14 @@ fn aim_jumps(parsed: &mut Parsed, numbers: &BTreeMap<u32, usize>) -> Result<(), 
             continue;
         }
         let id = item.params[0] as u32;
-        match numbers.get(&id) {
-            Some(number) => item.params[0] = *number as f32,
-            None => {
-                let span = parsed
-                    .places
-                    .item(ListKind::Plan, index)
-                    .unwrap_or_default();
-                return Err(Fault::new(span, FaultKind::UnknownJump(id)));
-            }
-        }
+        let Some(number) = numbers.get(&id) else {
+            let span = parsed.places.item(ListKind::Plan, index);
+            return Err(Fault::new(
+                span.unwrap_or_default(),
+                FaultKind::UnknownJump(id),
+            ));
+        };
+        item.params[0] = *number as f32;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! What KML and GeoJSON have in common: features with a geometry and data.
+//! What KML and `GeoJSON` have in common: features with a geometry and data.
 //!
 //! Features of other programs are shapes: lines become the plan, polygons the fence, points rally points. What this
 //! program wrote has every field of an item as data; the key `sortie` names the list. Drawings are only to look at.
@@ -59,7 +59,7 @@ pub(super) struct Feature {
     pub(super) span: Range<usize>,
 }
 
-pub(super) fn document(features: &[Feature], options: &ReadOptions) -> Result<Parsed, Vec<Fault>> {
+pub(super) fn document(features: &[Feature], options: ReadOptions) -> Result<Parsed, Vec<Fault>> {
     let mut reader = Reader {
         parsed: Parsed::default(),
         options,
@@ -83,13 +83,13 @@ pub(super) fn document(features: &[Feature], options: &ReadOptions) -> Result<Pa
     Ok(reader.parsed)
 }
 
-struct Reader<'a> {
+struct Reader {
     parsed: Parsed,
-    options: &'a ReadOptions,
+    options: ReadOptions,
     lines: usize,
 }
 
-impl Reader<'_> {
+impl Reader {
     fn take(&mut self, feature: &Feature) -> Result<(), Fault> {
         let Some((kind, span)) = feature.data.get(KIND) else {
             return feature

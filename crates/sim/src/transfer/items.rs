@@ -1,6 +1,11 @@
 //! The vehicle's answers to items that it cannot keep.
 
-use mavlink::dialects::ardupilotmega::MavMissionResult::{self, *};
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    self, MAV_MISSION_INVALID, MAV_MISSION_INVALID_PARAM1, MAV_MISSION_INVALID_PARAM2,
+    MAV_MISSION_INVALID_PARAM3, MAV_MISSION_INVALID_PARAM4, MAV_MISSION_INVALID_PARAM5_X,
+    MAV_MISSION_INVALID_PARAM6_Y, MAV_MISSION_INVALID_PARAM7, MAV_MISSION_UNSUPPORTED,
+    MAV_MISSION_UNSUPPORTED_FRAME,
+};
 use sortie_plan::board::{self, Refusal};
 
 use crate::plan::{Item, ListKind};

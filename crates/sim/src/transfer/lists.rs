@@ -356,17 +356,13 @@ impl Talk<'_> {
     /// Keeps one item of an upload.
     fn store(&mut self, kind: ListKind, seq: u16, item: &Item) -> Result<(), MavMissionResult> {
         let place = usize::from(seq);
-        let item = match kind {
-            ListKind::Plan => items::kept(kind, item)?,
-            ListKind::Fence => {
-                let stored = items::kept(kind, item)?;
-                let upload = self.state(kind).upload.as_mut();
-                let slot = upload.and_then(|upload| upload.staged.get_mut(place));
-                *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = stored;
-                return Ok(());
-            }
-            ListKind::Rally => items::kept(kind, item)?,
-        };
+        let item = items::kept(kind, item)?;
+        if kind == ListKind::Fence {
+            let upload = self.state(kind).upload.as_mut();
+            let slot = upload.and_then(|upload| upload.staged.get_mut(place));
+            *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = item;
+            return Ok(());
+        }
         let upload = self.state(kind).upload.as_ref();
         let announced = upload.map_or(1, Upload::length);
         let length = self.autopilot.vehicle.plans.list(kind).len();

@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 
-use crate::{Document, FileFormat, Home, Item, ListKind, ReadOptions, command, read, write};
+use crate::{
+    Document, FileFormat, Home, Item, ListKind, ReadOptions, Unwritable, command, read, write,
+};
 
 /// Any number that a parameter may have in every format: also "not set".
 fn parameter() -> impl Strategy<Value = f32> {
@@ -214,7 +216,6 @@ fn a_format_refuses_what_it_would_lose() {
         rally: vec![item(5100, 10)],
         ..Document::default()
     };
-    use crate::Unwritable;
     let refused = |format| write(&both, format).expect_err("it would be lost");
     assert_eq!(
         refused(FileFormat::Wpl(ListKind::Plan)),
