@@ -25,6 +25,8 @@ mod packed;
 mod reading;
 mod sending;
 mod shelf;
+#[cfg(test)]
+mod tests;
 mod transaction;
 
 pub use shelf::PlanShelf;
