@@ -6,7 +6,7 @@ mod table;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, PARAM_VALUE_DATA};
 use mavlink::types::CharArray;
 
-use self::table::TABLE;
+use self::table::{SubTree, TABLE};
 pub use aliases::{AliasSense, other_name};
 
 /// The index in the answer to a parameter that was requested or set by name.
@@ -51,7 +51,11 @@ pub(super) struct Parameter {
     pub(super) name: &'static str,
     pub(super) kind: Kind,
     pub(super) value: f32,
+    pub(super) default: f32,
+    /// The index in the list; [`BY_NAME`] while it is not listed.
     pub(super) index: u16,
+    /// The place in the table.
+    place: u16,
 }
 
 /// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share the defaults: each stores
@@ -72,40 +76,71 @@ impl Parameters {
         all
     }
 
-    /// The number of parameters.
-    #[expect(
-        clippy::unused_self,
-        reason = "that all vehicles have the same ones is known here only"
-    )]
+    /// The number of parameters in the list, which changes with the switches of sub-trees.
     pub(super) fn count(&self) -> u16 {
-        TABLE.rows.len() as u16
+        let hidden: u16 = self.hidden().map(|tree| tree.count).sum();
+        TABLE.rows.len() as u16 - hidden
     }
 
-    /// The parameter at a place in the list.
+    /// The parameter at an index of the list.
     pub(super) fn at(&self, index: u16) -> Option<Parameter> {
-        let row = TABLE.rows.get(usize::from(index))?;
-        let place = self.changed_place(index).ok();
-        let changed = place.and_then(|place| self.changed.get(place));
+        let mut place = index;
+        for tree in self.hidden() {
+            if tree.switch >= place {
+                break;
+            }
+            place += tree.count;
+        }
+        self.in_place(place)
+    }
+
+    /// The sub-trees that are not listed, in ascending order.
+    fn hidden(&self) -> impl Iterator<Item = &'static SubTree> {
+        let trees = TABLE.sub_trees.iter();
+        trees.filter(|tree| self.value_in_place(tree.switch) == 0.0)
+    }
+
+    /// The parameter at a place of the table.
+    fn in_place(&self, place: u16) -> Option<Parameter> {
+        let row = TABLE.rows.get(usize::from(place))?;
         Some(Parameter {
             name: row.name,
             kind: row.kind,
-            value: changed.map_or(row.default, |(_, value)| *value),
-            index,
+            value: self.value_in_place(place),
+            default: row.default,
+            index: self.index_of(place),
+            place,
         })
     }
 
-    /// The default value of the parameter at an index.
-    pub(super) fn default_at(index: u16) -> f32 {
-        TABLE
-            .rows
-            .get(usize::from(index))
-            .map_or(0.0, |row| row.default)
+    fn value_in_place(&self, place: u16) -> f32 {
+        let changed = self.changed_place(place).ok();
+        let changed = changed.and_then(|at| self.changed.get(at));
+        let default = || {
+            TABLE
+                .rows
+                .get(usize::from(place))
+                .map_or(0.0, |row| row.default)
+        };
+        changed.map_or_else(default, |(_, value)| *value)
+    }
+
+    /// The index in the list of the parameter at a place of the table.
+    fn index_of(&self, place: u16) -> u16 {
+        let mut before = 0;
+        for tree in self.hidden().take_while(|tree| tree.switch < place) {
+            if place <= tree.switch + tree.count {
+                return BY_NAME;
+            }
+            before += tree.count;
+        }
+        place - before
     }
 
     /// The parameter with a name of either firmware; case does not matter.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
         if let Some(index) = TABLE.place(name) {
-            return self.at(index as u16);
+            return self.in_place(index as u16);
         }
         let (alias, own, sense) = aliases::older(name)?;
         let parameter = self.named(own)?;
@@ -127,12 +162,12 @@ impl Parameters {
             return self.named(alias);
         }
         let parameter = self.named(name)?;
-        let changed = (parameter.index, parameter.kind.stored(value));
-        match self.changed_place(parameter.index) {
+        let changed = (parameter.place, parameter.kind.stored(value));
+        match self.changed_place(parameter.place) {
             Ok(place) => self.changed[place] = changed,
             Err(place) => self.changed.insert(place, changed),
         }
-        self.at(parameter.index)
+        self.in_place(parameter.place)
     }
 
     /// The `PARAM_VALUE` of a parameter, with its index in the list.
@@ -154,12 +189,15 @@ impl Parameters {
         }
     }
 
-    fn changed_place(&self, index: u16) -> Result<usize, usize> {
-        self.changed.binary_search_by_key(&index, |(own, _)| *own)
+    fn changed_place(&self, place: u16) -> Result<usize, usize> {
+        self.changed.binary_search_by_key(&place, |(own, _)| *own)
     }
 
     /// The value of a parameter of the table.
     pub(super) fn value(&self, name: &str) -> f64 {
+        if let Some(place) = TABLE.place(name) {
+            return f64::from(self.value_in_place(place as u16));
+        }
         let found = self.named(name);
         debug_assert!(found.is_some(), "no parameter {name}");
         found.map_or(0.0, |parameter| f64::from(parameter.value))
@@ -183,6 +221,66 @@ mod tests {
         assert_eq!(all.value("SYSID_THISMAV") as u8, 3);
         assert_eq!(all.set("WPNAV_SPEED", f32::NAN), None);
         assert_eq!(all.set("NO_SUCH_NAME", 1.0), None);
+    }
+
+    #[test]
+    fn a_sub_tree_is_listed_after_its_switch_while_that_is_on() {
+        let mut all = Parameters::new(1);
+        let before = all.count();
+        let names = |all: &Parameters| -> Vec<_> {
+            let listed = (0..all.count()).filter_map(|index| all.at(index));
+            listed.map(|parameter| parameter.name).collect()
+        };
+        let all_names = names(&all);
+        assert_eq!(all_names.len(), usize::from(before));
+        assert!(!all_names.contains(&"CHUTE_TYPE"));
+        // It can be set by name before it is listed.
+        let hidden = all.set("CHUTE_TYPE", 10.0).expect("known");
+        assert_eq!(hidden.index, BY_NAME);
+        all.set("CHUTE_ENABLED", 1.0).expect("known");
+        assert_eq!(all.count(), before + 7);
+        let listed = names(&all);
+        let at = listed
+            .iter()
+            .position(|name| *name == "CHUTE_ENABLED")
+            .expect("listed");
+        assert_eq!(
+            listed[at..at + 9],
+            [
+                "CHUTE_ENABLED",
+                "CHUTE_TYPE",
+                "CHUTE_SERVO_ON",
+                "CHUTE_SERVO_OFF",
+                "CHUTE_ALT_MIN",
+                "CHUTE_DELAY_MS",
+                "CHUTE_CRT_SINK",
+                "CHUTE_OPTIONS",
+                "LGR_ENABLE"
+            ]
+        );
+        for (index, name) in listed.iter().enumerate() {
+            assert_eq!(
+                usize::from(all.named(name).expect("known").index),
+                index,
+                "{name}"
+            );
+        }
+        all.set("CHUTE_ENABLED", 0.0);
+        assert_eq!(names(&all), all_names);
+        for (switch, name) in [
+            ("RNGFND1_TYPE", "RNGFND1_MIN_CM"),
+            ("MNT1_TYPE", "MNT1_PITCH_MIN"),
+            ("PLND_ENABLED", "PLND_TYPE"),
+            ("FOLL_ENABLE", "FOLL_SYSID"),
+            ("WVANE_ENABLE", "WVANE_GAIN"),
+            ("BATT2_MONITOR", "BATT2_CAPACITY"),
+            ("GRIP_ENABLE", "GRIP_TYPE"),
+            ("INS_HNTCH_ENABLE", "INS_HNTCH_FREQ"),
+            ("GPS2_TYPE", "GPS2_POS_Y"),
+        ] {
+            all.set(switch, 1.0);
+            assert_ne!(all.named(name).expect("known").index, BY_NAME, "{name}");
+        }
     }
 
     #[test]

@@ -135,7 +135,7 @@ impl RecordedLog {
         let begin_ms = self.begin_ms();
         let parameters = &self.parameters;
         for parameter in (0..parameters.count()).filter_map(|index| parameters.at(index)) {
-            let default = Parameters::default_at(parameter.index);
+            let default = parameter.default;
             let record = file.record(PARAMETER, begin_ms).text(parameter.name, 16);
             record.float(parameter.value).float(default);
         }

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use super::Kind;
 
-/// Comments, and one line per parameter: name, type, default value.
+/// Comments, and one line per parameter: name, type, default value. An indented line belongs to the switch above it.
 const LINES: &str = include_str!("arducopter.txt");
 
 /// The fixed properties of a parameter.
@@ -19,9 +19,20 @@ pub(super) struct ParameterRow {
     pub(super) default: f32,
 }
 
+/// Parameters that are listed only while their switch (an `ENABLE` or a `TYPE`) is not zero. They can be read and set by
+/// name at any time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct SubTree {
+    /// The place of the switch; the parameters follow it.
+    pub(super) switch: u16,
+    pub(super) count: u16,
+}
+
 /// Every parameter, in the order of the list and by name.
 pub(super) struct ParameterTable {
     pub(super) rows: Vec<ParameterRow>,
+    /// In ascending order.
+    pub(super) sub_trees: Vec<SubTree>,
     /// Places in `rows`, sorted by name.
     by_name: Vec<u16>,
 }
@@ -32,9 +43,14 @@ pub(super) static TABLE: LazyLock<ParameterTable> = LazyLock::new(ParameterTable
 impl ParameterTable {
     fn read() -> Self {
         let rows: Vec<ParameterRow> = lines().filter_map(row).collect();
+        let sub_trees = sub_trees();
         let mut by_name: Vec<u16> = (0..rows.len() as u16).collect();
         by_name.sort_by_key(|&place| rows[usize::from(place)].name);
-        Self { rows, by_name }
+        Self {
+            rows,
+            sub_trees,
+            by_name,
+        }
     }
 
     /// The index of a parameter; case does not matter.
@@ -54,8 +70,25 @@ fn lines() -> impl Iterator<Item = &'static str> {
     LINES.lines().filter(|line| !line.starts_with('#'))
 }
 
+fn sub_trees() -> Vec<SubTree> {
+    let mut all: Vec<SubTree> = Vec::new();
+    for (place, line) in lines().enumerate() {
+        if !line.starts_with(' ') {
+            continue;
+        }
+        match all.last_mut() {
+            Some(tree) if usize::from(tree.switch + tree.count) + 1 == place => tree.count += 1,
+            _ => all.push(SubTree {
+                switch: place.saturating_sub(1) as u16,
+                count: 1,
+            }),
+        }
+    }
+    all
+}
+
 fn row(line: &'static str) -> Option<ParameterRow> {
-    let mut words = line.split(' ');
+    let mut words = line.trim_start().split(' ');
     let name = words.next()?;
     let kind = match words.next()? {
         "i8" => Kind::Int8,
