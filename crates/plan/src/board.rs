@@ -76,8 +76,9 @@ const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
 /// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and `b` as an unsigned and
-/// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `L` as part of a place, and
-/// four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
+/// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `1` its lowest bit, `L` as
+/// part of a place, and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the
+/// direction alone.
 /// The third value is the name in MAVLink, without `MAV_CMD_`.
 const COMMANDS: &[(u16, &[u8; 7], &str)] = &[
     (command::WAYPOINT, b"H...LLL", "NAV_WAYPOINT"),
@@ -135,7 +136,7 @@ const COMMANDS: &[(u16, &[u8; 7], &str)] = &[
     (217, b"Hfff...", "DO_SEND_SCRIPT_MESSAGE"),
     (218, b"HB.....", "DO_AUX_FUNCTION"),
     (222, b"Hfff...", "DO_GUIDED_LIMITS"),
-    (223, b"ooco...", "DO_ENGINE_CONTROL"),
+    (223, b"ooc1...", "DO_ENGINE_CONTROL"),
     (531, b"Bf.....", "SET_CAMERA_ZOOM"),
     (532, b"Bf.....", "SET_CAMERA_FOCUS"),
     (534, b"BBB....", "SET_CAMERA_SOURCE"),
@@ -309,18 +310,30 @@ fn shortened(letter: u8, value: f32) -> f32 {
     let direction = if value < 0.0 { -1.0 } else { 1.0 };
     match letter {
         b't' if value > 0.0 && value < 1.0 => (value * 256.0).trunc() / 256.0,
-        b'B' | b't' => f32::from(value as u8),
-        b'b' => f32::from(value as i8),
-        b'H' => f32::from(value as u16),
-        b'h' => f32::from(value as i16),
+        b'B' | b't' => f32::from(wrapped(value) as u8),
+        b'b' => f32::from(wrapped(value) as i8),
+        b'H' => f32::from(wrapped(value) as u16),
+        b'h' => f32::from(wrapped(value) as i16),
         b'f' if value.is_finite() => value,
-        b'c' => f32::from((value * 100.0) as u16) / 100.0,
+        b'c' => f32::from(wrapped(value * 100.0) as u16) / 100.0,
+        b'1' => f32::from((wrapped(value) & 1) as u8),
         b'o' => f32::from(u8::from(value > 0.0)),
         b'r' if value.abs() <= 255.0 => direction * value.abs().trunc(),
         b'r' => direction * 10.0 * f32::from((value.abs() * 0.1) as u8),
         b's' => direction * f32::from(value.abs() as u16),
         b'd' => direction,
         _ => 0.0,
+    }
+}
+
+/// A whole number that keeps its lowest bits when it is stored in fewer: values beyond a field wrap. Beyond 32 bits,
+/// nothing is left.
+fn wrapped(value: f32) -> i32 {
+    let whole = f64::from(value).trunc();
+    if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole) {
+        whole as i32
+    } else {
+        i32::MIN
     }
 }
 
@@ -351,6 +364,11 @@ mod tests {
             (16, [3.9, 5.0, 6.0, f32::NAN], [3.0, 0.0, 0.0, 0.0]),
             (18, [0.5, 0.0, -80.0, 1.0], [0.5, 0.0, -80.0, 1.0]),
             (18, [3.0, 0.0, 777.0, 0.0], [3.0, 0.0, 770.0, 0.0]),
+            // Values beyond a field wrap.
+            (181, [300.5, -1.0, 0.0, 0.0], [44.0, 255.0, 0.0, 0.0]),
+            (16, [70_000.0, 0.0, 0.0, 0.0], [4464.0, 0.0, 0.0, 0.0]),
+            (223, [0.0, 0.0, 0.0, 4.0], [0.0, 0.0, 0.0, 0.0]),
+            (223, [0.0, 0.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0]),
             (19, [30.0, 0.0, 0.0, 0.0], [30.0, 0.0, 1.0, 0.0]),
             (21, [0.0, 0.0, 0.0, f32::NAN], [0.0, 0.0, 0.0, 1.0]),
             (93, [5.0, -1.0, -1.0, -1.0], [5.0, -1.0, -1.0, -1.0]),
