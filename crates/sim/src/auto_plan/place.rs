@@ -9,6 +9,8 @@ use crate::task::Task;
 use crate::vehicle::Vehicle;
 use sortie_geo::LatLon;
 
+/// The maximum number of items on a return path.
+const ITEMS_MAX: usize = 255;
 /// Heights beyond this are errors, metres.
 const HEIGHT_MAX_M: f32 = 1e6;
 
@@ -38,6 +40,79 @@ impl AutoPlan {
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(at, _)| at)
     }
+}
+
+impl AutoPlan {
+    /// The end of the nearest leg after a `DO_RETURN_PATH_START`: the item at which a return path is joined.
+    pub(crate) fn return_path(&self, vehicle: &Vehicle) -> Option<u16> {
+        let items = &vehicle.plans.mission;
+        (FIRST..items.len() as u16)
+            .filter(|&at| {
+                let item = items.get(usize::from(at));
+                item.is_some_and(|item| item.command == cmd::DO_RETURN_PATH_START)
+            })
+            .filter_map(|at| self.nearest_leg(vehicle, at))
+            // Of equally near ones, the last counts.
+            .reduce(|best, next| if next.0 <= best.0 { next } else { best })
+            .map(|(_, at)| at)
+    }
+
+    /// The distance to the nearest leg from an item on, and the item at its end. The path ends at a landing or at a
+    /// `DO_LAND_START`.
+    fn nearest_leg(&self, vehicle: &Vehicle, from: u16) -> Option<(f64, u16)> {
+        let items = &vehicle.plans.mission;
+        let here_m = vehicle.believed().position_m;
+        let mut jumps = self.jumps.clone();
+        let mut last_m: Option<DVec3> = None;
+        let mut best: Option<(f64, u16)> = None;
+        let mut at = from;
+        for _ in 0..ITEMS_MAX {
+            let Some(found) = sequence::next_counting(items, at, &mut jumps, &mut Vec::new())
+            else {
+                return best;
+            };
+            at = found + 1;
+            let item = items.get(usize::from(found))?;
+            if let Some(flat) = item_place(vehicle, item).filter(|_| has_place(item.command)) {
+                let point_m = flat.extend(item_down_m(vehicle, item));
+                let left_m = last_m.map_or_else(
+                    || point_m.distance(here_m),
+                    |last_m| distance_to_leg(here_m, last_m, point_m),
+                );
+                if last_m != Some(point_m) && best.is_none_or(|(least_m, _)| left_m < least_m) {
+                    best = Some((left_m, found));
+                }
+                last_m = Some(point_m);
+            }
+            if matches!(
+                item.command,
+                cmd::NAV_LAND | cmd::NAV_VTOL_LAND | cmd::DO_PARACHUTE | cmd::DO_LAND_START
+            ) {
+                return best;
+            }
+        }
+        None
+    }
+}
+
+/// Whether the command is one of those whose items have a place.
+fn has_place(command: u16) -> bool {
+    sequence::is_navigation(command)
+        || matches!(
+            command,
+            cmd::DO_SET_HOME
+                | cmd::DO_SET_ROI
+                | cmd::DO_RETURN_PATH_START
+                | cmd::DO_LAND_START
+                | cmd::DO_GO_AROUND
+        )
+}
+
+/// The distance of a point from a leg.
+fn distance_to_leg(here_m: DVec3, from_m: DVec3, to_m: DVec3) -> f64 {
+    let leg_m = to_m - from_m;
+    let along = (here_m - from_m).dot(leg_m) / leg_m.length_squared().max(1e-9);
+    (from_m + leg_m * along.clamp(0.0, 1.0)).distance(here_m)
 }
 
 /// The point of an item (north, east, down from the start). A missing place (0, 0) or height (0) is taken from

@@ -8,6 +8,7 @@ use mavlink::dialects::ardupilotmega::{MavSeverity, SpeedType};
 use super::place::{item_down_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, command, sequence};
 use crate::cmd;
+use crate::flight_log::EPOCH_US;
 use crate::place::Place;
 use crate::plan::Item;
 use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
@@ -228,7 +229,11 @@ impl AutoPlan {
     }
 
     fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
-        let seconds = f64::from(item.params[0]).clamp(0.0, 1e6);
+        let seconds = if item.params[0] > 0.0 {
+            f64::from(item.params[0]).min(1e6)
+        } else {
+            until_time_of_day_s(item, vehicle.uptime())
+        };
         self.wait = PlanWait::Until(vehicle.uptime() + Duration::from_secs_f64(seconds));
         let text = format!("Delaying {} sec", seconds as u32);
         vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
@@ -239,6 +244,28 @@ impl AutoPlan {
         self.looks_at_place = place.is_some();
         vehicle.flight.yaw.demand = place.map_or_else(|| vehicle.default_yaw(), YawDemand::Towards);
     }
+}
+
+/// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second, of which leading ones may
+/// be -1 for any; zero without a time.
+pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
+    let now_s = (EPOCH_US as f64 / 1e6 + uptime.as_secs_f64()) % 86_400.0;
+    let units_s = [3600.0, 60.0, 1.0];
+    let Some(first) = item.params[1..].iter().position(|unit| *unit as i32 != -1) else {
+        return 0.0;
+    };
+    let wanted_s: f64 = (first..3)
+        .map(|place| f64::from(item.params[place + 1] as i32) * units_s[place])
+        .sum();
+    // The unit above the first one given comes round.
+    let round_s = [86_400.0, 3600.0, 60.0][first];
+    let left_s = wanted_s - now_s % round_s;
+    let left_s = if left_s < 0.0 {
+        left_s + round_s
+    } else {
+        left_s
+    };
+    left_s.max(0.0)
 }
 
 /// A point as the vehicle stores places: in 1e-7 degrees and centimetres. Therefore even a stay in place begins with a

@@ -2,6 +2,7 @@
 
 mod any;
 mod flown;
+mod rejoin;
 mod rules;
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
