@@ -1,11 +1,16 @@
 //! Arming, disarming, landing detection, and the rules for each.
 
 mod checks;
+mod consistency;
+mod values;
 
 use std::time::Duration;
 
-pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
+pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS, Reason};
+pub(super) use consistency::ImuWatch;
 
+/// The delay after arming in which the motors do not turn up.
+const MOTORS_WAIT: Duration = Duration::from_secs(2);
 /// The minimum time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
 /// After each arming, each core of the EKF aligns its yaw once more at this height, clear of magnetic disturbance.
@@ -15,12 +20,25 @@ const LANDED_AFTER: Duration = Duration::from_secs(1);
 /// The delay from touchdown to disarming in a landing.
 const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
 
+/// How arming is requested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ArmingMethod {
+    /// By a command of a ground station.
+    Command,
+    /// By a command that skips the optional checks.
+    ForcedCommand,
+    /// By a stick or a switch of the remote control.
+    RemoteControl,
+}
+
 /// The state of arming and landing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Safety {
     pub(super) armed: bool,
     /// Whether the autopilot believes that the vehicle has landed; the body has the true state.
     pub(super) landed: bool,
+    /// Whether a switch has stopped the motors (`MotorEStop`).
+    pub(super) emergency_stop: bool,
     /// When the motors were last armed; they need time before they lift.
     pub(super) armed_at: Duration,
     /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
@@ -39,6 +57,7 @@ impl Default for Safety {
         Self {
             armed: false,
             landed: true,
+            emergency_stop: false,
             armed_at: Duration::ZERO,
             aligns_above_m: None,
             reports_at: checks::REPORT_EVERY,
@@ -131,6 +150,11 @@ impl Safety {
         self.aligns_above_m
             .take_if(|above_m| height_m > *above_m)
             .is_some()
+    }
+
+    /// The time from which the throttle of a pilot turns the motors up.
+    pub(super) fn lifts_from(&self) -> Duration {
+        self.armed_at + MOTORS_WAIT
     }
 
     /// The start time of a takeoff commanded now.

@@ -1,12 +1,21 @@
 //! The checks before arming, in the order in which `ArduCopter` makes them.
 
+use std::borrow::Cow;
 use std::time::Duration;
 
+use super::ArmingMethod;
+use super::values::ValueChecks;
+
 use crate::boot::Boot;
+use crate::cmd;
 use crate::estimator::{Estimator, Faults};
 use crate::failsafe::{Failsafe, FailsafeRules};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
+use crate::plan::Item;
+
+/// A reason against arming, as it is told.
+pub(crate) type Reason = Cow<'static, str>;
 
 /// The time between reports of the reasons against arming.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
@@ -20,6 +29,19 @@ const LOSS_OF_SIGNAL_US: f64 = 910.0;
 /// A throttle stick above this would lift a vehicle in a piloted mode, in microseconds.
 const CLIMB_US: u16 = 1600;
 
+/// The dilution of precision that the receiver reports, times 100.
+pub(crate) const HDOP: f64 = 121.0;
+/// Bits of `ARMING_MIS_ITEMS`, and the items they demand.
+const MISSION_ITEMS: &[(i32, u16, &str)] = &[
+    (1, cmd::NAV_LAND, "land"),
+    (1 << 1, cmd::NAV_VTOL_LAND, "vtol land"),
+    (1 << 2, cmd::DO_LAND_START, "do land start"),
+    (1 << 3, cmd::NAV_TAKEOFF, "takeoff"),
+    (1 << 4, cmd::NAV_VTOL_TAKEOFF, "vtol takeoff"),
+    (1 << 6, cmd::NAV_RETURN_TO_LAUNCH, "RTL"),
+];
+const RALLY_ITEM: i32 = 1 << 5;
+
 /// The checks before arming, each a bit of `ARMING_CHECK`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Check {
@@ -31,6 +53,7 @@ enum Check {
     Radio = 1 << 6,
     Voltage = 1 << 7,
     Battery = 1 << 8,
+    Mission = 1 << 14,
 }
 
 /// The selected checks, and parameters whose own values are checked.
@@ -41,6 +64,14 @@ pub(crate) struct ArmingRules {
     angle_max_cdeg: f64,
     pilot_up_cm_s: f64,
     station_failsafe: i32,
+    /// Whether an ACRO balance exceeds its angle gain.
+    acro_balance_is_high: bool,
+    return_above_terrain: bool,
+    has_terrain: bool,
+    hdop_max: f64,
+    /// The kinds of items that a mission must have (`ARMING_MIS_ITEMS`).
+    mission_items: i32,
+    values: ValueChecks,
 }
 
 impl ArmingRules {
@@ -51,6 +82,17 @@ impl ArmingRules {
             angle_max_cdeg: all.value("ANGLE_MAX"),
             pilot_up_cm_s: all.value("PILOT_SPEED_UP"),
             station_failsafe: all.value("FS_GCS_ENABLE") as i32,
+            acro_balance_is_high: [
+                ("ACRO_BAL_ROLL", "ATC_ANG_RLL_P"),
+                ("ACRO_BAL_PITCH", "ATC_ANG_PIT_P"),
+            ]
+            .iter()
+            .any(|(balance, gain)| all.value(balance) > all.value(gain)),
+            return_above_terrain: all.value("RTL_ALT_TYPE") as i32 == 1,
+            has_terrain: all.value("TERRAIN_ENABLE") > 0.0,
+            hdop_max: all.value("GPS_HDOP_GOOD"),
+            mission_items: all.value("ARMING_MIS_ITEMS") as i32,
+            values: ValueChecks::read(all),
         }
     }
 
@@ -78,6 +120,15 @@ pub(crate) struct ArmingChecks<'a> {
     /// The throttle received from the remote control, and the stick itself, in microseconds.
     pub(crate) received_throttle_us: f64,
     pub(crate) throttle_us: u16,
+    /// The motors were stopped by a switch.
+    pub(crate) is_stopped: bool,
+    /// Whether a receiver or an override was heard since the boot.
+    pub(crate) radio_was_heard: bool,
+    /// Whether the accelerometers, and the gyros, disagree.
+    pub(crate) inertial_doubts: [bool; 2],
+    pub(crate) mission: &'a [Item],
+    /// Whether there is a rally point.
+    pub(crate) has_rally_point: bool,
     /// The reasons against arming from the battery, the bench and the fence.
     pub(crate) battery: Option<&'static str>,
     pub(crate) workbench: Vec<&'static str>,
@@ -86,28 +137,37 @@ pub(crate) struct ArmingChecks<'a> {
 
 impl ArmingChecks<'_> {
     /// The reasons against arming now; empty if there are none.
-    pub(crate) fn obstacles(&self) -> Vec<&'static str> {
+    pub(crate) fn obstacles(&self) -> Vec<Reason> {
+        let values = &self.rules.values;
+        if let Some(reason) = &values.motors {
+            return vec![reason.clone()];
+        }
         if self.rules.is_off() {
             return self.mandatory_obstacles();
         }
         let mut reasons = self.parameter_obstacles();
+        reasons.extend(self.radio_obstacle());
         if !self.boot.is_over() {
-            reasons.extend(self.boot.obstacles(self.mode, self.has_home));
+            let reasons_of_boot = self.boot.obstacles(self.mode, self.has_home);
+            reasons.extend(reasons_of_boot.into_iter().map(Reason::from));
         }
         self.sensor_obstacles(&mut reasons);
         self.power_obstacles(&mut reasons);
-        reasons.extend(&self.workbench);
-        reasons.extend(self.fence);
+        reasons.extend(self.mission_obstacle());
+        reasons.extend(values.servos.iter().cloned());
+        reasons.extend(self.terrain_obstacle());
+        reasons.extend(self.workbench.iter().map(|reason| Reason::from(*reason)));
+        reasons.extend(self.fence.map(Reason::from));
+        if self.is_stopped {
+            reasons.push("Motors Emergency Stopped".into());
+        }
         reasons
     }
 
     /// The checks that cannot be switched off.
-    pub(crate) fn mandatory_obstacles(&self) -> Vec<&'static str> {
-        let mut reasons: Vec<_> = self
-            .boot
-            .reference_obstacle(self.mode)
-            .into_iter()
-            .collect();
+    pub(crate) fn mandatory_obstacles(&self) -> Vec<Reason> {
+        let booting = self.boot.reference_obstacle(self.mode).map(Reason::from);
+        let mut reasons: Vec<_> = self.source_obstacle().or(booting).into_iter().collect();
         if self.boot.is_over() {
             reasons.extend(self.estimate_obstacle());
         }
@@ -115,124 +175,187 @@ impl ArmingChecks<'_> {
     }
 
     /// Checks made only when all others pass and arming was requested.
-    pub(crate) fn last_obstacles(&self) -> Vec<&'static str> {
-        let by_itself = matches!(
-            self.mode.number,
-            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
-        );
+    pub(crate) fn last_obstacle(&self, method: ArmingMethod) -> Option<Reason> {
+        let by_itself = method == ArmingMethod::Command
+            && matches!(
+                self.mode.number,
+                mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
+            );
         let high = self.throttle_us > CLIMB_US;
-        if self.rules.has(Check::Radio) && high && !by_itself {
-            vec!["Throttle too high"]
-        } else {
-            Vec::new()
-        }
+        (self.rules.has(Check::Radio) && high && !by_itself).then(|| "Throttle too high".into())
     }
 
-    fn parameter_obstacles(&self) -> Vec<&'static str> {
+    fn parameter_obstacles(&self) -> Vec<Reason> {
         let rules = self.rules;
         let failsafes = self.failsafe_rules;
         let mut reasons = Vec::new();
         if rules.has(Check::Parameters) {
             let low_us = failsafes.radio_low_us;
             let margin = rules.throttle_min_us <= low_us + THROTTLE_MARGIN_US;
-            let first = if failsafes.radio != 0 && (margin || low_us < LOSS_OF_SIGNAL_US) {
-                Some("Check FS_THR_VALUE")
+            let throttle = failsafes.radio != 0 && (margin || low_us < LOSS_OF_SIGNAL_US);
+            let removed = "FS_GCS_ENABLE=2 removed, see FS_OPTIONS";
+            let no_terrain = rules.return_above_terrain && !rules.has_terrain;
+            let first = if throttle {
+                Some("Check FS_THR_VALUE".into())
             } else if !(1000.0..=8000.0).contains(&rules.angle_max_cdeg) {
-                Some("Check ANGLE_MAX")
+                Some("Check ANGLE_MAX".into())
+            } else if rules.acro_balance_is_high {
+                Some("Check ACRO_BAL_ROLL/PITCH".into())
             } else if rules.pilot_up_cm_s <= 0.0 {
-                Some("Check PILOT_SPEED_UP")
+                Some("Check PILOT_SPEED_UP".into())
+            } else if no_terrain {
+                Some("RTL_ALT_TYPE is above-terrain but no terrain data".into())
             } else {
-                None
+                rules.values.controllers.clone()
             };
-            if rules.station_failsafe == 2 {
-                reasons.push("FS_GCS_ENABLE=2 removed, see FS_OPTIONS");
+            if rules.station_failsafe == 2 && !throttle {
+                reasons.push(removed.into());
             }
             reasons.extend(first);
         }
         if self.failsafe.station_is_lost() {
-            reasons.push("GCS failsafe on");
-        }
-        if rules.has(Check::Radio)
-            && failsafes.radio != 0
-            && self.received_throttle_us < failsafes.radio_low_us
-        {
-            reasons.push("Throttle below failsafe");
+            reasons.push("GCS failsafe on".into());
         }
         reasons
     }
 
-    fn sensor_obstacles(&self, reasons: &mut Vec<&'static str>) {
+    fn radio_obstacle(&self) -> Option<Reason> {
+        let failsafes = self.failsafe_rules;
+        if !self.rules.has(Check::Radio) || failsafes.radio == 0 {
+            None
+        } else if !self.radio_was_heard {
+            Some("RC not found".into())
+        } else {
+            let low = self.received_throttle_us < failsafes.radio_low_us;
+            low.then(|| "Throttle below failsafe".into())
+        }
+    }
+
+    /// The mission must have the items that a parameter demands, and AUTO needs one.
+    fn mission_obstacle(&self) -> Option<Reason> {
+        let wanted = self.rules.mission_items;
+        if self.rules.has(Check::Mission) {
+            let missing = MISSION_ITEMS.iter().find(|(bit, command, _)| {
+                wanted & bit != 0
+                    && !self
+                        .mission
+                        .iter()
+                        .skip(1)
+                        .any(|item| item.command == *command)
+            });
+            if let Some((_, _, name)) = missing {
+                return Some(format!("Missing mission item: {name}").into());
+            }
+            if wanted & RALLY_ITEM != 0 && !self.has_rally_point {
+                return Some("No sufficiently close rally point located".into());
+            }
+        }
+        (self.mode.number == mode::AUTO && self.mission.len() < 2)
+            .then(|| "Mode requires mission".into())
+    }
+
+    /// A return above terrain needs the terrain around the vehicle, which nothing here sends.
+    fn terrain_obstacle(&self) -> Option<Reason> {
+        let rules = self.rules;
+        (rules.has(Check::Parameters) && rules.return_above_terrain && rules.has_terrain)
+            .then(|| "waiting for terrain data".into())
+    }
+
+    /// A wrong or missing source of the estimator.
+    fn source_obstacle(&self) -> Option<Reason> {
+        let [with_position, without] = &self.rules.values.sources;
+        let used = if self.mode.needs_position() {
+            with_position
+        } else {
+            without
+        };
+        used.clone()
+    }
+
+    fn sensor_obstacles(&self, reasons: &mut Vec<Reason>) {
         let rules = self.rules;
         let faults = self.faults;
         let barometers_off = faults.barometers.iter().any(|barometer| barometer.disabled);
         if rules.has(Check::Barometer) && barometers_off {
-            reasons.push("Baro: not healthy");
+            reasons.push("Baro: not healthy".into());
         }
         if rules.has(Check::Inertial) {
             if faults.gyro_failed {
-                reasons.push("Gyros not healthy");
+                reasons.push("Gyros not healthy".into());
             }
             if faults.accelerometer_failed {
-                reasons.push("Accels not healthy");
-            } else if faults.has_stuck_accelerometer() {
-                reasons.push("Accels inconsistent");
+                reasons.push("Accels not healthy".into());
+            } else if faults.has_stuck_accelerometer() || self.inertial_doubts[0] {
+                reasons.push("Accels inconsistent".into());
+            } else if self.inertial_doubts[1] {
+                reasons.push("Gyros inconsistent".into());
             }
         }
         if rules.has(Check::Compass) && !self.estimator.compass_is_healthy() {
-            reasons.push("Compass not healthy");
+            reasons.push("Compass not healthy".into());
         }
+        let sources = self.source_obstacle();
         if self.boot.is_over() {
-            reasons.extend(self.gps_obstacle());
+            reasons.extend(self.gps_obstacle().or(sources));
+        } else {
+            reasons.extend(sources);
         }
     }
 
-    fn gps_obstacle(&self) -> Option<&'static str> {
+    fn gps_obstacle(&self) -> Option<Reason> {
         if !self.mode.needs_position() {
             return None;
         }
         if self.rules.has(Check::Gps) && self.estimator.fix().is_some_and(|fix| !fix.is_locked()) {
-            return Some("GPS 1: Bad fix");
+            return Some("GPS 1: Bad fix".into());
         }
-        self.estimate_obstacle()
+        let precise = self.rules.hdop_max >= HDOP;
+        self.source_obstacle()
+            .or_else(|| self.estimate_obstacle())
+            .or_else(|| (self.rules.has(Check::Gps) && !precise).then(|| "High GPS HDOP".into()))
     }
 
     /// The check of the estimate, needed in modes that depend on it.
-    fn estimate_obstacle(&self) -> Option<&'static str> {
+    fn estimate_obstacle(&self) -> Option<Reason> {
         if !self.mode.needs_position() {
             return None;
         }
         if !self.estimator.has_position() {
-            return Some("Need Position Estimate");
+            return Some("Need Position Estimate".into());
         }
         if self.estimator.is_glitching() {
-            return Some("GPS glitching");
+            return Some("GPS glitching".into());
         }
         let threshold = self.failsafe_rules.ekf_threshold;
         let ratios = self.estimator.ratios();
         let over = |ratio: f64| threshold > 0.0 && ratio >= threshold;
         if over(ratios.compass) {
-            Some("EKF compass variance")
+            Some("EKF compass variance".into())
         } else if over(ratios.position) {
-            Some("EKF position variance")
+            Some("EKF position variance".into())
         } else if over(ratios.velocity) {
-            Some("EKF velocity variance")
+            Some("EKF velocity variance".into())
         } else if over(ratios.height) {
-            Some("EKF height variance")
+            Some("EKF height variance".into())
         } else {
             None
         }
     }
 
-    fn power_obstacles(&self, reasons: &mut Vec<&'static str>) {
+    fn power_obstacles(&self, reasons: &mut Vec<Reason>) {
         let rules = self.rules;
         if rules.has(Check::Battery) {
-            reasons.extend(self.battery);
+            reasons.extend(self.battery.map(Reason::from));
         }
-        if self.failsafe.radio_is_lost() {
-            reasons.push("Radio failsafe on");
+        if rules.has(Check::Radio) {
+            if self.failsafe.radio_is_lost() {
+                reasons.push("Radio failsafe on".into());
+            } else {
+                reasons.extend(rules.values.sticks.iter().cloned());
+            }
         }
         if rules.has(Check::Voltage) && self.failsafe.battery_is_down() {
-            reasons.push("Battery failsafe");
+            reasons.push("Battery failsafe".into());
         }
     }
 }
