@@ -2,6 +2,7 @@
 //! state as arguments, and returns its requests.
 
 mod arming;
+mod auxiliary;
 mod modes;
 mod reactions;
 pub(super) mod telemetry;
@@ -14,7 +15,7 @@ use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, MavSeverity, 
 
 use super::Start;
 use super::airframe::Airframe;
-use super::arming::GroundInputs;
+use super::arming::{GroundInputs, ImuWatch};
 use super::auto_plan::AutoPlan;
 use super::boot::{Boot, BootEvent};
 use super::counters::{CounterInputs, Counters};
@@ -40,6 +41,7 @@ pub(super) struct Autopilot {
     pub(super) failsafe: Failsafe,
     crash: CrashWatch,
     counters: Counters,
+    imu_watch: ImuWatch,
     pub(super) workbench: Workbench,
     reboot_at: Option<Duration>,
 }
@@ -55,7 +57,9 @@ impl Autopilot {
             airframe,
             start,
         };
-        Self::booted(Vehicle::booted(build, parameters, wind))
+        let mut new = Self::booted(Vehicle::booted(build, parameters, wind));
+        new.begin_first_mode();
+        new
     }
 
     fn booted(vehicle: Vehicle) -> Self {
@@ -65,30 +69,34 @@ impl Autopilot {
             failsafe: Failsafe::default(),
             crash: CrashWatch::default(),
             counters: Counters::default(),
+            imu_watch: ImuWatch::default(),
             workbench: Workbench::default(),
             reboot_at: None,
         }
     }
 
     /// The vehicle, and the state of all other parts.
-    pub(super) fn state(&self) -> (&Vehicle, [&dyn std::fmt::Debug; 6]) {
+    pub(super) fn state(&self) -> (&Vehicle, [&dyn std::fmt::Debug; 7]) {
         let Self {
             vehicle,
             auto_plan,
             failsafe,
             crash,
             counters,
+            imu_watch,
             workbench,
             reboot_at,
         } = self;
-        let watches: [&dyn std::fmt::Debug; 6] =
-            [auto_plan, failsafe, crash, counters, workbench, reboot_at];
+        let watches: [&dyn std::fmt::Debug; 7] = [
+            auto_plan, failsafe, crash, counters, imu_watch, workbench, reboot_at,
+        ];
         (vehicle, watches)
     }
 
     /// The vehicle with a realistic boot time.
     pub(super) fn booting_realistically(mut self) -> Self {
         self.vehicle.boot = Boot::new(true);
+        self.vehicle.radio.forget_switches();
         self
     }
 
@@ -98,27 +106,25 @@ impl Autopilot {
         self.reboot_at.get_or_insert(at);
     }
 
-    /// Performs a reboot that is due. Parameters, lists and logs survive, and the vehicle's position.
+    /// Performs a reboot that is due: as when SITL starts again, the vehicle is back at its start. Parameters, lists and
+    /// logs survive.
     pub(super) fn take_reboot(&mut self) -> bool {
         let before = &mut self.vehicle;
         if self.reboot_at.is_none_or(|at| before.uptime() < at) {
             return false;
         }
-        let here = before.truly_here();
-        let parameters = if self.workbench.erased {
+        let mut parameters = if self.workbench.erased {
             factory_parameters(before.system, &before.plant.airframe)
         } else {
             before.parameters.clone()
         };
+        let boots = parameters.value("STAT_BOOTCNT") as f32 + 1.0;
+        parameters.set("STAT_BOOTCNT", boots);
         let build = Build {
             system: before.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8,
             board_id: before.board_id,
             airframe: Arc::clone(&before.plant.airframe),
-            start: Start {
-                at: here.at,
-                altitude_amsl_m: here.altitude_amsl_m,
-                heading_deg: before.plant.body.yaw_deg,
-            },
+            start: before.datum.start,
         };
         let mut vehicle = Vehicle::booted(build, parameters, before.plant.wind.clone());
         vehicle.boot = Boot::new(before.boot.realistic);
@@ -126,6 +132,10 @@ impl Autopilot {
         vehicle.log = std::mem::take(&mut before.log).rebooted();
         vehicle.fence_changed();
         *self = Self::booted(vehicle);
+        self.begin_first_mode();
+        if self.vehicle.boot.realistic {
+            self.vehicle.radio.forget_switches();
+        }
         true
     }
 
@@ -189,6 +199,7 @@ impl Autopilot {
                 let heartbeat = telemetry::message(HEARTBEAT_DATA::ID, self);
                 self.vehicle.outbox.extend(heartbeat);
             }
+            BootEvent::Origin if vehicle.safety.armed => vehicle.set_home_in_flight(),
             BootEvent::Origin => vehicle.set_home_here(),
             BootEvent::Elevation => {
                 let elevation_m = vehicle.datum.start.altitude_amsl_m;

@@ -14,6 +14,8 @@ const LEAN_LAG_S: f64 = 0.15;
 const THRUST_LAG_S: f64 = 0.08;
 /// The time constant of the autopilot's compensation of vertical drag.
 const DRAG_LAG_S: f64 = 0.2;
+/// The least cosine of the lean that raises the throttle.
+const BOOST_LEAST: f64 = 0.5;
 /// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;
 /// The rotation rate from a collision per metre per second, and its limit, in radians per second.
@@ -27,8 +29,9 @@ pub(super) enum Demand {
     Off,
     /// An acceleration (north, east, down) by leaning and by thrust; gravity is not part of it.
     Acceleration(DVec3),
-    /// A share of the full throttle, 0 to 1, level: a pilot's stick in a manual mode.
-    Throttle(f64),
+    /// A share of the full throttle, 0 to 1, with a lean as the horizontal acceleration while the thrust carries the
+    /// weight: a pilot's sticks in a manual mode.
+    Throttle { share: f64, lean_m_s2: DVec2 },
 }
 
 /// The air flowing through the rotors, and its effect on the body.
@@ -263,7 +266,10 @@ impl Body {
                 self.thrust_m_s2 = 0.0;
                 self.throttle = 0.0;
             }
-            Demand::Throttle(throttle) => {
+            Demand::Throttle { share, .. } => {
+                // A leaning vehicle gets more throttle, so that its lift stays the same.
+                let boost = 1.0 / (-stream.axis_down).max(BOOST_LEAST);
+                let throttle = (share * boost).clamp(0.0, 1.0);
                 self.throttle = throttle;
                 self.lift_m_s2 = 0.0;
                 self.thrust_m_s2 = airframe.thrust_for(throttle, inflow, conditions);
@@ -298,7 +304,8 @@ impl Body {
     fn lean(&mut self, demand: Demand) {
         let wanted = match demand {
             Demand::Acceleration(accel) => accel.truncate(),
-            Demand::Off | Demand::Throttle(_) => DVec2::ZERO,
+            Demand::Throttle { lean_m_s2, .. } => lean_m_s2,
+            Demand::Off => DVec2::ZERO,
         };
         self.lean_m_s2 += (wanted - self.lean_m_s2) * (STEP_S / (STEP_S + LEAN_LAG_S));
     }
@@ -316,8 +323,8 @@ impl Body {
         self.lean_m_s2 = self.lean_m_s2.clamp_length_max(most);
         let lift_m_s2 = match demand {
             Demand::Off => None,
-            Demand::Throttle(throttle) => {
-                Some(drive.airframe.thrust_for(throttle, 0.0, drive.conditions))
+            Demand::Throttle { share, .. } => {
+                Some(drive.airframe.thrust_for(share, 0.0, drive.conditions))
             }
             Demand::Acceleration(wanted) => Some(self.lagged_lift(wanted.z)),
         };

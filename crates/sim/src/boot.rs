@@ -5,6 +5,11 @@ use mavlink::dialects::ardupilotmega::{EkfStatusFlags, GpsFixType};
 use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
 use super::mode::Mode;
 
+/// The firmware's version, as its banner tells it: the behaviour is that of this commit of `ArduPilot`.
+pub(super) const VERSION: &str = "ArduCopter V4.6.0-dev (fbb78585)";
+/// The hash of that commit in `AUTOPILOT_VERSION`.
+pub(super) const COMMIT: [u8; 8] = *b"fbb78585";
+
 /// One event, and whether it waits for a GPS position; times are in hundredths of a second.
 type Entry = (u32, bool, BootEvent);
 
@@ -39,7 +44,7 @@ const REALISTIC: &[Entry] = &[
     (
         2,
         false,
-        Print("\n\nInit ArduCopter V4.6.0-dev (sortie)\n\nFree RAM: 131072\nBooting 0/0\n"),
+        Print("\n\nInit ArduCopter V4.6.0-dev (fbb78585)\n\nFree RAM: 131072\nBooting 0/0\n"),
     ),
     (31, false, Say("Calibrating barometer")),
     (105, false, Print("Init Gyro*")),
@@ -49,7 +54,6 @@ const REALISTIC: &[Entry] = &[
     (243, false, Initialised),
     (244, false, Say("ArduPilot Ready")),
     (244, false, Say("AHRS: DCM active")),
-    (273, false, Say("RC7: SaveWaypoint LOW")),
     (444, false, Say("EKF3 IMU0 initialised")),
     (444, false, Say("EKF3 IMU1 initialised")),
     (444, false, Say("AHRS: EKF3 active")),
@@ -78,6 +82,8 @@ const REALISTIC: &[Entry] = &[
 
 /// Times of states without an event, in hundredths of a second.
 mod at {
+    /// In the quick boot.
+    pub(super) const QUICK_EKF_STARTED: u32 = 50;
     pub(super) const FIRST_HEARTBEAT: u32 = 95;
     pub(super) const INITIALISED: u32 = 243;
     pub(super) const BATTERY_HEALTHY: u32 = 240;
@@ -228,11 +234,11 @@ impl Boot {
         if self.over {
             None
         } else if !self.realistic {
-            Some(if mode.needs_position() {
-                "Need Position Estimate"
+            if mode.needs_position() {
+                Some("Need Position Estimate")
             } else {
-                "AHRS: waiting for home"
-            })
+                (self.clock < at::QUICK_EKF_STARTED).then_some("AHRS: EKF3 not started")
+            }
         } else if self.is_before(at::EKF_STARTED) {
             Some("AHRS: EKF3 not started")
         } else if !mode.needs_position() {

@@ -133,6 +133,7 @@ const TABLE: &[(u16, Handler)] = &[
     (cmd::SOLO_BTN_FLY_HOLD, flight::fly_button_held),
     (cmd::SOLO_BTN_PAUSE_CLICK, flight::pause_button),
     (cmd::SET_EKF_SOURCE_SET, setup::estimator_source),
+    (cmd::EXTERNAL_POSITION_ESTIMATE, setup::external_position),
     (cmd::DO_START_MAG_CAL, calibration::start_compass),
     (cmd::DO_ACCEPT_MAG_CAL, calibration::accept_compass),
     (cmd::DO_CANCEL_MAG_CAL, calibration::cancel_compass),
@@ -183,7 +184,10 @@ pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
 
 /// Whether the messages that a command requests precede its acknowledgement.
 pub(super) fn answers_first(number: u16) -> bool {
-    matches!(number, cmd::GET_HOME_POSITION | cmd::GET_MESSAGE_INTERVAL)
+    matches!(
+        number,
+        cmd::GET_HOME_POSITION | cmd::GET_MESSAGE_INTERVAL | cmd::PREFLIGHT_CALIBRATION
+    )
 }
 
 fn done(worked: bool) -> MavResult {

@@ -100,6 +100,8 @@ pub(super) struct RadioInputs {
     pub(super) fault: RadioFault,
     /// A ground station overrides it.
     pub(super) is_overridden: bool,
+    /// Whether it was ever heard since the boot.
+    pub(super) was_heard: bool,
     pub(super) throttle_us: f64,
 }
 

@@ -181,6 +181,7 @@ fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
     };
     if autopilot.vehicle.is_ready() && autopilot.vehicle.datum.may_be_home(home) {
         autopilot.vehicle.set_home(home);
+        autopilot.vehicle.datum.lock_home();
     }
 }
 

@@ -46,10 +46,10 @@ const fn refused(number: u8, name: &'static str, texts: &'static [&'static str])
 
 pub(super) const AUTOTUNE: u8 = CopterMode::COPTER_MODE_AUTOTUNE as u8;
 pub(super) const FLOWHOLD: u8 = CopterMode::COPTER_MODE_FLOWHOLD as u8;
-const FLIP: u8 = CopterMode::COPTER_MODE_FLIP as u8;
-const THROW: u8 = CopterMode::COPTER_MODE_THROW as u8;
-const FOLLOW: u8 = CopterMode::COPTER_MODE_FOLLOW as u8;
-const TURTLE: u8 = CopterMode::COPTER_MODE_TURTLE as u8;
+pub(super) const FLIP: u8 = CopterMode::COPTER_MODE_FLIP as u8;
+pub(super) const THROW: u8 = CopterMode::COPTER_MODE_THROW as u8;
+pub(super) const FOLLOW: u8 = CopterMode::COPTER_MODE_FOLLOW as u8;
+pub(super) const TURTLE: u8 = CopterMode::COPTER_MODE_TURTLE as u8;
 pub(super) const STABILIZE: u8 = CopterMode::COPTER_MODE_STABILIZE as u8;
 pub(super) const ACRO: u8 = CopterMode::COPTER_MODE_ACRO as u8;
 pub(super) const ALT_HOLD: u8 = CopterMode::COPTER_MODE_ALT_HOLD as u8;
@@ -146,6 +146,11 @@ pub(super) fn is_guided(number: u8) -> bool {
 /// Modes in which a command changes the speed.
 pub(super) fn changes_speed(number: u8) -> bool {
     matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
+}
+
+/// Modes that fly along waypoints, at the speeds of the parameters.
+pub(super) fn follows_waypoints(number: u8) -> bool {
+    matches!(number, AUTO | RTL | SMART_RTL)
 }
 
 /// Modes that take off by command; `ALT_HOLD` only if the vehicle need not hold its place.

@@ -39,6 +39,8 @@ pub(super) struct LocalDatum {
     home: Option<Place>,
     /// Home as a point, computed once because every step needs it.
     home_m: DVec3,
+    /// Whether a ground station has set home: arming then leaves it where it is.
+    home_locked: bool,
 }
 
 impl LocalDatum {
@@ -48,7 +50,18 @@ impl LocalDatum {
             start,
             home: None,
             home_m: DVec3::ZERO,
+            home_locked: false,
         }
+    }
+
+    /// Makes arming leave home where it is, until the vehicle reboots.
+    pub(super) fn lock_home(&mut self) {
+        self.home_locked = true;
+    }
+
+    /// Whether arming moves home to the vehicle: only a home that no ground station has set.
+    pub(super) fn arming_moves_home(&self) -> bool {
+        self.home.is_some() && !self.home_locked
     }
 
     /// The position of home; `None` until it is set.

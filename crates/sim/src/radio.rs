@@ -1,7 +1,12 @@
 //! The transmitter's channels, and ground stations that override it (`RC_CHANNELS_OVERRIDE`, `MANUAL_CONTROL`).
 
+mod switches;
+
 use std::time::Duration;
 
+use self::switches::Switches;
+pub(super) use self::switches::{SwitchMove, SwitchPosition};
+use super::estimator::RadioFault;
 use super::parameters::Parameters;
 
 /// Channels that can be overridden.
@@ -32,6 +37,8 @@ pub(super) struct RadioRules {
     override_time: Option<Duration>,
     mode_channel: usize,
     rudder_arms: bool,
+    /// The function of each channel's switch (`RCn_OPTION`); 0 for none.
+    functions: [u16; CHANNELS],
 }
 
 /// The pulse widths of one stick, in microseconds.
@@ -70,6 +77,9 @@ impl RadioRules {
             },
             mode_channel: all.value("FLTMODE_CH") as usize,
             rudder_arms: all.value("ARMING_RUDDER") > 0.0,
+            functions: std::array::from_fn(|channel| {
+                all.value(&format!("RC{}_OPTION", channel + 1)) as u16
+            }),
         }
     }
 }
@@ -137,8 +147,12 @@ pub(super) struct Radio {
     /// The time at which overrides end at the latest.
     pub(super) until: Duration,
     switch: (usize, u8),
-    obeyed: usize,
+    /// The position of the mode switch that was obeyed last; `None` before the first.
+    obeyed: Option<usize>,
+    switches: Switches,
     corner: u8,
+    /// Whether a receiver or an override was ever heard since the boot.
+    pub(super) was_heard: bool,
 }
 
 impl Default for Radio {
@@ -148,8 +162,10 @@ impl Default for Radio {
             overrides: [(0, Duration::ZERO); CHANNELS],
             until: Duration::ZERO,
             switch: (rest, 0),
-            obeyed: rest,
+            obeyed: None,
+            switches: Switches::default(),
             corner: 0,
+            was_heard: false,
         }
     }
 }
@@ -185,12 +201,14 @@ fn switch_position(pulse_us: u16) -> usize {
 }
 
 /// The requests of sticks and switches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct StickRequests {
     /// Whether the mode switch has a new position.
     pub(super) moved_switch: bool,
     /// Whether the sticks were held in the corner that arms.
     pub(super) arms: bool,
+    /// Switches with a function that were moved.
+    pub(super) moves: Vec<SwitchMove>,
 }
 
 impl Radio {
@@ -271,6 +289,7 @@ impl Radio {
         StickRequests {
             moved_switch,
             arms: self.corner == CORNER_LOOKS,
+            moves: self.switches.watch(&rules.functions, &sticks.channels_us),
         }
     }
 
@@ -280,16 +299,37 @@ impl Radio {
         } else {
             (position, 0)
         };
-        let moved = position != self.obeyed && self.switch.1 >= STEADY_LOOKS;
+        let moved = self.obeyed != Some(position) && self.switch.1 >= STEADY_LOOKS;
         if moved {
-            self.obeyed = position;
+            self.obeyed = Some(position);
         }
         moved
     }
 
-    /// The parameter with the mode of the switch's position: `FLTMODE1` to 6.
-    pub(super) fn mode_parameter(&self) -> String {
-        format!("FLTMODE{}", self.obeyed + 1)
+    /// The parameter with the mode of the switch's position: `FLTMODE1` to 6; `None` before it was read.
+    pub(super) fn mode_parameter(&self) -> Option<String> {
+        Some(format!("FLTMODE{}", self.obeyed? + 1))
+    }
+
+    /// Reads the receiver for the first time: its mode switch chooses the mode, and the other switches do not act until
+    /// they are moved.
+    pub(super) fn read_first(&mut self, rules: &RadioRules) {
+        let channels = Sticks::RELEASED.channels_us;
+        self.obeyed = channels
+            .get(rules.mode_channel.wrapping_sub(1))
+            .map(|pulse_us| switch_position(*pulse_us));
+        self.switches = Switches::at_rest(&rules.functions, &channels);
+        self.was_heard = true;
+    }
+
+    /// Whether there is anything to obey: a receiver that sends, or a ground station that overrides it.
+    pub(super) fn hears(&self, fault: RadioFault, now: Duration) -> bool {
+        fault != RadioFault::Silent || now < self.until
+    }
+
+    /// Forgets the positions of the switches, so that the first reading acts.
+    pub(super) fn forget_switches(&mut self) {
+        self.switches = Switches::default();
     }
 }
 

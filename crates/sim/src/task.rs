@@ -52,6 +52,8 @@ pub(super) struct Cockpit<'a> {
     /// Whether the horizontal position and velocity of `body` can be trusted.
     pub(super) has_position: bool,
     pub(super) now: Duration,
+    /// The end of the delay after arming in which the motors do not turn up.
+    pub(super) lifts_from: Duration,
     pub(super) fence: &'a mut Geofence,
     pub(super) trail: &'a mut Trail,
     pub(super) rally: Rally<'a>,
@@ -68,8 +70,9 @@ pub(super) enum Act {
     Idle,
     /// An acceleration (north, east, down) by lean and thrust; gravity is not part of it.
     Accelerate(DVec3),
-    /// A throttle from 0 to 1, level.
-    Throttle(f64),
+    /// A throttle from 0 to 1 with a lean, as the horizontal acceleration north and east while the thrust carries the
+    /// weight.
+    Throttle { share: f64, lean_m_s2: DVec2 },
 }
 
 /// The current task of the autopilot.

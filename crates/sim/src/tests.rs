@@ -1,6 +1,8 @@
 //! The simulator as a ground station sees it.
 
 mod airframes;
+mod answers;
+mod arming;
 mod batteries;
 mod booting;
 mod failsafes;
@@ -17,6 +19,7 @@ mod retracing;
 mod serials;
 mod signing;
 mod sweep;
+mod switches;
 mod takeoff;
 mod timeline;
 mod transfers;

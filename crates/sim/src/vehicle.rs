@@ -16,7 +16,7 @@ pub(super) use self::plant::Plant;
 use super::airframe::Airframe;
 use super::arming::Safety;
 use super::body::Body;
-use super::boot::Boot;
+use super::boot::{self, Boot};
 use super::estimator::Estimator;
 use super::failsafe::RadioInputs;
 use super::fence::{Geofence, severity};
@@ -126,11 +126,7 @@ impl Vehicle {
     /// Version, board and frame, as three texts.
     pub(super) fn say_banner(&mut self) {
         let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
-        for text in [
-            "ArduCopter V4.6.0-dev (sortie)",
-            board.as_str(),
-            "Frame: QUAD/PLUS",
-        ] {
+        for text in [boot::VERSION, board.as_str(), "Frame: QUAD/PLUS"] {
             self.say(MavSeverity::MAV_SEVERITY_INFO, text);
         }
     }
@@ -142,7 +138,13 @@ impl Vehicle {
 
     pub(super) fn reception(&self) -> RadioInputs {
         let is_overridden = self.uptime() < self.radio.until;
-        RadioInputs::new(self.tuning.faults.radio, is_overridden, &self.sticks())
+        let was_heard = self.radio.was_heard;
+        RadioInputs::new(
+            self.tuning.faults.radio,
+            is_overridden,
+            was_heard,
+            &self.sticks(),
+        )
     }
 
     /// Sets a parameter, and announces it on every link; `false` if it does not exist.
@@ -161,11 +163,11 @@ impl Vehicle {
 
     /// Reads the parameters again after a change.
     pub(super) fn retune(&mut self) {
-        let entered_with = self.tuning.flight.speed_m_s;
+        let before = self.tuning.flight.speeds_m_s();
         self.tuning = Tuning::read(&self.parameters);
-        // The cruise speed is taken over when the mode is entered, not in the middle of a flight.
-        if self.safety.armed && self.flight.speeds.ground_m_s.is_none() {
-            self.flight.speeds.ground_m_s = Some(entered_with);
+        let now = self.tuning.flight.speeds_m_s();
+        if self.safety.armed {
+            self.flight.speeds_changed(before, now);
         }
     }
 
@@ -180,6 +182,7 @@ impl Vehicle {
             piloted: self.uptime() < self.radio.until,
             home_m: self.datum.home_point(),
             now: self.uptime(),
+            lifts_from: self.safety.lifts_from(),
             control: &mut self.flight.control,
             body: self.estimator.belief(&self.plant.body),
             has_position: self.estimator.has_position(),
@@ -252,6 +255,14 @@ impl Vehicle {
     pub(super) fn set_home_here(&mut self) {
         self.set_home(self.here());
         self.begin_trail(true);
+    }
+
+    /// Makes the vehicle's place home, at the altitude of the origin: for a position that is found in flight.
+    pub(super) fn set_home_in_flight(&mut self) {
+        self.set_home(Place {
+            altitude_amsl_m: self.datum.start.altitude_amsl_m,
+            ..self.here()
+        });
     }
 
     /// Starts the trail here, if the position is known.

@@ -23,6 +23,8 @@ pub(super) struct Workbench {
     /// The parachute was enabled.
     pub(super) parachute: bool,
     pub(super) relay_on: bool,
+    /// When the level or the accelerometers were last calibrated in one position.
+    pub(super) accelerometers_calibrated: Duration,
     /// The stored parameters were erased: the next boot begins with the defaults.
     pub(super) erased: bool,
 }

@@ -3,16 +3,17 @@
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::Autopilot;
-use crate::arming::{ArmingChecks, LOOK_STEPS, Safety};
+use crate::arming::{ArmingChecks, ArmingMethod, LOOK_STEPS, Reason, Safety};
 use crate::mode;
 use crate::vehicle::Vehicle;
 
 impl Autopilot {
     /// Arms, or reports why not. When forced, only the mandatory checks apply.
-    pub(crate) fn arm(&mut self, forced: bool) -> bool {
+    pub(crate) fn arm(&mut self, method: ArmingMethod) -> bool {
         if self.vehicle.safety.armed {
             return true;
         }
+        let forced = method == ArmingMethod::ForcedCommand;
         let mandatory = if forced {
             self.arming_checks().mandatory_obstacles()
         } else {
@@ -20,25 +21,26 @@ impl Autopilot {
         };
         if !forced || !mandatory.is_empty() {
             refuse(&mut self.vehicle, "Arm", &mandatory);
-            let checks = self.arming_checks();
-            let mut reasons = checks.obstacles();
+            let mut reasons = self.arming_checks().obstacles();
             if reasons.is_empty() {
-                reasons = checks.last_obstacles();
+                let last = self.mode_obstacle();
+                let last = last.or_else(|| self.arming_checks().last_obstacle(method));
+                reasons.extend(last);
             }
             if !reasons.is_empty() {
                 refuse(&mut self.vehicle, "Arm", &reasons);
                 return false;
             }
-            let mode = self.vehicle.flight.mode;
-            let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;
-            if !mode.armable && !may_arm {
-                let text = format!("Arm: {} mode not armable", mode.name);
-                self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
-                return false;
-            }
         }
         start_motors(&mut self.vehicle, forced);
         true
+    }
+
+    /// A mode in which the vehicle does not arm.
+    fn mode_obstacle(&self) -> Option<Reason> {
+        let mode = self.vehicle.flight.mode;
+        let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;
+        (!mode.armable && !may_arm).then(|| format!("{} mode not armable", mode.name).into())
     }
 
     /// Disarms, even in the air.
@@ -66,6 +68,11 @@ impl Autopilot {
             has_home: vehicle.datum.home().is_some(),
             received_throttle_us: vehicle.reception().throttle_us,
             throttle_us: vehicle.sticks().channels_us[2],
+            is_stopped: vehicle.safety.emergency_stop,
+            radio_was_heard: vehicle.radio.was_heard,
+            inertial_doubts: self.imu_watch.doubts(&tuning.faults, vehicle.uptime()),
+            mission: &vehicle.plans.mission,
+            has_rally_point: !vehicle.plans.rally.is_empty(),
             battery: battery.obstacle(voltage_v, vehicle.charge_left_mah()),
             workbench: self.workbench.obstacles().collect(),
             fence: vehicle.fence.arming_obstacle(fence, vehicle.is_ready()),
@@ -86,6 +93,7 @@ impl Autopilot {
             return;
         }
         let now = vehicle.uptime();
+        self.imu_watch.look(&vehicle.tuning.faults, now);
         let reasons = self.arming_checks().obstacles();
         if self.vehicle.safety.tells_obstacles(reasons.is_empty(), now) {
             refuse(&mut self.vehicle, "PreArm", &reasons);
@@ -94,7 +102,7 @@ impl Autopilot {
 }
 
 /// One text per reason.
-fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[&'static str]) {
+fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[Reason]) {
     for reason in reasons {
         let text = format!("{what}: {reason}");
         vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
@@ -106,7 +114,7 @@ fn start_motors(vehicle: &mut Vehicle, forced: bool) {
     let height_m = vehicle.believed().height_m();
     vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
     vehicle.begin_trail(vehicle.is_ready());
-    if vehicle.datum.home().is_some() {
+    if vehicle.datum.arming_moves_home() {
         vehicle.set_home(vehicle.here());
     }
     if !forced && vehicle.tuning.arming.is_off() {

@@ -7,6 +7,7 @@ use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, MavSeverity};
 
 use super::{Autopilot, telemetry};
+use crate::estimator::RadioFault;
 use crate::mode::{self, Mode, ModeEntry};
 use crate::task::{Attitude, Landing, Lift, Pilot, Returning, Task};
 use crate::vehicle::AskedSpeeds;
@@ -22,8 +23,8 @@ impl Autopilot {
             );
             return false;
         };
-        if number == mode::AUTO_RTL && self.auto_plan.landing_start(&self.vehicle).is_some() {
-            return self.fly_landing_sequence();
+        if number == mode::AUTO_RTL && (self.fly_return_path() || self.fly_landing_sequence()) {
+            return true;
         }
         if mode == self.vehicle.flight.mode {
             return true;
@@ -106,11 +107,31 @@ impl Autopilot {
         self.vehicle.fence.mode_changed(self.vehicle.uptime());
     }
 
+    /// Enters the mode in which the vehicle begins: that of the mode switch, or that of `INITIAL_MODE` without a remote
+    /// control; a mode that cannot be entered leaves STABILIZE.
+    pub(super) fn begin_first_mode(&mut self) {
+        let vehicle = &mut self.vehicle;
+        if vehicle.tuning.faults.radio != RadioFault::Silent {
+            vehicle.radio.read_first(&vehicle.tuning.flight.radio);
+        }
+        self.go_back_to_first_mode();
+    }
+
     /// At the end of the initialisation, enters the first mode, whatever was requested before.
     pub(super) fn go_back_to_first_mode(&mut self) {
-        if self.vehicle.flight.mode != Mode::BOOT {
-            self.vehicle.flight.mode = Mode::BOOT;
+        let switch = self.vehicle.radio.mode_parameter();
+        let name = switch.as_deref().unwrap_or("INITIAL_MODE");
+        let number = self.vehicle.parameters.value(name) as u8;
+        let first = Mode::numbered(number)
+            .filter(|mode| !matches!(mode.entry, ModeEntry::Refused(_)))
+            .unwrap_or(Mode::BOOT);
+        if self.vehicle.flight.mode != first {
+            self.vehicle.flight.mode = first;
+            self.vehicle.flight.pilot = Pilot::begin(first.number, DVec2::ZERO);
             self.vehicle.flight.task = self.first_task();
+            if first.number == mode::AUTO {
+                self.auto_plan.enter();
+            }
         }
     }
 
@@ -164,17 +185,24 @@ impl Autopilot {
         true
     }
 
-    /// Continues at the nearest `DO_LAND_START`, in a mode reported as AUTO RTL.
+    /// Continues at the nearest leg after a `DO_RETURN_PATH_START`, in a mode reported as AUTO RTL; `false` if there is
+    /// none.
+    pub(crate) fn fly_return_path(&mut self) -> bool {
+        let leg = self.auto_plan.return_path(&self.vehicle);
+        leg.is_some_and(|at| self.rejoin(at, "Return path started"))
+    }
+
+    /// Continues at the nearest `DO_LAND_START`, in a mode reported as AUTO RTL; `false` if there is none.
     pub(crate) fn fly_landing_sequence(&mut self) -> bool {
-        let worked = self
-            .auto_plan
-            .landing_start(&self.vehicle)
-            .is_some_and(|at| self.auto_plan.set_item(&mut self.vehicle, at));
-        if !worked {
+        let start = self.auto_plan.landing_start(&self.vehicle);
+        start.is_some_and(|at| self.rejoin(at, "Landing sequence start"))
+    }
+
+    fn rejoin(&mut self, at: u16, text: &str) -> bool {
+        if !self.auto_plan.set_item(&mut self.vehicle, at) {
             return false;
         }
-        self.vehicle
-            .say(MavSeverity::MAV_SEVERITY_INFO, "Landing sequence start");
+        self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
         self.auto_plan.go_on(&mut self.vehicle);
         let returns = self.set_mode(mode::AUTO);
         self.auto_plan.set_returning(returns);
@@ -192,8 +220,9 @@ impl Autopilot {
 
     /// Enters the mode of the switch's position (`FLTMODE1` to 6).
     pub(crate) fn obey_mode_switch(&mut self) {
-        let name = self.vehicle.radio.mode_parameter();
-        let number = self.vehicle.parameters.value(&name) as i32;
-        self.set_mode(number as u8);
+        if let Some(name) = self.vehicle.radio.mode_parameter() {
+            let number = self.vehicle.parameters.value(&name) as i32;
+            self.set_mode(number as u8);
+        }
     }
 }

@@ -169,19 +169,4 @@ impl Autopilot {
                 .say(MavSeverity::MAV_SEVERITY_NOTICE, "Fence Breached");
         }
     }
-
-    /// Obeys the sticks and the mode switch.
-    pub(super) fn watch_sticks(&mut self) {
-        let vehicle = &mut self.vehicle;
-        let (armed, now) = (vehicle.safety.armed, vehicle.uptime());
-        let asked = vehicle
-            .radio
-            .watch(&vehicle.tuning.flight.radio, armed, now);
-        if asked.moved_switch {
-            self.obey_mode_switch();
-        }
-        if asked.arms {
-            self.arm(false);
-        }
-    }
 }

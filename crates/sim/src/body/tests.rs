@@ -107,7 +107,10 @@ proptest! {
             let drive = Drive { fault, ..drive(&airframe, &conditions) };
             let asked = match step / 100 {
                 0 | 2 => Demand::Acceleration(demand),
-                1 => Demand::Throttle(demand.x.abs() / 40.0),
+                1 => Demand::Throttle {
+                    share: demand.x.abs() / 40.0,
+                    lean_m_s2: DVec2::ZERO,
+                },
                 _ => Demand::Off,
             };
             body.turn(demand.y);

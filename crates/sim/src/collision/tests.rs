@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::WorldConfig;
+use crate::arming::ArmingMethod;
 use crate::tests::{Ground, start};
 use crate::wind::Wind;
 
@@ -98,7 +99,7 @@ fn two_in_the_air() -> Ground {
         .map(|slot| &mut slot.autopilot)
     {
         autopilot.set_mode(4);
-        assert!(autopilot.arm(false));
+        assert!(autopilot.arm(ArmingMethod::Command));
     }
     ground.takeoff(10.0);
     let goal = DVec3::new(0.0, 0.0, -10.0);

@@ -1,6 +1,10 @@
 //! Calibrations on the ground.
 
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_ACK_DATA, MavCmd, MavMessage, MavResult, MavSeverity,
+};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
@@ -9,9 +13,17 @@ use crate::link::Link;
 /// The parameter that accepts the existing calibration.
 const FORCE: f32 = 76.0;
 const FORCE_WHOLE: i32 = 76;
+/// The fifth parameters of calibrations in one position: of the level, and of the accelerometers.
+const LEVEL: i32 = 2;
+const SIMPLE: i32 = 4;
+const BRIEFLY_APART: Duration = Duration::from_secs(5);
 
 /// Gyros, barometer, accelerometers, level.
-pub(super) fn preflight(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+pub(super) fn preflight(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
     if autopilot.vehicle.safety.armed {
         autopilot.vehicle.say(
             MavSeverity::MAV_SEVERITY_NOTICE,
@@ -33,14 +45,35 @@ pub(super) fn preflight(autopilot: &mut Autopilot, _: &mut Link, command: &Comma
             "Updating barometer calibration",
             "Barometer calibration complete",
         ];
+        // The airspeed sensors are calibrated afterwards: there are none, so that is over at once.
+        link.reply(MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
+            command: MavCmd::MAV_CMD_PREFLIGHT_CALIBRATION,
+            result: MavResult::MAV_RESULT_IN_PROGRESS,
+            ..Default::default()
+        }));
         return says(autopilot, &texts);
     }
+    if command.y == 1 {
+        return says(autopilot, &["Starting calibration", "Current"]);
+    }
     match command.x {
-        1 => says(autopilot, &["Initialising ArduPilot"]),
-        2 | 4 | FORCE_WHOLE => MavResult::MAV_RESULT_ACCEPTED,
+        1 => says(autopilot, &["Place vehicle level and press any key."]),
+        LEVEL | SIMPLE => calibrate_briefly(autopilot),
+        FORCE_WHOLE => MavResult::MAV_RESULT_ACCEPTED,
         _ if command.is(1, FORCE) => MavResult::MAV_RESULT_ACCEPTED,
         _ => MavResult::MAV_RESULT_UNSUPPORTED,
     }
+}
+
+/// The level or the accelerometers in one position; refused within five seconds of the last time, or of the boot.
+fn calibrate_briefly(autopilot: &mut Autopilot) -> MavResult {
+    let now = autopilot.vehicle.uptime();
+    let last = &mut autopilot.workbench.accelerometers_calibrated;
+    if now < *last + BRIEFLY_APART {
+        return MavResult::MAV_RESULT_TEMPORARILY_REJECTED;
+    }
+    *last = now;
+    MavResult::MAV_RESULT_ACCEPTED
 }
 
 /// The compasses of a command, a bit each; zero means all. `None` if there is another bit.

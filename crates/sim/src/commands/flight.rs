@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::{Command, done};
+use crate::arming::ArmingMethod;
 use crate::autopilot::Autopilot;
 use crate::frame::GLOBAL_RELATIVE_ALT;
 use crate::link::Link;
@@ -34,7 +35,12 @@ pub(super) fn arm_or_disarm(
     command: &Command,
 ) -> MavResult {
     if command.is(0, 1.0) {
-        return done(autopilot.arm(command.is(1, FORCE_ARMING)));
+        let method = if command.is(1, FORCE_ARMING) {
+            ArmingMethod::ForcedCommand
+        } else {
+            ArmingMethod::Command
+        };
+        return done(autopilot.arm(method));
     }
     if command.p[0] != 0.0 {
         return MavResult::MAV_RESULT_UNSUPPORTED;
@@ -83,8 +89,11 @@ pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavR
     done(autopilot.set_mode(mode::LAND))
 }
 
-/// A return path is part of a plan.
+/// Continues at the nearest leg of a return path.
 pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    if autopilot.fly_return_path() {
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
     autopilot.vehicle.say(
         MavSeverity::MAV_SEVERITY_WARNING,
         "Mode change to AUTO RTL failed: No return path found",
@@ -119,7 +128,7 @@ pub(super) fn fly_button_held(
     command: &Command,
 ) -> MavResult {
     if !autopilot.vehicle.safety.armed {
-        autopilot.arm(false);
+        autopilot.arm(ArmingMethod::Command);
     } else if autopilot.vehicle.safety.landed {
         if autopilot.set_mode(mode::LOITER) {
             take_off(autopilot, f64::from(command.p[0]), true);

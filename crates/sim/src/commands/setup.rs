@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{Command, done, motion};
 use crate::autopilot::Autopilot;
-use crate::frame;
+use crate::frame::{self, HeightOrigin};
 use crate::link::Link;
 
 /// The sixth parameter that forces a reboot of an armed vehicle.
@@ -24,6 +24,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     }
     if command.is(0, 1.0) || (command.x, command.y) == (0, 0) {
         autopilot.vehicle.set_home_here();
+        autopilot.vehicle.datum.lock_home();
         return MavResult::MAV_RESULT_ACCEPTED;
     }
     if command.p[0] != 0.0 {
@@ -36,6 +37,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     done(
         autopilot.vehicle.datum.may_be_home(place) && {
             autopilot.vehicle.set_home(place);
+            autopilot.vehicle.datum.lock_home();
             true
         },
     )
@@ -55,6 +57,22 @@ pub(super) fn estimator_source(_: &mut Autopilot, _: &mut Link, command: &Comman
     match command.whole(0) {
         Some(1..=3) => MavResult::MAV_RESULT_ACCEPTED,
         _ => MavResult::MAV_RESULT_DENIED,
+    }
+}
+
+/// A position from outside, as `COMMAND_INT` only: in a global frame and without an altitude. The estimator takes none
+/// while it has its own.
+pub(super) fn external_position(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    match command.frame {
+        None => MavResult::MAV_RESULT_UNSUPPORTED,
+        Some(frame)
+            if HeightOrigin::of(frame) == Some(HeightOrigin::Sea)
+                && command.z.is_nan()
+                && command.at().is_valid() =>
+        {
+            MavResult::MAV_RESULT_FAILED
+        }
+        Some(_) => MavResult::MAV_RESULT_DENIED,
     }
 }
 

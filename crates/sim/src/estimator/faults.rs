@@ -8,6 +8,8 @@ use crate::parameters::Parameters;
 
 /// The default hard-iron offset of each simulated compass (`SIM_MAGn_OFS_*`), in milligauss.
 const COMPASS_OFFSET_MGAUSS: DVec3 = DVec3::new(5.0, 13.0, -18.0);
+/// Gyros that differ by more than this are inconsistent.
+const GYROS_AGREE_RAD_S: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Bits of `SIM_ACC_FAIL_MSK` and `SIM_GYR_FAIL_MSK`: the first sensor.
 const FIRST: u8 = 1;
 
@@ -62,6 +64,8 @@ pub(crate) struct Faults {
     pub(crate) accelerometers_stuck_m_s2: [f64; 2],
     pub(crate) accelerometer_failed: bool,
     pub(crate) gyro_failed: bool,
+    /// Whether the first two accelerometers, and the first two gyros, differ by more than arming tolerates.
+    pub(crate) inertial_differences: [bool; 2],
     pub(crate) radio: RadioFault,
     /// Simulated seconds per second (`SIM_SPEEDUP`).
     pub(crate) speedup: f64,
@@ -83,6 +87,7 @@ impl Faults {
                 .map(|name| all.value(name).clamp(-200.0, 200.0)),
             accelerometer_failed: all.value("SIM_ACC_FAIL_MSK") as u8 & FIRST != 0,
             gyro_failed: all.value("SIM_GYR_FAIL_MSK") as u8 & FIRST != 0,
+            inertial_differences: inertial_differences(all),
             radio: match all.value("SIM_RC_FAIL") as i32 {
                 1 => RadioFault::Silent,
                 2 => RadioFault::Low,
@@ -119,7 +124,7 @@ impl GpsFault {
         let period = Duration::from_secs_f64(1.0 / all.value("SIM_GPS_HZ").clamp(1.0, 20.0));
         let lag_ms = all.value("SIM_GPS_LAG_MS").clamp(0.0, 1000.0);
         Self {
-            disabled: all.value("SIM_GPS_DISABLE") != 0.0,
+            disabled: all.value("SIM_GPS_DISABLE") != 0.0 || all.value("GPS1_TYPE") == 0.0,
             // Only the value 1 jams.
             jammed: (all.value("SIM_GPS_JAM") - 1.0).abs() < 0.5,
             glitch,
@@ -153,6 +158,22 @@ impl BarometerFault {
     fn is_faulty(&self) -> bool {
         self.disabled || self.frozen || self.glitch_m != 0.0 || self.drift_m_s != 0.0
     }
+}
+
+/// Whether the first two accelerometers differ by more than `ARMING_ACCTHRESH`, and the first two gyros by more than 5
+/// degrees per second.
+fn inertial_differences(all: &Parameters) -> [bool; 2] {
+    let bias = |sensor: &str, axis: &str| all.value(&format!("SIM_{sensor}_BIAS_{axis}"));
+    let difference = |first: &str, second: &str| {
+        DVec3::from_array(["X", "Y", "Z"].map(|axis| bias(first, axis) - bias(second, axis)))
+    };
+    // The vertical axis counts half.
+    let accelerometers = difference("ACC1", "ACC2") * DVec3::new(1.0, 1.0, 0.5);
+    let gyros = difference("GYR1", "GYR2");
+    [
+        accelerometers.length() > all.value("ARMING_ACCTHRESH"),
+        gyros.length() > GYROS_AGREE_RAD_S,
+    ]
 }
 
 fn compass_error(all: &Parameters, stem: &str) -> f64 {

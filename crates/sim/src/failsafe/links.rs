@@ -36,11 +36,17 @@ impl LinkWatch {
 
 impl RadioInputs {
     /// A receiver's output: the throttle of a lost transmitter, or that of the sticks.
-    pub(crate) fn new(fault: RadioFault, is_overridden: bool, sticks: &Sticks) -> Self {
+    pub(crate) fn new(
+        fault: RadioFault,
+        is_overridden: bool,
+        was_heard: bool,
+        sticks: &Sticks,
+    ) -> Self {
         let is_lost = fault == RadioFault::Low && !is_overridden;
         Self {
             fault,
             is_overridden,
+            was_heard,
             throttle_us: if is_lost {
                 LOST_THROTTLE_US
             } else {
@@ -120,6 +126,8 @@ impl Failsafe {
         let low = inputs.radio.throttle_us < inputs.rules.radio_low_us;
         let delay = match inputs.radio.fault {
             _ if inputs.rules.radio == 0 => None,
+            // A remote control that was never heard is not lost, unless the vehicle flies.
+            RadioFault::Silent if !inputs.armed && !inputs.radio.was_heard => None,
             RadioFault::Silent if !inputs.radio.is_overridden => Some(inputs.rules.radio_timeout),
             _ if low => Some(LOW_FOR),
             RadioFault::Fine | RadioFault::Silent | RadioFault::Low => None,

@@ -64,7 +64,10 @@ impl Attitude {
         if let Lift::Thrust(share) = self.lift
             && self.lean_rad == DVec2::ZERO
         {
-            return Act::Throttle(share.max(0.0));
+            return Act::Throttle {
+                share: share.max(0.0),
+                lean_m_s2: DVec2::ZERO,
+            };
         }
         let down = match self.lift {
             Lift::Climb(_) => cockpit.control.lift(cockpit.body),

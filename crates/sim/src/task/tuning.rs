@@ -43,6 +43,11 @@ pub(crate) struct FlightTuning {
 }
 
 impl FlightTuning {
+    /// The speeds along waypoints: cruise, climb, descent.
+    pub(crate) fn speeds_m_s(&self) -> [f64; 3] {
+        [self.speed_m_s, self.speed_up_m_s, self.speed_down_m_s]
+    }
+
     /// Reads the parameters. Invalid values (zero accelerations, negative speeds) are raised to the smallest that the
     /// equations of motion allow.
     pub(crate) fn read(all: &Parameters) -> Self {

@@ -59,7 +59,8 @@ fn loiter_takes_off_climbs_and_stops_by_the_throttle_stick() {
     mode(&mut ground, 5.0);
     hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 0.5);
     ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
-    hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 1.0);
+    // The motors turn up two seconds after arming.
+    hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 2.0);
     hold(&mut ground, [MIDDLE, MIDDLE, 1700, MIDDLE], 8.0);
     close(
         "climb at 1700",
@@ -108,6 +109,55 @@ fn loiter_accelerates_coasts_and_brakes_like_the_real_one() {
     }
     hold(&mut ground, CENTRED, 5.0);
     close("stopping distance", north(&ground).0 - from, 24.8, 2.5);
+}
+
+/// Ready, armed in a mode with the throttle down.
+fn armed_in(number: f32) -> Ground {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    mode(&mut ground, number);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 1.0);
+    let result = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
+    assert_eq!(result, MavResult::MAV_RESULT_ACCEPTED);
+    ground
+}
+
+#[test]
+fn the_motors_wait_for_two_seconds_after_arming() {
+    let lifted = |wait_s: f64| {
+        let mut ground = armed_in(5.0);
+        hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], wait_s);
+        let mut elapsed = 0.0;
+        while ground.truth().position_ned_m[2] > -0.3 {
+            hold(&mut ground, [MIDDLE, MIDDLE, 1900, MIDDLE], 0.1);
+            elapsed += 0.1;
+        }
+        elapsed
+    };
+    close("at once", lifted(0.0), 4.0, 0.3);
+    close("after 3 s", lifted(3.0), 2.2, 0.3);
+}
+
+#[test]
+fn a_touch_of_the_throttle_takes_off_to_the_pilots_height() {
+    let mut ground = armed_in(16.0);
+    ground.set("PILOT_TKOFF_ALT", 700.0);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 2.0);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1710, MIDDLE], 0.5);
+    hold(&mut ground, CENTRED, 12.0);
+    close("height", -ground.truth().position_ned_m[2], 7.2, 0.3);
+}
+
+#[test]
+fn a_raised_throttle_in_stabilize_stays_and_the_air_limits_the_climb() {
+    let mut ground = armed_in(0.0);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 2.0);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1700, MIDDLE], 4.0);
+    close("throttle", ground.truth().throttle, 0.59, 0.02);
+    hold(&mut ground, [MIDDLE, MIDDLE, 1700, MIDDLE], 3.8);
+    close("throttle stays", ground.truth().throttle, 0.59, 0.02);
+    close("climb", -ground.truth().velocity_ned_m_s[2], 8.7, 0.6);
+    close("height", -ground.truth().position_ned_m[2], 51.0, 5.0);
 }
 
 #[test]

@@ -78,6 +78,28 @@ impl FlightState {
         };
     }
 
+    /// Takes over parameters of speed that have changed in flight: cruise, climb, descent. Modes that fly along
+    /// waypoints obey at once, even after a command for another speed; the others keep the cruise speed that they were
+    /// entered with.
+    pub(super) fn speeds_changed(&mut self, before: [f64; 3], now: [f64; 3]) {
+        let changed = |place: usize| before[place].to_bits() != now[place].to_bits();
+        let asked = &mut self.speeds;
+        if mode::follows_waypoints(self.mode.number) {
+            let speeds = [
+                &mut asked.ground_m_s,
+                &mut asked.up_m_s,
+                &mut asked.down_m_s,
+            ];
+            for (place, speed) in speeds.into_iter().enumerate() {
+                if changed(place) {
+                    *speed = None;
+                }
+            }
+        } else if asked.ground_m_s.is_none() {
+            asked.ground_m_s = Some(before[0]);
+        }
+    }
+
     /// The limits of the flight: from the parameters, with changes by commands.
     pub(super) fn limits(&self, tuning: &FlightTuning) -> Limits {
         let asked = self.speeds;
@@ -103,7 +125,7 @@ impl FlightState {
     ) -> Demand {
         match act {
             Act::Idle => Demand::Off,
-            Act::Throttle(throttle) => Demand::Throttle(throttle),
+            Act::Throttle { share, lean_m_s2 } => Demand::Throttle { share, lean_m_s2 },
             Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => Demand::Acceleration(self.control.demand(
                 believed,

@@ -15,8 +15,6 @@ use crate::kinematics::GRAVITY_M_S2;
 use sortie_geo::maths;
 use sortie_geo::wrap_360;
 
-/// The earth's magnetic field at the place of the measurements, in the vehicle's axes facing north, milligauss.
-const FIELD_MGAUSS: [i16; 3] = [232, 52, -528];
 /// Degrees Celsius times 100 on the board's second barometer.
 const BOARD_CDEG: i16 = 3015;
 /// The spacing of requested terrain, in metres; and the number of squares missing.
@@ -120,13 +118,12 @@ pub(super) fn scaled_imu(autopilot: &Autopilot) -> MavMessage {
 
 /// There is a third compass but no third inertial sensor.
 pub(super) fn scaled_imu3(autopilot: &Autopilot) -> MavMessage {
-    let (sin, cos) = maths::sin_cos(autopilot.vehicle.plant.body.yaw_deg.to_radians());
-    let [north, east, down] = FIELD_MGAUSS.map(f64::from);
+    let field = sensors::magnetic(autopilot);
     MavMessage::SCALED_IMU3(SCALED_IMU3_DATA {
         time_boot_ms: boot_ms(autopilot),
-        xmag: (north * cos + east * sin) as i16,
-        ymag: (east * cos - north * sin) as i16,
-        zmag: down as i16,
+        xmag: field[0],
+        ymag: field[1],
+        zmag: field[2],
         ..Default::default()
     })
 }

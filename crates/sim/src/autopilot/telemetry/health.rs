@@ -2,14 +2,15 @@
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
-    GpsFixType, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
-    MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability, MavState,
-    MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
+    GpsFixType, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFault, MavBatteryFunction,
+    MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability,
+    MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
     SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
+use crate::boot::COMMIT;
 use crate::flight_log::EPOCH_US;
 use crate::mode;
 use crate::task::Task;
@@ -185,6 +186,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
         mavtype: MavBatteryType::MAV_BATTERY_TYPE_UNKNOWN,
         battery_remaining: remaining(autopilot),
         charge_state: autopilot.failsafe.charge_state(),
+        fault_bitmask: MavBatteryFault::empty(),
         ..Default::default()
     })
 }
@@ -260,9 +262,8 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     );
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
         capabilities,
-        uid: autopilot.vehicle.board_id,
         flight_sw_version: 0x0406_0000,
-        flight_custom_version: *b"sortie\0\0",
+        flight_custom_version: COMMIT,
         uid2,
         ..Default::default()
     })

@@ -46,8 +46,9 @@ fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
             goal_m, drift_m_s, ..
         } => Some((*goal_m, *drift_m_s, POSITION_ONLY)),
         Task::Velocity { wanted_m_s, .. } => Some((DVec3::ZERO, *wanted_m_s, VELOCITY_ONLY)),
+        // During a takeoff the vehicle reports a target that it does not fly to.
+        Task::Takeoff(_) => Some((DVec3::ZERO, DVec3::ZERO, POSITION_ONLY)),
         Task::Wait
-        | Task::Takeoff(_)
         | Task::Accelerate { .. }
         | Task::Attitude(_)
         | Task::Brake

@@ -32,6 +32,12 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
         } else {
             0
         },
+        // The receiver knows no height of the geoid.
+        alt_ellipsoid: if seen {
+            (here.altitude_amsl_m * 1000.0) as i32
+        } else {
+            0
+        },
         eph: if seen { 121 } else { u16::MAX },
         epv: if seen { 200 } else { u16::MAX },
         vel: (v.truncate().length() * 100.0) as u16,
@@ -44,6 +50,11 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
         ..Default::default()
     })
 }
+
+/// The earth's magnetic field at the place of the measurements (north, east, down), in milligauss.
+const FIELD_MGAUSS: DVec3 = DVec3::new(232.0, 52.0, -528.0);
+/// Degrees Celsius times 100 of the inertial sensors.
+const IMU_CDEG: i16 = 2700;
 
 /// Fix type, satellites, and the errors of position (metres) and velocity (metres per second).
 fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
@@ -87,8 +98,19 @@ fn inertial(autopilot: &Autopilot) -> ([i16; 3], [i16; 3]) {
     )
 }
 
+/// The earth's magnetic field in the body's axes, in milligauss.
+pub(super) fn magnetic(autopilot: &Autopilot) -> [i16; 3] {
+    let body = &autopilot.vehicle.plant.body;
+    let (roll, pitch) = body.roll_pitch_rad();
+    let attitude =
+        glam::DQuat::from_euler(glam::EulerRot::ZYX, body.yaw_deg.to_radians(), pitch, roll);
+    let felt = attitude.inverse() * FIELD_MGAUSS;
+    [felt.x as i16, felt.y as i16, felt.z as i16]
+}
+
 pub(super) fn raw_imu(autopilot: &Autopilot) -> MavMessage {
     let (force, turn) = inertial(autopilot);
+    let field = magnetic(autopilot);
     MavMessage::RAW_IMU(RAW_IMU_DATA {
         time_usec: boot_us(autopilot),
         xacc: force[0],
@@ -97,12 +119,17 @@ pub(super) fn raw_imu(autopilot: &Autopilot) -> MavMessage {
         xgyro: turn[0],
         ygyro: turn[1],
         zgyro: turn[2],
+        xmag: field[0],
+        ymag: field[1],
+        zmag: field[2],
+        temperature: IMU_CDEG,
         ..Default::default()
     })
 }
 
 pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
     let (force, turn) = inertial(autopilot);
+    let field = magnetic(autopilot);
     MavMessage::SCALED_IMU2(SCALED_IMU2_DATA {
         time_boot_ms: boot_ms(autopilot),
         xacc: force[0],
@@ -111,6 +138,10 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
         xgyro: turn[0],
         ygyro: turn[1],
         zgyro: turn[2],
+        xmag: field[0],
+        ymag: field[1],
+        zmag: field[2],
+        temperature: IMU_CDEG,
         ..Default::default()
     })
 }

@@ -28,6 +28,8 @@ pub(crate) struct PilotRules {
     pub(super) turn_deg_s: f64,
     pub(super) acro_turn_deg_s: f64,
     pub(super) hover: f64,
+    /// The height of a takeoff by the throttle stick; 0 for none.
+    pub(super) takeoff_m: f64,
     /// Sticks move a vehicle that lands on its own.
     pub(crate) moves_landing: bool,
 }
@@ -73,6 +75,7 @@ impl PilotRules {
             acro_balance_per_s: all.value("ACRO_BAL_ROLL").clamp(0.0, 10.0),
             turn_deg_s: all.value("PILOT_Y_RATE").clamp(1.0, 360.0),
             acro_turn_deg_s: all.value("ACRO_Y_RATE").clamp(1.0, 1080.0),
+            takeoff_m: (all.value("PILOT_TKOFF_ALT") * 0.01).clamp(0.0, 10.0),
             hover: all.value("MOT_THST_HOVER").clamp(0.125, 0.6875),
             moves_landing: all.value("LAND_REPOSITION") > 0.0,
         }

@@ -1,0 +1,195 @@
+//! Auxiliary functions: what a switch of the transmitter does (`RCn_OPTION`), by the switch itself or by
+//! `DO_AUX_FUNCTION`.
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::Autopilot;
+use crate::arming::ArmingMethod;
+use crate::mode;
+use crate::plan::ListKind;
+use crate::radio::SwitchPosition::{self, High, Low, Middle};
+
+/// Functions that enter a mode, with its number.
+const MODES: &[(u16, u8)] = &[
+    (2, mode::FLIP),
+    (4, mode::RTL),
+    (16, mode::AUTO),
+    (17, mode::AUTOTUNE),
+    (18, mode::LAND),
+    (33, mode::BRAKE),
+    (37, mode::THROW),
+    (42, mode::SMART_RTL),
+    (52, mode::ACRO),
+    (55, mode::GUIDED),
+    (56, mode::LOITER),
+    (57, mode::FOLLOW),
+    (60, mode::ZIGZAG),
+    (68, mode::STABILIZE),
+    (69, mode::POSHOLD),
+    (70, mode::ALT_HOLD),
+    (71, mode::FLOWHOLD),
+    (72, mode::CIRCLE),
+    (73, mode::DRIFT),
+    (99, mode::AUTO_RTL),
+    (151, mode::TURTLE),
+];
+const FENCE: u16 = 11;
+const MISSION_RESET: u16 = 24;
+const RELAY: u16 = 28;
+const MOTOR_EMERGENCY_STOP: u16 = 31;
+const CLEAR_MISSION: u16 = 58;
+const DISARM: u16 = 81;
+const ARM_OR_DISARM: u16 = 153;
+const ARM_OR_DISARM_AIRMODE: u16 = 154;
+const ARM_OR_EMERGENCY_STOP: u16 = 165;
+/// Functions that exist but have no effect in the simulation.
+const WITHOUT_EFFECT: &[u16] = &[
+    3, 5, 7, 9, 10, 13, 14, 15, 19, 21, 22, 23, 25, 26, 27, 29, 30, 32, 34, 35, 36, 38, 39, 40, 44,
+    45, 46, 61, 62, 65, 66, 67, 75, 76, 78, 79, 80, 83, 84, 85, 90, 100, 101, 102, 103, 104, 105,
+    106, 109, 110, 111, 112, 152, 156, 158, 159, 160, 162, 163, 164, 171, 172, 177, 178, 212, 213,
+    214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305, 306, 307,
+];
+/// Functions that exist but fail.
+const FAILING: &[u16] = &[166, 167, 168, 169, 174, 175];
+/// Functions whose switch is announced in a text when it moves, and their names.
+const ANNOUNCED: &[(u16, &str)] = &[
+    (7, "SaveWaypoint"),
+    (9, "CameraTrigger"),
+    (10, "Rangefinder"),
+    (FENCE, "Fence"),
+    (15, "Sprayer"),
+    (21, "ParachuteEnable"),
+    (22, "ParachuteRelease"),
+    (23, "Parachute3Position"),
+    (MISSION_RESET, "MissionReset"),
+    (27, "RetractMount1"),
+    (RELAY, "Relay1"),
+    (MOTOR_EMERGENCY_STOP, "MotorEStop"),
+    (32, "MotorInterlock"),
+    (34, "Relay2"),
+    (35, "Relay3"),
+    (36, "Relay4"),
+    (39, "PrecisionLoiter"),
+    (40, "AvoidProximity"),
+    (44, "WinchEnable"),
+    (45, "WinchControl"),
+    (CLEAR_MISSION, "ClearWaypoint"),
+    (62, "CompassLearn"),
+    (65, "GPSDisable"),
+    (66, "Relay5"),
+    (67, "Relay6"),
+    (75, "SurfaceTracking"),
+    (78, "RunCamControl"),
+    (79, "RunCamOSDControl"),
+    (80, "VisOdomAlign"),
+    (84, "AirMode"),
+    (85, "Generator"),
+    (102, "CamModeToggle"),
+    (105, "GPSDisableYaw"),
+    (106, "DisableAirspeedUse"),
+    (156, "Torqeedo Clear Err"),
+    (160, "Weathervane"),
+    (162, "FFT Notch Tuning"),
+    (163, "MountLock"),
+    (164, "Pause Stream Logging"),
+    (166, "Camera Record Video"),
+    (167, "Camera Zoom"),
+    (168, "Camera Manual Focus"),
+    (169, "Camera Auto Focus"),
+    (172, "Battery MPPT Enable"),
+    (174, "Camera Image Tracking"),
+    (175, "Camera Lens"),
+    (177, "Mount LRF Enable"),
+];
+
+impl Autopilot {
+    /// Obeys the sticks and switches, unless the remote control is lost.
+    pub(super) fn watch_sticks(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let (armed, now) = (vehicle.safety.armed, vehicle.uptime());
+        let rules = &vehicle.tuning.flight.radio;
+        let hears = vehicle.radio.hears(vehicle.tuning.faults.radio, now);
+        vehicle.radio.was_heard |= hears;
+        if !hears || self.failsafe.radio_is_lost() || vehicle.boot.is_initialising() {
+            return;
+        }
+        let asked = vehicle.radio.watch(rules, armed, now);
+        if asked.moved_switch {
+            self.obey_mode_switch();
+        }
+        if asked.arms {
+            self.arm(ArmingMethod::RemoteControl);
+        }
+        for moved in asked.moves {
+            if let Some((_, name)) = ANNOUNCED.iter().find(|(known, _)| *known == moved.function) {
+                let text = format!("RC{}: {name} {}", moved.channel, moved.position.name());
+                self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+            }
+            self.run_function(moved.function, moved.position);
+        }
+    }
+
+    /// Runs a function for a position of its switch; `false` for one that does not exist or fails.
+    pub(crate) fn run_function(&mut self, function: u16, position: SwitchPosition) -> bool {
+        if let Some((_, number)) = MODES.iter().find(|(known, _)| *known == function) {
+            self.switch_mode(*number, position);
+            return true;
+        }
+        let is_high = position == High;
+        match function {
+            ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE => match position {
+                High => {
+                    self.arm(ArmingMethod::RemoteControl);
+                }
+                Middle => {}
+                Low => self.disarm(),
+            },
+            ARM_OR_EMERGENCY_STOP => {
+                self.vehicle.safety.emergency_stop = position == Low;
+                if is_high {
+                    self.arm(ArmingMethod::RemoteControl);
+                }
+            }
+            MOTOR_EMERGENCY_STOP => match position {
+                High => self.vehicle.safety.emergency_stop = true,
+                Middle => {}
+                Low => self.vehicle.safety.emergency_stop = false,
+            },
+            DISARM if is_high => self.disarm(),
+            FENCE => {
+                self.vehicle.enable_fence(is_high);
+            }
+            MISSION_RESET if is_high => self.auto_plan.reset(),
+            RELAY => self.workbench.relay_on = is_high,
+            CLEAR_MISSION if is_high => self.clear_mission(),
+            DISARM | MISSION_RESET | CLEAR_MISSION => {}
+            known if WITHOUT_EFFECT.contains(&known) => {}
+            known if FAILING.contains(&known) => return false,
+            _ => {
+                let text = format!("Invalid channel option ({function})");
+                self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+                return false;
+            }
+        }
+        true
+    }
+
+    /// High enters a mode; any other position leaves it for the mode of the mode switch.
+    fn switch_mode(&mut self, number: u8, position: SwitchPosition) {
+        if position == High {
+            self.set_mode(number);
+        } else if self.vehicle.flight.mode.number == number {
+            self.obey_mode_switch();
+        }
+    }
+
+    /// Empties the mission, except while it is flown.
+    fn clear_mission(&mut self) {
+        let vehicle = &mut self.vehicle;
+        if vehicle.safety.armed && vehicle.flight.mode.number == mode::AUTO {
+            return;
+        }
+        vehicle.plans.mission.clear();
+        self.plans_changed(ListKind::Plan);
+    }
+}
