@@ -137,32 +137,18 @@ impl Autopilot {
         }
         let is_high = position == High;
         match function {
-            ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE => match position {
-                High => {
-                    self.arm(ArmingMethod::RemoteControl);
-                }
-                Middle => {}
-                Low => self.disarm(),
-            },
-            ARM_OR_EMERGENCY_STOP => {
-                self.vehicle.safety.emergency_stop = position == Low;
-                if is_high {
-                    self.arm(ArmingMethod::RemoteControl);
-                }
-            }
-            MOTOR_EMERGENCY_STOP => match position {
-                High => self.vehicle.safety.emergency_stop = true,
-                Middle => {}
-                Low => self.vehicle.safety.emergency_stop = false,
-            },
-            DISARM if is_high => self.disarm(),
+            ARM_OR_DISARM
+            | ARM_OR_DISARM_AIRMODE
+            | ARM_OR_EMERGENCY_STOP
+            | DISARM
+            | MOTOR_EMERGENCY_STOP => self.switch_motors(function, position),
             FENCE => {
                 self.vehicle.enable_fence(is_high);
             }
             MISSION_RESET if is_high => self.auto_plan.reset(),
             RELAY => self.workbench.relay_on = is_high,
             CLEAR_MISSION if is_high => self.clear_mission(),
-            DISARM | MISSION_RESET | CLEAR_MISSION => {}
+            MISSION_RESET | CLEAR_MISSION => {}
             known if WITHOUT_EFFECT.contains(&known) => {}
             known if FAILING.contains(&known) => return false,
             _ => {
@@ -172,6 +158,28 @@ impl Autopilot {
             }
         }
         true
+    }
+
+    /// Arms, disarms, or stops the motors, as the function says for the position.
+    fn switch_motors(&mut self, function: u16, position: SwitchPosition) {
+        let safety = &mut self.vehicle.safety;
+        match (function, position) {
+            (ARM_OR_EMERGENCY_STOP, Low) | (MOTOR_EMERGENCY_STOP, High) => {
+                safety.emergency_stop = true;
+            }
+            (ARM_OR_EMERGENCY_STOP, Middle) | (MOTOR_EMERGENCY_STOP, Low) => {
+                safety.emergency_stop = false;
+            }
+            (ARM_OR_EMERGENCY_STOP, High) => {
+                safety.emergency_stop = false;
+                self.arm(ArmingMethod::RemoteControl);
+            }
+            (ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE, High) => {
+                self.arm(ArmingMethod::RemoteControl);
+            }
+            (ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE, Low) | (DISARM, High) => self.disarm(),
+            (_, Low | Middle | High) => {}
+        }
     }
 
     /// High enters a mode; any other position leaves it for the mode of the mode switch.

@@ -3,12 +3,14 @@
 //! After `ArduCopter`'s `mode_loiter`, `mode_poshold`, `mode_althold`, `mode_stabilize`, `mode_acro` and `mode_drift`,
 //! and its loiter controller (`AC_Loiter`).
 
+mod lift_off;
 mod rules;
 
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
+use self::lift_off::LiftOff;
 pub(crate) use self::rules::PilotRules;
 use super::{Act, Cockpit};
 use crate::control::{FlatMotion, Limits};
@@ -19,16 +21,8 @@ use sortie_geo::maths;
 
 /// The pilot's lean follows the stick with this lag in LOITER (`ATC_INPUT_TC`).
 const STICK_LAG_S: f64 = 0.15;
-/// The time from a climb by stick to the lift-off.
-const SPOOL: Duration = Duration::from_millis(1400);
-/// The same in a mode in which the stick drives the motors: fitted to a climb of 51 m in 7.8 s.
-const MANUAL_SPOOL: Duration = Duration::from_millis(850);
-/// How long the throttle stick must ask for a climb until a takeoff to a height begins.
-const TRIGGERS: Duration = Duration::from_millis(400);
 /// The climb with which a takeoff leaves the ground.
 const LEAST_LIFT_M_S: f64 = 0.3;
-/// A takeoff is over within this share of its height.
-const TAKEOFF_ENDS_SHARE: f64 = 0.01;
 /// The loiter target leads the vehicle by at most this much.
 const LEAD_MAX_M: f64 = 2.0;
 /// POSHOLD: the decay rate of the lean with the stick released, when braking begins, and when it is over.
@@ -59,17 +53,6 @@ enum Style {
     Loiter,
 }
 
-/// A takeoff begun by the throttle stick.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-enum StickTakeoff {
-    #[default]
-    Not,
-    /// The motors spool up.
-    Spools,
-    /// The vehicle climbs to a height, in metres down from the start.
-    ClimbsTo(f64),
-}
-
 /// The state of the piloted modes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pilot {
@@ -84,10 +67,7 @@ pub(crate) struct Pilot {
     drift_brake: f64,
     /// ACRO: forward and right lean in radians.
     angles_rad: DVec2,
-    /// Since when the throttle stick has commanded a vehicle on the ground to climb.
-    spooling_since: Option<Duration>,
-    /// The takeoff to a height that the throttle stick has begun (`PILOT_TKOFF_ALT`).
-    takeoff: StickTakeoff,
+    lift_off: LiftOff,
 }
 
 impl Pilot {
@@ -106,48 +86,6 @@ impl Pilot {
             holding: lean_ne_m_s2.length_squared() < 1.0,
             ..Self::default()
         }
-    }
-
-    /// Whether a vehicle on the ground lifts off now; its motors spool up first. A stick held up for the time of the
-    /// first spool begins a takeoff, if there is a height for it, and may be let go.
-    fn lifts(&mut self, climb_m_s: f64, takeoff_m: f64, now: Duration, from: Duration) -> bool {
-        let begun = self.takeoff == StickTakeoff::Spools && climb_m_s >= 0.0;
-        if climb_m_s <= 0.0 && !begun {
-            self.spooling_since = None;
-            self.takeoff = StickTakeoff::Not;
-            return false;
-        }
-        let since = *self.spooling_since.get_or_insert(now.max(from));
-        if takeoff_m > 0.0 && climb_m_s > 0.0 && now >= since + TRIGGERS {
-            self.takeoff = StickTakeoff::Spools;
-        }
-        now >= since + SPOOL
-    }
-
-    /// Whether the motors of a vehicle on the ground have spooled up after the throttle stick has left its end.
-    fn spools(&mut self, share: f64, now: Duration, from: Duration) -> bool {
-        if share <= 0.0 {
-            self.spooling_since = None;
-            return false;
-        }
-        now >= *self.spooling_since.get_or_insert(now.max(from)) + MANUAL_SPOOL
-    }
-
-    /// The climb of a takeoff under way, upwards; the stick's own once it is over or the stick asks to sink.
-    fn takeoff_climb(&mut self, asked_m_s: f64, here_m: f64, rules: &PilotRules) -> f64 {
-        if self.takeoff == StickTakeoff::Spools {
-            self.takeoff = StickTakeoff::ClimbsTo(here_m - rules.takeoff_m);
-        }
-        let StickTakeoff::ClimbsTo(goal_m) = self.takeoff else {
-            return asked_m_s;
-        };
-        let left_m = here_m - goal_m;
-        if asked_m_s < 0.0 || left_m < rules.takeoff_m * TAKEOFF_ENDS_SHARE {
-            self.takeoff = StickTakeoff::Not;
-            return asked_m_s;
-        }
-        let most = square_root(left_m, 1.0, rules.accel_z_m_s2).min(rules.climb_m_s);
-        most.max(asked_m_s)
     }
 
     /// The turning rate demanded by the sticks, degrees per second.
@@ -235,12 +173,13 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
         let here_m = cockpit.body.position_m.z;
         asked = cockpit
             .pilot
-            .takeoff_climb(asked, here_m, &cockpit.tuning.pilot);
+            .lift_off
+            .climb(asked, here_m, &cockpit.tuning.pilot);
     }
     let climb = -super::keep_inside(cockpit, DVec3::new(0.0, 0.0, -asked)).z;
     if cockpit.body.on_ground {
         let (now, from) = (cockpit.now, cockpit.lifts_from);
-        if !cockpit.pilot.lifts(climb, takeoff_m, now, from) {
+        if !cockpit.pilot.lift_off.lifts(climb, takeoff_m, now, from) {
             return Act::Idle;
         }
     }
@@ -367,7 +306,7 @@ pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
     let share = throttle.pushed(cockpit.sticks.channels_us[2]);
     if cockpit.body.on_ground {
         let (now, from) = (cockpit.now, cockpit.lifts_from);
-        if !cockpit.pilot.spools(share, now, from) {
+        if !cockpit.pilot.lift_off.spools(share, now, from) {
             return Act::Idle;
         }
     }
