@@ -37,7 +37,7 @@ mod tests;
 
 pub use arming::ArmingCommand;
 pub use claim::Claim;
-pub use deed::{Deed, Goal, Spot, Subject};
+pub use deed::{Deed, Goal, GoalComponent, Spot, Subject};
 pub use destination::{Destination, Heading};
 pub use device::DeviceCommand;
 pub use effect::Effect;

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use strum::VariantNames;
+use strum::{EnumString, VariantNames};
 
 use crate::alert::AlertKind;
 use crate::text::Language;
@@ -90,8 +90,11 @@ pub struct ConnectConfig {
 }
 
 /// The symbols that a terminal can show besides letters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumString, VariantNames,
+)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Symbols {
     /// Braille patterns, two by four dots in a cell.
     #[default]
@@ -99,21 +102,6 @@ pub enum Symbols {
     /// Blocks and box characters.
     Block,
     Ascii,
-}
-
-impl Symbols {
-    /// The names of all symbol sets.
-    pub const NAMES: &'static [&'static str] = &["braille", "block", "ascii"];
-
-    /// The symbols with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        match name {
-            "braille" => Some(Self::Braille),
-            "block" => Some(Self::Block),
-            "ascii" => Some(Self::Ascii),
-            _ => None,
-        }
-    }
 }
 
 /// The signals of alerts.

@@ -5,6 +5,7 @@ use std::fmt;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantNames};
 
 use super::FindKind;
 use crate::geo::LatLon;
@@ -101,13 +102,35 @@ pub enum Goal {
     Time(Duration),
     /// Land every vehicle with at least this much battery, in percent.
     Battery(f64),
+    /// Reach at least this score.
+    Score(u16),
+    /// Lose no points in one component of the score.
+    #[serde(untagged)]
+    Faultless(GoalComponent),
+}
+
+/// The components of the score that a trainee can set as a goal.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum GoalComponent {
+    /// Break no safety rule.
     Safety,
     /// Give no refused command.
     Commands,
     /// Answer every alert in time.
     Attention,
-    /// Reach at least this score.
-    Score(u16),
 }
 
 impl Goal {
@@ -117,9 +140,9 @@ impl Goal {
             Self::Battery(least) => {
                 text!("mission-goal-battery", percent = format!("{least:.0}"))
             }
-            Self::Safety => text!("mission-goal-safety"),
-            Self::Commands => text!("mission-goal-commands"),
-            Self::Attention => text!("mission-goal-attention"),
+            Self::Faultless(GoalComponent::Safety) => text!("mission-goal-safety"),
+            Self::Faultless(GoalComponent::Commands) => text!("mission-goal-commands"),
+            Self::Faultless(GoalComponent::Attention) => text!("mission-goal-attention"),
             Self::Score(least) => text!("mission-goal-score", points = least),
         }
     }
@@ -131,9 +154,7 @@ impl fmt::Display for Goal {
         match self {
             Self::Time(within) => write!(f, "time {}s", within.as_secs_f64()),
             Self::Battery(percent) => write!(f, "battery {percent}%"),
-            Self::Safety => f.write_str("safety"),
-            Self::Commands => f.write_str("commands"),
-            Self::Attention => f.write_str("attention"),
+            Self::Faultless(component) => f.write_str(component.into()),
             Self::Score(points) => write!(f, "score {points}"),
         }
     }

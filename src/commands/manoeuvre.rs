@@ -2,6 +2,8 @@
 //!
 //! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into setpoints for each vehicle.
 
+use strum::{EnumString, VariantNames};
+
 use crate::geo::{LatLon, Outline};
 use crate::vehicle::VehicleId;
 
@@ -94,7 +96,8 @@ pub enum Ground {
 }
 
 /// The arrangement of a formation; the first vehicle is at the front.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Shape {
     /// Side by side, the first in the middle.
     Line,
@@ -107,42 +110,12 @@ pub enum Shape {
     Circle,
 }
 
-impl Shape {
-    /// The words of the grammar.
-    pub const NAMES: &'static [&'static str] = &["line", "column", "wedge", "grid", "circle"];
-
-    /// The shape with a name.
-    pub fn named(word: &str) -> Option<Self> {
-        Some(match word {
-            "line" => Self::Line,
-            "column" => Self::Column,
-            "wedge" => Self::Wedge,
-            "grid" => Self::Grid,
-            "circle" => Self::Circle,
-            _ => return None,
-        })
-    }
-}
-
 /// A search pattern (IAMSAR Manual, volume II, chapter 5).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Pattern {
     /// Expanding square: outwards from the datum.
     Square,
     /// Sector search: repeatedly through the datum.
     Sector,
-}
-
-impl Pattern {
-    /// The words of the grammar.
-    pub const NAMES: &'static [&'static str] = &["square", "sector"];
-
-    /// The pattern with a name.
-    pub fn named(word: &str) -> Option<Self> {
-        Some(match word {
-            "square" => Self::Square,
-            "sector" => Self::Sector,
-            _ => return None,
-        })
-    }
 }

@@ -75,7 +75,7 @@ pub const SETTINGS: &[Setting] = &[
     ),
     setting(
         "symbols",
-        SettingKind::OneOf(Symbols::NAMES),
+        SettingKind::OneOf(Symbols::VARIANTS),
         Some("SORTIE_SYMBOLS"),
         "Characters for curves and maps: braille, block or ascii; by default what the terminal can show.",
     ),

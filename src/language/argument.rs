@@ -1,6 +1,9 @@
 //! The arguments of a verb, as the table declares them, and their values.
 
 use std::ops::Range;
+use std::str::FromStr;
+
+use strum::{EnumString, VariantNames};
 
 use super::VehicleChoice;
 use super::names::NameList;
@@ -131,6 +134,18 @@ impl Argument {
             id => Text::new(id, Vec::new()),
         }
     }
+}
+
+/// The words of a switch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Switch {
+    On,
+    Off,
+}
+
+impl Switch {
+    pub const KIND: Kind = Kind::Choice(Self::VARIANTS);
 }
 
 /// The kind of value of an argument; it also provides the completions.
@@ -370,6 +385,34 @@ impl Arguments {
     /// A number that the form requires.
     pub fn required(&self, name: &'static str) -> Result<f64, Problem> {
         self.number(name).ok_or_else(|| Problem::missing(name))
+    }
+
+    /// The meaning of a word of a [`Kind::Choice`].
+    ///
+    /// # Errors
+    /// The word has none.
+    pub fn choice<T: FromStr>(&self, name: &'static str) -> Result<Option<T>, Problem> {
+        let word = self.word(name).map(str::parse).transpose();
+        word.map_err(|_| Problem::new(name, text!("grammar-unknown-word")))
+    }
+
+    /// The meaning of a word of a [`Kind::Choice`] that the form requires.
+    ///
+    /// # Errors
+    /// There is no word, or it has no meaning.
+    pub fn required_choice<T: FromStr>(&self, name: &'static str) -> Result<T, Problem> {
+        self.choice(name)?.ok_or_else(|| Problem::missing(name))
+    }
+
+    /// Whether a [`Switch`] that the form requires is on.
+    ///
+    /// # Errors
+    /// There is no such word.
+    pub fn required_switch(&self, name: &'static str) -> Result<bool, Problem> {
+        Ok(match self.required_choice(name)? {
+            Switch::On => true,
+            Switch::Off => false,
+        })
     }
 
     /// A word that the form requires.

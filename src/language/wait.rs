@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use strum::{EnumString, IntoStaticStr, VariantNames};
+
 use crate::ledger::{Ledger, RowState};
 use crate::vehicle::{Mode, Vehicle, VehicleId, Vehicles};
 use crate::verb::Arrival;
@@ -58,7 +60,8 @@ pub enum Until {
 }
 
 /// A state of a vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Situation {
     /// Its motors are armed.
     Armed,
@@ -74,7 +77,8 @@ pub enum Situation {
 }
 
 /// A value that can be compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case", const_into_str)]
 pub enum Field {
     /// Height above home in metres.
     Altitude,
@@ -85,6 +89,7 @@ pub enum Field {
     /// Distance to home in metres.
     Distance,
     Heading,
+    #[strum(serialize = "sats")]
     Satellites,
     /// The reading of the first sensor, in its unit.
     Reading,
@@ -92,27 +97,19 @@ pub enum Field {
     Contacts,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
 pub enum Relation {
+    #[strum(serialize = ">")]
     Above,
+    #[strum(serialize = "<")]
     Below,
+    #[strum(serialize = ">=")]
     AtLeast,
+    #[strum(serialize = "<=")]
     AtMost,
 }
 
 impl Situation {
-    pub(super) fn named(word: &str) -> Option<Self> {
-        Some(match word {
-            "armed" => Self::Armed,
-            "disarmed" => Self::Disarmed,
-            "arrived" => Self::Arrived,
-            "landed" => Self::Landed,
-            "airborne" => Self::Airborne,
-            "ready" => Self::Ready,
-            _ => return None,
-        })
-    }
-
     fn holds(self, vehicle: &Vehicle, ledger: &Ledger) -> bool {
         let heard = vehicle.heartbeat.is_some();
         match self {
@@ -127,20 +124,6 @@ impl Situation {
 }
 
 impl Field {
-    pub(super) fn named(word: &str) -> Option<Self> {
-        Some(match word {
-            "altitude" => Self::Altitude,
-            "speed" => Self::Speed,
-            "battery" => Self::Battery,
-            "distance" => Self::Distance,
-            "heading" => Self::Heading,
-            "sats" => Self::Satellites,
-            "reading" => Self::Reading,
-            "contacts" => Self::Contacts,
-            _ => return None,
-        })
-    }
-
     /// Its current value, if known.
     pub fn of(self, vehicle: &Vehicle, findings: &Findings) -> Option<f64> {
         match self {
@@ -157,16 +140,6 @@ impl Field {
 }
 
 impl Relation {
-    pub(super) fn named(word: &str) -> Option<Self> {
-        Some(match word {
-            ">" => Self::Above,
-            "<" => Self::Below,
-            ">=" => Self::AtLeast,
-            "<=" => Self::AtMost,
-            _ => return None,
-        })
-    }
-
     /// Whether it holds for a value and a bound.
     pub fn holds(self, figure: f64, value: f64) -> bool {
         match self {

@@ -45,6 +45,8 @@ fn in_turn(index: usize) -> f64 {
 mod tests {
     use proptest::prelude::*;
 
+    use strum::VariantNames as _;
+
     use super::*;
 
     #[test]
@@ -65,7 +67,7 @@ mod tests {
         fn neighbours_are_as_far_apart_as_was_asked_and_nobody_is_nearer(
             count in 1usize..30, spacing in 5.0..50.0f64, shape in 0usize..5,
         ) {
-            let shape = Shape::named(Shape::NAMES[shape]).expect("a shape");
+            let shape = Shape::VARIANTS[shape].parse::<Shape>().expect("a shape");
             let slots = slots(shape, count, spacing);
             prop_assert_eq!(slots[0], DVec2::ZERO);
             for (index, slot) in slots.iter().enumerate() {

@@ -1,9 +1,13 @@
 //! The commanded speeds of a vehicle.
 
+use strum::{EnumString, VariantNames};
+
 /// The speed that a `DO_CHANGE_SPEED` changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum SpeedAxis {
     /// The speed over ground.
+    #[default]
     Ground,
     Climb,
     Descend,

@@ -1,9 +1,11 @@
 //! Verbs about the screen and the selection of vehicles.
 
+use strum::VariantNames as _;
+
 use super::{Built, console};
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, Setting, Symbols, TableSort};
-use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
 use crate::language::console::{AlertLine, ConsoleLine, ParametersLine, Report, TableLine};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
@@ -19,7 +21,6 @@ pub(super) static ROWS: &[VerbRow] = &[
 const VEHICLES: Argument = Argument::value("targets", Kind::Vehicles, "");
 const ALERT: Argument = Argument::value("kind", Kind::Choice(AlertKind::NAMES), "argument-alert");
 const THEME_NAME: Argument = Argument::value("name", Kind::Name(NameList::Theme), "setting-theme");
-const SWITCH: Kind = Kind::Choice(&["on", "off"]);
 const FPS: Kind = Kind::Whole(
     Unit::None,
     Setting::FPS_LEAST as f64,
@@ -79,18 +80,8 @@ fn meant<T>(
         .ok_or_else(|| Problem::new(name, text!("grammar-unknown-word")))
 }
 
-fn switched(given: &Arguments) -> Result<bool, Problem> {
-    meant(given, "value", |word| match word {
-        "on" => Some(true),
-        "off" => Some(false),
-        _ => None,
-    })
-}
-
 fn alert(given: &Arguments) -> Option<AlertKind> {
-    given
-        .word("kind")
-        .and_then(|word| AlertKind::read(word).ok())
+    given.choice("kind").ok().flatten()
 }
 
 fn path(given: &Arguments) -> Result<String, Problem> {
@@ -225,7 +216,7 @@ const ACK: VerbRow = VerbRow {
         &[
             Form::new(&[], |_| alerts(AlertLine::AcknowledgeWorst)),
             Form::new(&[ALERT], |given| {
-                let kind = meant(given, "kind", |word| AlertKind::read(word).ok())?;
+                let kind = given.required_choice("kind")?;
                 alerts(AlertLine::AcknowledgeKind(kind))
             }),
             Form::new(&[VEHICLES], |given| {
@@ -317,22 +308,32 @@ const SET: VerbRow = VerbRow {
                 &[Argument::keyed(
                     "symbols",
                     "value",
-                    Kind::Choice(Symbols::NAMES),
+                    Kind::Choice(Symbols::VARIANTS),
                     "setting-symbols",
                 )],
-                |given| set(LiveSetting::Symbols(meant(given, "value", Symbols::named)?)),
+                |given| set(LiveSetting::Symbols(given.required_choice("value")?)),
             ),
             Form::new(
                 &[Argument::keyed("fps", "number", FPS, "setting-fps")],
                 |given| set(LiveSetting::Fps(given.required("number")? as u8)),
             ),
             Form::new(
-                &[Argument::keyed("bell", "value", SWITCH, "setting-bell")],
-                |given| set(LiveSetting::Bell(switched(given)?)),
+                &[Argument::keyed(
+                    "bell",
+                    "value",
+                    Switch::KIND,
+                    "setting-bell",
+                )],
+                |given| set(LiveSetting::Bell(given.required_switch("value")?)),
             ),
             Form::new(
-                &[Argument::keyed("notify", "value", SWITCH, "setting-notify")],
-                |given| set(LiveSetting::Notify(switched(given)?)),
+                &[Argument::keyed(
+                    "notify",
+                    "value",
+                    Switch::KIND,
+                    "setting-notify",
+                )],
+                |given| set(LiveSetting::Notify(given.required_switch("value")?)),
             ),
         ],
     )

@@ -4,7 +4,7 @@ use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::{
     Act, Command, DeviceCommand, LogChoice, LogCommand, ParameterCommand, QueryCommand, RawCommand,
 };
-use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
@@ -75,12 +75,12 @@ const RELAY: VerbRow = VerbRow {
                     Kind::Whole(Unit::None, 0.0, 15.0),
                     "argument-relay",
                 ),
-                Argument::value("state", Kind::Choice(&["on", "off"]), ""),
+                Argument::value("state", Switch::KIND, ""),
             ],
             |given| {
                 command(Command::Device(DeviceCommand::Relay {
                     relay: given.required("relay")? as u8,
-                    on: given.required_word("state")? == "on",
+                    on: given.required_switch("state")?,
                 }))
             },
         ),

@@ -2,9 +2,11 @@
 
 use std::time::Duration;
 
+use strum::VariantNames as _;
+
 use super::{Built, ONCE, deed};
-use crate::commands::{Deed, FindKind, Goal, Spot, Subject};
-use crate::language::argument::{Argument, Arguments, Kind, Unit};
+use crate::commands::{Deed, FindKind, Goal, GoalComponent, Spot, Subject};
+use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
@@ -23,7 +25,7 @@ const PLACE: Argument = Argument::value("point", Kind::Point, "argument-place");
 fn mark(given: &Arguments, subject: Subject) -> Built {
     deed(Deed::Mark {
         subject,
-        kind: given.word("kind").and_then(|word| word.parse().ok()),
+        kind: given.choice("kind")?,
     })
 }
 
@@ -140,10 +142,11 @@ const SPRAY: VerbRow = VerbRow {
     aliases: &[],
     examples: &["3 spray on", "all spray off"],
     forms: &[Form::new(
-        &[Argument::value("state", Kind::Choice(&["on", "off"]), "")],
+        &[Argument::value("state", Switch::KIND, "")],
         |given| {
-            let on = given.required_word("state")? == "on";
-            deed(Deed::Spray { on })
+            deed(Deed::Spray {
+                on: given.required_switch("state")?,
+            })
         },
     )],
 };
@@ -220,15 +223,12 @@ const GOAL: VerbRow = VerbRow {
         Form::new(
             &[Argument::value(
                 "component",
-                Kind::Choice(&["safety", "commands", "attention"]),
+                Kind::Choice(GoalComponent::VARIANTS),
                 "argument-goal-component",
             )],
             |given| {
-                deed(Deed::Goal(match given.required_word("component")? {
-                    "safety" => Goal::Safety,
-                    "commands" => Goal::Commands,
-                    _ => Goal::Attention,
-                }))
+                let component = given.required_choice("component")?;
+                deed(Deed::Goal(Goal::Faultless(component)))
             },
         ),
     ],

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use strum::VariantNames as _;
+
 use super::{ASK, Built, CHANGE, SETPOINT, command, given};
 use crate::commands::{Command, Destination, Heading, MotionCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
@@ -157,22 +159,12 @@ const SPEED: VerbRow = VerbRow {
     examples: &["speed 5", "all speed climb 2m/s"],
     forms: &[Form::new(
         &[
-            Argument::value(
-                "axis",
-                Kind::Choice(&["ground", "climb", "descend"]),
-                "argument-axis",
-            )
-            .optional(),
+            Argument::value("axis", Kind::Choice(SpeedAxis::VARIANTS), "argument-axis").optional(),
             Argument::value("speed", Kind::Number(Unit::MetresPerSecond, 0.1, 100.0), ""),
         ],
         |given| {
-            let axis = match given.word("axis") {
-                Some("climb") => SpeedAxis::Climb,
-                Some("descend") => SpeedAxis::Descend,
-                _ => SpeedAxis::Ground,
-            };
             command(Command::Motion(MotionCommand::Speed {
-                axis,
+                axis: given.choice("axis")?.unwrap_or_default(),
                 speed_m_s: given.required("speed")?,
             }))
         },

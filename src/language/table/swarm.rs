@@ -1,10 +1,11 @@
 //! Verbs that several vehicles carry out together.
 
+use strum::VariantNames as _;
+
 use super::{Built, CHANGE, manoeuvre};
 use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
-use crate::text;
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
@@ -122,15 +123,14 @@ const FORMATION: VerbRow = VerbRow {
     forms: &[
         Form::new(
             &[
-                Argument::value("shape", Kind::Choice(Shape::NAMES), "argument-shape"),
+                Argument::value("shape", Kind::Choice(Shape::VARIANTS), "argument-shape"),
                 Argument::keyed("spacing", "spacing", GAP, "argument-neighbour-spacing").optional(),
                 UP,
                 Argument::keyed("face", "heading", HEADING, "argument-formation-face").optional(),
             ],
             |given| {
-                let shape = Shape::named(given.required_word("shape")?);
                 manoeuvre(Manoeuvre::Formation {
-                    shape: shape.ok_or_else(|| unknown("shape"))?,
+                    shape: given.required_choice("shape")?,
                     spacing_m: given.number("spacing"),
                     up_m: given.number("up"),
                     face_deg: given.number("heading"),
@@ -197,8 +197,11 @@ const SPREAD: VerbRow = VerbRow {
     )],
 };
 
-const PATTERN: Argument =
-    Argument::value("pattern", Kind::Choice(Pattern::NAMES), "argument-pattern");
+const PATTERN: Argument = Argument::value(
+    "pattern",
+    Kind::Choice(Pattern::VARIANTS),
+    "argument-pattern",
+);
 const REACH: Argument =
     Argument::keyed("radius", "radius", RADIUS, "argument-search-radius").optional();
 
@@ -228,9 +231,8 @@ const SEARCH: VerbRow = VerbRow {
 };
 
 fn search(given: &Arguments, datum: Datum) -> Built {
-    let pattern = Pattern::named(given.required_word("pattern")?);
     manoeuvre(Manoeuvre::Search {
-        pattern: pattern.ok_or_else(|| unknown("pattern"))?,
+        pattern: given.required_choice("pattern")?,
         datum,
         radius_m: given.number("radius"),
         spacing_m: given.number("spacing"),
@@ -296,8 +298,4 @@ fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<D
         north_m: given.required(north)?,
         east_m: given.required(east)?,
     })
-}
-
-fn unknown(argument: &'static str) -> Problem {
-    Problem::new(argument, text!("grammar-unknown-word"))
 }

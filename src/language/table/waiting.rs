@@ -2,11 +2,12 @@
 
 use std::time::Duration;
 
+use strum::VariantNames as _;
+
 use super::Built;
-use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
-use crate::text;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[WAIT];
@@ -15,7 +16,7 @@ pub(super) static ROWS: &[VerbRow] = &[WAIT];
 const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
 const TIMEOUT: Argument =
     Argument::keyed("timeout", "timeout", TIME, "argument-timeout").optional();
-const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
+const RELATION: Argument = Argument::value("relation", Kind::Choice(Relation::VARIANTS), "");
 
 const WAIT: VerbRow = VerbRow {
     verb: Verb::unsent("wait"),
@@ -37,20 +38,10 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value(
-                    "situation",
-                    Kind::Choice(&[
-                        "armed", "disarmed", "arrived", "landed", "airborne", "ready",
-                    ]),
-                    "",
-                ),
+                Argument::value("situation", Kind::Choice(Situation::VARIANTS), ""),
                 TIMEOUT,
             ],
-            |given| {
-                let situation = Situation::named(given.required_word("situation")?)
-                    .ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
-                wait(given, Until::Situation(situation))
-            },
+            |given| wait(given, Until::Situation(given.required_choice("situation")?)),
         ),
         Form::new(
             &[
@@ -64,7 +55,7 @@ const WAIT: VerbRow = VerbRow {
             &[
                 Argument::value(
                     "field",
-                    Kind::Choice(&["altitude", "distance"]),
+                    Kind::Choice(&[Field::Altitude.into_str(), Field::Distance.into_str()]),
                     "argument-altitude-or-distance",
                 ),
                 RELATION,
@@ -75,7 +66,11 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value("field", Kind::Choice(&["speed"]), "argument-ground-speed"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Speed.into_str()]),
+                    "argument-ground-speed",
+                ),
                 RELATION,
                 Argument::value(
                     "value",
@@ -88,7 +83,11 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value("field", Kind::Choice(&["battery"]), "argument-charge"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Battery.into_str()]),
+                    "argument-charge",
+                ),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Percent, 0.0, 100.0), ""),
                 TIMEOUT,
@@ -97,7 +96,11 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value("field", Kind::Choice(&["heading"]), "argument-heading"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Heading.into_str()]),
+                    "argument-heading",
+                ),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Degrees, 0.0, 360.0), ""),
                 TIMEOUT,
@@ -106,7 +109,11 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value("field", Kind::Choice(&["reading"]), "argument-reading"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Reading.into_str()]),
+                    "argument-reading",
+                ),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::None, 0.0, 1e9), ""),
                 TIMEOUT,
@@ -117,7 +124,7 @@ const WAIT: VerbRow = VerbRow {
             &[
                 Argument::value(
                     "field",
-                    Kind::Choice(&["contacts"]),
+                    Kind::Choice(&[Field::Contacts.into_str()]),
                     "argument-contact-count",
                 ),
                 RELATION,
@@ -128,7 +135,11 @@ const WAIT: VerbRow = VerbRow {
         ),
         Form::new(
             &[
-                Argument::value("field", Kind::Choice(&["sats"]), "argument-satellites"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Satellites.into_str()]),
+                    "argument-satellites",
+                ),
                 RELATION,
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 255.0), ""),
                 TIMEOUT,
@@ -139,14 +150,11 @@ const WAIT: VerbRow = VerbRow {
 };
 
 fn compare(given: &Arguments) -> Built {
-    let field = Field::named(given.required_word("field")?);
-    let relation = Relation::named(given.required_word("relation")?);
     wait(
         given,
         Until::Compared {
-            field: field.ok_or_else(|| Problem::new("field", text!("grammar-unknown-word")))?,
-            relation: relation
-                .ok_or_else(|| Problem::new("relation", text!("grammar-unknown-word")))?,
+            field: given.required_choice("field")?,
+            relation: given.required_choice("relation")?,
             value: given.required("value")?,
         },
     )

@@ -1,7 +1,7 @@
 //! The comparison of the trainee's prediction and goal with the result.
 
 use super::Flight;
-use crate::commands::Goal;
+use crate::commands::{Goal, GoalComponent};
 use crate::scoring::FlightOutcome;
 use crate::scoring::{CommandTally, Facts, GoalReport, PredictionReport, Score};
 use crate::text;
@@ -49,17 +49,17 @@ impl Flight {
                 };
                 (left.is_some_and(|left| left >= least), result)
             }
-            Goal::Safety => {
+            Goal::Faultless(GoalComponent::Safety) => {
                 let count = facts.safety.len();
                 let result = text!("mission-goal-safety-result", count = count);
                 (count == 0, result)
             }
-            Goal::Commands => {
+            Goal::Faultless(GoalComponent::Commands) => {
                 let CommandTally { rejected, .. } = facts.commands;
                 let result = text!("mission-goal-commands-result", count = rejected);
                 (rejected == 0, result)
             }
-            Goal::Attention => {
+            Goal::Faultless(GoalComponent::Attention) => {
                 let late = facts.alerts.iter().filter(|alert| !alert.is_in_time());
                 let (late, all) = (late.count(), facts.alerts.len());
                 let result = text!("mission-goal-attention-result", count = late, all = all);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;
-use crate::commands::{Deed, Goal, Spot, Subject};
+use crate::commands::{Deed, Goal, GoalComponent, Spot, Subject};
 use crate::language;
 use crate::ledger::{EntryId, Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
@@ -87,9 +87,9 @@ fn a_goal_is_reached_by_a_flight_that_passes_only() {
         (Goal::Time(seconds(20)), false),
         (Goal::Battery(25.0), true),
         (Goal::Battery(99.0), false),
-        (Goal::Safety, true),
-        (Goal::Commands, true),
-        (Goal::Attention, true),
+        (Goal::Faultless(GoalComponent::Safety), true),
+        (Goal::Faultless(GoalComponent::Commands), true),
+        (Goal::Faultless(GoalComponent::Attention), true),
         (Goal::Score(500), true),
         (Goal::Score(1000), false),
     ] {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::commands::Goal;
+use crate::commands::{Goal, GoalComponent};
 use crate::geo::LatLon;
 use crate::language;
 use crate::mission::fake::Pilot;
@@ -246,7 +246,10 @@ fn what_is_said_of_the_workload_is_recorded_and_changes_nothing_else() {
 #[test]
 fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is_on_its_record() {
     let mut first = recorded();
-    for deed in [Deed::Predict { points: 640 }, Deed::Goal(Goal::Safety)] {
+    for deed in [
+        Deed::Predict { points: 640 },
+        Deed::Goal(Goal::Faultless(GoalComponent::Safety)),
+    ] {
         first.flight.act(EntryId(0), &deed, &[1]);
     }
     let said = first.flight.open_pledge().expect("nothing has flown");
@@ -262,7 +265,10 @@ fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is
     let predicted = report.prediction.map(|prediction| prediction.predicted);
     assert_eq!(
         (predicted, report.goal.map(|goal| goal.text)),
-        (Some(640), Some(Goal::Safety.title()))
+        (
+            Some(640),
+            Some(Goal::Faultless(GoalComponent::Safety).title())
+        )
     );
 }
 
