@@ -85,7 +85,7 @@ impl ComparedFlight {
     pub fn of_record(stored: &Stored, name: Text) -> Result<Self, Text> {
         let mut flight = stored.reenact()?;
         let mut course = FlightCourse::default();
-        let limit = flight.flight().mission().time_limit;
+        let limit = flight.flight().mission().rules.time_limit;
         while !flight.is_over() && !flight.flight().is_over() && course.next() <= limit {
             drop(flight.advance(course.next()));
             course.note(flight.vehicles(), flight.flight());

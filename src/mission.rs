@@ -50,6 +50,7 @@ mod lookout;
 mod needs;
 mod objective;
 mod pad;
+mod parts;
 mod progress;
 mod radio;
 pub mod record;
@@ -81,6 +82,10 @@ pub use needs::{FitLine, Need};
 pub use objective::NEXT_PLACE;
 pub(crate) use objective::Trying;
 pub use pad::is_pad;
+pub use parts::{
+    CareerTerms, FlightRules, MissionAdvice, MissionSeats, MissionSite, MissionSource,
+    MissionSummary,
+};
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,
@@ -109,69 +114,19 @@ pub struct Mission {
     pub id: String,
     /// Its revision; results are comparable only within one revision.
     pub rev: u32,
-    /// The file that it was read from.
-    pub source: String,
-    /// The parsed file with the position of every value.
-    written: format::WrittenValue,
     /// The title that is shown.
     pub title: Text,
-    pub brief: Text,
-    /// Texts that have no translation; not faults.
-    pub untranslated: Vec<Diagnostic>,
-    /// Difficulty, 0 (first steps) to 3.
-    pub tier: u8,
-    /// Its topics, for lists and searches.
-    pub tags: Vec<String>,
-    pub authors: Vec<String>,
-    /// The id of the mission that it is a short exercise for.
-    pub drill_of: Option<String>,
-    /// Requirements before the mission is offered.
-    pub requires: Requires,
-    /// Credits, experience and unlocks for passing it.
-    pub rewards: Rewards,
-    /// The limit on the fleet's price, and the drones that the mission lends.
-    pub outlay: Outlay,
-    /// Whether pausing is allowed.
-    pub pausable: bool,
-    /// Whether the trainee can ask for hints; an exam gives none.
-    pub gives_hints: bool,
-    /// The highest speed-up of time in flight.
-    pub most_speedup: f64,
-    /// The number of vehicles.
-    pub vehicles: usize,
-    pub time_limit: Duration,
-    /// Advice by phase of the flight.
-    pub hints: Vec<Hint>,
-    /// Advice that the trainee can ask for; each costs points.
-    pub clues: Vec<Clue>,
-    /// The steps of a guided lesson.
-    pub lesson: Vec<LessonStep>,
+    pub file: MissionSource,
+    pub summary: MissionSummary,
+    pub career: CareerTerms,
+    pub rules: FlightRules,
+    pub advice: MissionAdvice,
     /// Weights, medals and limits of the score.
     pub scoring: scoring::ScoreRules,
-    /// Protected parameters that may be set in this mission.
-    pub open_parameters: Vec<String>,
-    pub(crate) origin: Origin,
-    pub(crate) weather: weather::Weather,
-    pub(crate) pads: Vec<Point>,
-    /// Every sensor that some vehicle carries.
-    pub(crate) sensors: Vec<&'static sensor::Sensor>,
-    /// The equipment of each vehicle, in the order of the pads.
-    pub(crate) fits: Vec<fit::Fit>,
-    /// The equipment of the mission's own drones, which is also what it requires of built drones.
-    pub(crate) asked: Vec<fit::Fit>,
-    /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
-    pub(crate) fleet: Vec<Design>,
-    pub(crate) zones: Vec<zone::Zone>,
-    pub(crate) places: Vec<(String, Point)>,
-    pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
+    pub site: MissionSite,
+    pub seats: MissionSeats,
     pub(crate) objectives: Vec<objective::Objective>,
-    pub(crate) max_height_m: f64,
-    pub(crate) land_reserve_percent: f64,
-    /// The minimum distance between vehicles in the air, in metres; `None` if the mission does not set it.
-    pub(crate) separation_m: Option<f64>,
     pub(crate) events: Vec<event::Event>,
-    /// The radio model; `None` if radio does not matter.
-    pub(crate) radio: Option<radio::Radio>,
     /// Threats that an instructor may trigger, besides the mission's own.
     pub(crate) may_inject: Vec<event::standard::Standard>,
 }
@@ -204,7 +159,12 @@ impl Mission {
     /// The ids of the objectives, each with the skill that it shows, if any, in file order.
     pub fn objective_skills(&self) -> impl Iterator<Item = (&str, Option<Skill>)> {
         let objectives = self.objectives.iter();
-        objectives.map(|objective| (objective.id.as_str(), objective.kind.skill(self.vehicles)))
+        objectives.map(|objective| {
+            (
+                objective.id.as_str(),
+                objective.kind.skill(self.seats.count),
+            )
+        })
     }
 
     /// What a flight must do to count as an attempt at an objective; `None` for an unknown id.
@@ -234,28 +194,28 @@ impl Mission {
     /// The start positions, in the order of the vehicles' system ids.
     pub fn starts(&self) -> Vec<Start> {
         let pad = |&point: &Point| Start {
-            at: self.origin.place(point),
-            altitude_amsl_m: self.origin.altitude_amsl_m,
-            heading_deg: self.origin.heading_deg,
+            at: self.site.origin.place(point),
+            altitude_amsl_m: self.site.origin.altitude_amsl_m,
+            heading_deg: self.site.origin.heading_deg,
         };
-        self.pads.iter().map(pad).collect()
+        self.seats.pads.iter().map(pad).collect()
     }
 
     /// The same mission with more vehicles than the file has, for measurements. The added pads are in a row south of
     /// the last one, and their vehicles carry the equipment of the last one.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
-        if let Some(&[east_m, north_m]) = self.pads.last() {
-            let more = vehicles.saturating_sub(self.pads.len());
+        if let Some(&[east_m, north_m]) = self.seats.pads.last() {
+            let more = vehicles.saturating_sub(self.seats.pads.len());
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
-            self.pads.extend((1..=more).map(pad));
-            self.vehicles = self.pads.len();
-            for fits in [&mut self.fits, &mut self.asked] {
+            self.seats.pads.extend((1..=more).map(pad));
+            self.seats.count = self.seats.pads.len();
+            for fits in [&mut self.seats.fits, &mut self.seats.asked] {
                 let fit = fits.last().cloned().unwrap_or_default();
-                fits.resize(self.vehicles, fit);
+                fits.resize(self.seats.count, fit);
             }
-            if let Some(last) = self.fleet.last().cloned() {
-                self.fleet.resize(self.vehicles, last);
+            if let Some(last) = self.seats.designs.last().cloned() {
+                self.seats.designs.resize(self.seats.count, last);
             }
         }
         self
@@ -264,7 +224,7 @@ impl Mission {
     /// Whether a flight that counts may set a parameter.
     pub fn lets_set(&self, parameter: &str) -> bool {
         let is_same = |open: &String| open.eq_ignore_ascii_case(parameter);
-        self.open_parameters.iter().any(is_same)
+        self.rules.open_parameters.iter().any(is_same)
     }
 
     /// The simulator's world for it: its vehicles on their pads.
@@ -281,12 +241,12 @@ impl Mission {
     /// The places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad, and `pad1`,
     /// `pad2`\nand so on for each.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
-        let named = self.places.iter();
+        let named = self.site.places.iter();
         let mut places: BTreeMap<String, LatLon> = named
-            .map(|(name, at)| (name.clone(), self.origin.place(*at)))
+            .map(|(name, at)| (name.clone(), self.site.origin.place(*at)))
             .collect();
-        for (index, &at) in self.pads.iter().enumerate() {
-            let place = self.origin.place(at);
+        for (index, &at) in self.seats.pads.iter().enumerate() {
+            let place = self.site.origin.place(at);
             places.entry(pad::STEM.to_owned()).or_insert(place);
             places.insert(pad::pad_name(index + 1), place);
         }
@@ -298,7 +258,7 @@ impl Mission {
             for cell in &survey.cells {
                 places
                     .entry(cell.name.clone())
-                    .or_insert(self.origin.place(cell.centre));
+                    .or_insert(self.site.origin.place(cell.centre));
             }
         }
         places

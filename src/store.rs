@@ -98,7 +98,7 @@ pub fn drill_of(mission: &str) -> Option<String> {
     let mut drills = all.filter(|source| {
         source.text.contains("drill_of")
             && Mission::parse(&source.text)
-                .is_ok_and(|drill| drill.drill_of.as_deref() == Some(mission))
+                .is_ok_and(|drill| drill.summary.drill_of.as_deref() == Some(mission))
     });
     drills.next().map(|source| source.stem().to_owned())
 }
@@ -169,7 +169,7 @@ pub fn mission_file(mission: &Mission) -> MissionFile {
     let known = course_missions();
     match known.iter().find(|of_course| of_course.id == mission.id) {
         None => MissionFile::Own,
-        Some(of_course) if of_course.source == mission.source => MissionFile::Course,
+        Some(of_course) if of_course.file.text == mission.file.text => MissionFile::Course,
         Some(of_course) if of_course.rev != mission.rev => MissionFile::OtherRevision,
         Some(_) => MissionFile::Altered,
     }

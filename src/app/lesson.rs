@@ -36,6 +36,7 @@ mod tests {
         let source = include_str!("../../missions/00-first-flight.toml");
         let mission = Mission::parse(source).expect("it is good");
         let names: Vec<&str> = mission
+            .advice
             .lesson
             .iter()
             .filter_map(|it| it.key.as_deref())

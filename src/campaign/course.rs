@@ -91,6 +91,7 @@ impl Offer {
     /// The campaign's view of a mission.
     pub fn of(mission: &Mission) -> Self {
         let parts = mission
+            .career
             .rewards
             .unlock
             .iter()
@@ -102,7 +103,7 @@ impl Offer {
             .objective_skills()
             .filter_map(|(_, skill)| skill)
             .chain([Skill::K2, Skill::K4])
-            .chain((mission.vehicles > 1).then_some(Skill::K10))
+            .chain((mission.seats.count > 1).then_some(Skill::K10))
             .chain(mission.has_alerts().then_some(Skill::K8))
             .collect();
         skills.sort_unstable();
@@ -110,11 +111,11 @@ impl Offer {
         Self {
             id: mission.id.clone(),
             title: mission.title.clone(),
-            tier: mission.tier,
-            vehicles: mission.vehicles as u8,
-            drill_of: mission.drill_of.clone(),
-            requires: mission.requires.clone(),
-            credits: mission.rewards.credits,
+            tier: mission.summary.tier,
+            vehicles: mission.seats.count as u8,
+            drill_of: mission.summary.drill_of.clone(),
+            requires: mission.career.requires.clone(),
+            credits: mission.career.rewards.credits,
             parts: parts.collect(),
             skills,
             objectives: mission

@@ -12,9 +12,9 @@ impl CareerFlight {
         let (day, stake) = day_and_stake(stake, report.seed, ended);
         Self {
             mission: mission.id.clone(),
-            drill_of: mission.drill_of.clone(),
-            tier: mission.rewards.xp_tier,
-            reward: mission.rewards.credits,
+            drill_of: mission.summary.drill_of.clone(),
+            tier: mission.career.rewards.xp_tier,
+            reward: mission.career.rewards.credits,
             // A flight abandoned before any drone was heard counts as well.
             vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX).max(1),
             stake,

@@ -254,7 +254,7 @@ fn examined(
                 let mut faults = mission.check();
                 faults.extend(mission.unknown_missions(others.missions));
                 faults.sort_by_key(|fault| fault.span.start);
-                return (faults, mission.untranslated);
+                return (faults, mission.file.untranslated);
             }
             Err(faults) => Some(faults),
         },

@@ -315,7 +315,7 @@ impl RunFlight {
             let exercise = Exercise::new(mission, seed, script, backend.airframes.clone());
             return Ok(fly_embedded(exercise, speedup, recorder));
         };
-        let speedup = speedup.of_sitl(mission.vehicles);
+        let speedup = speedup.of_sitl(mission.seats.count);
         let launches = backend.launches(mission.world(seed), speedup);
         let mut live = Exercise::live(mission, seed, script, speedup);
         recorder.prepare(&mut live);

@@ -15,7 +15,7 @@ use crate::vehicle::VehicleId;
 /// # Errors
 /// The faults of the script.
 pub fn read_script(text: &str, mission: &Mission) -> Result<Script, Vec<Diagnostic>> {
-    let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
+    let vehicles: Vec<VehicleId> = (1..=mission.seats.count as VehicleId).collect();
     let (places, areas) = (mission.places_to_name(), mission.named_areas());
     let context = Context {
         places: Some(&places),

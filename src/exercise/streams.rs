@@ -27,7 +27,7 @@ impl Exercise<LiveStreams> {
     /// A mission that begins once all vehicles are heard and report their time, or 10 s after the first time passed;
     /// until then nothing flies. `speedup` is the requested speed-up of the vehicles.
     pub fn live(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
-        let vehicles = mission.vehicles;
+        let vehicles = mission.seats.count;
         let link = LiveStreams {
             opened: None,
             stepped: Duration::ZERO,

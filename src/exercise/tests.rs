@@ -272,7 +272,7 @@ fn without_its_sensor_a_mission_cannot_be_passed() {
 fn share_of(objective: &str, file: &str, script: &str) -> f64 {
     let mission = Arc::new(Mission::parse(file).expect("no faults"));
     let places = mission.places_to_name();
-    let vehicles: Vec<u16> = (1..=mission.vehicles as u16).collect();
+    let vehicles: Vec<u16> = (1..=mission.seats.count as u16).collect();
     let context = Context {
         places: Some(&places),
         vehicles: &vehicles,

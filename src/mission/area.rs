@@ -49,7 +49,7 @@ impl From<ZoneKind> for AreaKind {
 impl Mission {
     /// The areas known from the start. They do not include hazards, which the trainee has to find.
     pub fn areas(&self) -> Vec<Area> {
-        let known = self.zones.iter().filter(|zone| zone.active);
+        let known = self.site.zones.iter().filter(|zone| zone.active);
         known.map(|zone| self.area(zone)).collect()
     }
 
@@ -60,11 +60,11 @@ impl Mission {
             kind: zone.kind.into(),
             outline: match &zone.shape {
                 Shape::Polygon(corners) => {
-                    let places = corners.iter().map(|&corner| self.origin.place(corner));
+                    let places = corners.iter().map(|&corner| self.site.origin.place(corner));
                     Outline::Polygon(places.collect())
                 }
                 Shape::Circle { center, radius_m } => Outline::Circle {
-                    centre: self.origin.place(*center),
+                    centre: self.site.origin.place(*center),
                     radius_m: *radius_m,
                 },
             },

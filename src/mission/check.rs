@@ -61,12 +61,12 @@ impl<'m> Examined<'m> {
 
     /// A section of the file that is a table.
     fn section(&self, name: &str) -> Option<&'m WrittenValue> {
-        self.mission.written.get(name)
+        self.mission.file.written.get(name)
     }
 
     /// The tables of a section with several.
     fn tables(&self, name: &str) -> &'m [WrittenValue] {
-        self.mission.written.items_of(name)
+        self.mission.file.written.items_of(name)
     }
 
     fn objectives(&self) -> impl Iterator<Item = ExaminedObjective<'m>> + use<'m> {
@@ -80,8 +80,8 @@ impl<'m> Examined<'m> {
 
     /// The highest height that the rules and the fences allow.
     fn ceiling_m(&self) -> f64 {
-        let fences = self.mission.zones.iter().filter(|zone| zone.active);
+        let fences = self.mission.site.zones.iter().filter(|zone| zone.active);
         let ceilings = fences.filter_map(|zone| zone.kind.fence_ceiling_m());
-        ceilings.fold(self.mission.max_height_m, f64::min)
+        ceilings.fold(self.mission.rules.max_height_m, f64::min)
     }
 }

@@ -188,8 +188,8 @@ impl Craft {
         let sound =
             |global: &GlobalPosition| global.at_point.is_valid() && global.altitude_m.is_finite();
         if let Some(global) = vehicle.global.filter(sound) {
-            let at = mission.origin.point(global.at_point);
-            let distances = mission.pads.iter().map(|&pad| distance_m(at, pad));
+            let at = mission.site.origin.point(global.at_point);
+            let distances = mission.seats.pads.iter().map(|&pad| distance_m(at, pad));
             self.pad_distance_m = distances.min_by(f64::total_cmp);
             self.at = Some(at);
             self.course.turn(&global);
@@ -202,7 +202,7 @@ impl Craft {
         }
         self.unheard = vehicle
             .unheard
-            .map(|unheard| (mission.origin.point(unheard.at), unheard.altitude_m));
+            .map(|unheard| (mission.site.origin.point(unheard.at), unheard.altitude_m));
         if let Some(battery) = vehicle.battery() {
             self.battery_percent = battery.remaining_percent.map(f64::from);
             let from_charge =
@@ -221,15 +221,15 @@ impl Craft {
 
     fn place_breaches(&self, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let mut breaches = Vec::new();
-        if self.height_m > mission.max_height_m + SWING_M {
+        if self.height_m > mission.rules.max_height_m + SWING_M {
             let text = text!(
                 "mission-too-high",
-                height = format!("{:.0}", mission.max_height_m)
+                height = format!("{:.0}", mission.rules.max_height_m)
             );
             breaches.push((SafetyKind::TooHigh, text));
         }
         let Some(at) = self.at else { return breaches };
-        let zones = mission.zones.iter().zip(active);
+        let zones = mission.site.zones.iter().zip(active);
         for (zone, _) in zones.filter(|(_, active)| **active) {
             if let ZoneKind::Geofence { ceiling_m } = zone.kind {
                 let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling + SWING_M);
@@ -276,7 +276,7 @@ impl Craft {
     /// Its battery in percent, if that is below the reserve required at landing.
     fn below_reserve(&self, mission: &Mission) -> Option<f64> {
         let percent = self.battery_percent?;
-        (percent < mission.land_reserve_percent).then_some(percent)
+        (percent < mission.rules.land_reserve_percent).then_some(percent)
     }
 }
 

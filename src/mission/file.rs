@@ -9,7 +9,10 @@ use super::format::{self, Draft, FileTable, WrittenValue, describe, table, table
 use super::hazard::{self, Hazard};
 use super::radio::Radio;
 use super::weather::Weather;
-use super::{LessonStep, Mission, Point, Requires, Rewards};
+use super::{
+    CareerTerms, FlightRules, LessonStep, Mission, MissionAdvice, MissionSite, MissionSource,
+    Origin, Point,
+};
 use crate::diagnostic::Diagnostic;
 use crate::scoring::ScoreRules;
 
@@ -28,11 +31,9 @@ mod score;
 mod site;
 mod zones;
 
-use advice::MissionAdvice;
 use fleet::FleetSection;
 use head::FileHead;
-use rules::RuleSet;
-use site::MissionSite;
+use site::SiteSection;
 
 /// The maximum number of zones, places, events or hints of one mission.
 const MOST_TABLES: usize = 200;
@@ -50,9 +51,11 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
     let mut faults = draft.faults;
     match mission {
         Some(mission) if faults.is_empty() => Ok(Mission {
-            untranslated: faults.take_untranslated(),
-            source: source.to_owned(),
-            written,
+            file: MissionSource {
+                text: source.to_owned(),
+                written,
+                untranslated: faults.take_untranslated(),
+            },
             ..mission
         }),
         _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, "not a mission file")]),
@@ -78,60 +81,40 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
     let course = MissionCourse::of(file);
     let worth = MissionWorth::need(file);
     let (head, setting, worth) = (head?, setting?, worth?);
-    let MissionSetting {
-        site, fleet, rules, ..
-    } = setting;
     Some(Mission {
         id: head.id,
         rev: head.rev,
         title: head.title,
-        brief: head.brief,
-        untranslated: Vec::new(),
-        source: String::new(),
-        written: WrittenValue::default(),
-        tier: head.tier,
-        tags: head.tags,
-        authors: head.authors,
-        drill_of: head.drill_of,
-        requires: worth.requires,
-        rewards: worth.rewards,
-        pausable: rules.pausable,
-        gives_hints: true,
-        most_speedup: rules.most_speedup,
-        open_parameters: rules.open_parameters,
-        vehicles: fleet.pads.len(),
-        sensors: fleet.sensors(),
-        time_limit: site.time_limit,
-        hints: content.advice.hints,
-        clues: content.advice.clues,
-        lesson: course.lesson,
+        file: MissionSource::default(),
+        summary: head.summary,
+        career: worth.career,
+        rules: setting.rules,
+        advice: MissionAdvice {
+            lesson: course.lesson,
+            ..content.advice
+        },
         scoring: worth.scoring,
-        origin: site.origin,
-        weather: setting.weather,
-        pads: fleet.pads,
-        asked: fleet.fits.clone(),
-        fits: fleet.fits,
-        fleet: Vec::new(),
-        outlay: fleet.outlay,
-        zones: file.draft().zones.clone(),
-        places: content.places,
-        hazards: content.hazards,
+        site: MissionSite {
+            origin: setting.origin,
+            weather: setting.weather,
+            zones: file.draft().zones.clone(),
+            places: content.places,
+            hazards: content.hazards,
+            radio: course.radio,
+        },
+        seats: setting.fleet.seats(),
         objectives: content.objectives,
-        max_height_m: rules.max_height_m,
-        land_reserve_percent: rules.land_reserve_percent,
-        separation_m: rules.separation_m,
         events: course.events,
-        radio: course.radio,
         may_inject: course.may_inject,
     })
 }
 
 /// Site, fleet and rules.
 struct MissionSetting {
-    site: MissionSite,
+    origin: Origin,
     weather: Weather,
     fleet: FleetSection,
-    rules: RuleSet,
+    rules: FlightRules,
 }
 
 impl MissionSetting {
@@ -156,11 +139,15 @@ impl MissionSetting {
             table(rules::rules),
             "rules that all vehicles must follow",
         );
+        let SiteSection { time_limit, origin } = site?;
         Some(Self {
-            site: site?,
+            origin,
             weather: weather.unwrap_or(Weather::CALM),
             fleet: fleet?,
-            rules: rules.unwrap_or_else(RuleSet::usual),
+            rules: FlightRules {
+                time_limit,
+                ..rules.unwrap_or_else(rules::usual)
+            },
         })
     }
 }
@@ -208,7 +195,7 @@ impl MissionContent {
             places: places.map(|place| (place.name.clone(), place.at)).collect(),
             hazards: hazards.unwrap_or_default(),
             objectives: objectives.unwrap_or_default(),
-            advice: MissionAdvice::of(hints.unwrap_or_default()),
+            advice: advice::of(hints.unwrap_or_default()),
         }
     }
 }
@@ -257,8 +244,7 @@ impl MissionCourse {
 /// Scoring, rewards and requirements.
 struct MissionWorth {
     scoring: ScoreRules,
-    requires: Requires,
-    rewards: Rewards,
+    career: CareerTerms,
 }
 
 impl MissionWorth {
@@ -276,8 +262,10 @@ impl MissionWorth {
         );
         Some(Self {
             scoring: scoring?,
-            requires: requires.unwrap_or_default(),
-            rewards: rewards.unwrap_or_default(),
+            career: CareerTerms {
+                requires: requires.unwrap_or_default(),
+                rewards: rewards.unwrap_or_default(),
+            },
         })
     }
 }

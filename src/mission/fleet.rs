@@ -21,14 +21,14 @@ pub(super) const DROPPER: &str = "s_drop";
 impl Mission {
     /// The designs that fly it, one per seat; empty for the mission's own drones.
     pub fn fleet(&self) -> &[Design] {
-        &self.fleet
+        &self.seats.designs
     }
 
     /// The air in which it is flown. Battery packs are warm at launch.
     pub fn air(&self) -> Air {
         Air {
-            altitude_m: self.origin.altitude_amsl_m,
-            temperature_c: self.weather.temperature_c,
+            altitude_m: self.site.origin.altitude_amsl_m,
+            temperature_c: self.site.weather.temperature_c,
             ..Air::default()
         }
     }
@@ -43,13 +43,13 @@ impl Mission {
         let Some(last) = fleet.last().cloned() else {
             return Ok(self);
         };
-        if fleet.len() > self.vehicles {
-            let (seats, designs) = (self.vehicles, fleet.len());
+        if fleet.len() > self.seats.count {
+            let (seats, designs) = (self.seats.count, fleet.len());
             return Err(vec![text!("fleet-many", seats = seats, designs = designs)]);
         }
-        fleet.resize(self.vehicles, last);
+        fleet.resize(self.seats.count, last);
         let mut faults = faults(&fleet, self.air());
-        faults.extend(too_dear(&fleet, self.outlay.budget));
+        faults.extend(too_dear(&fleet, self.seats.outlay.budget));
         if faults.is_empty() {
             Ok(self.flown_by(fleet))
         } else {
@@ -63,29 +63,31 @@ impl Mission {
         if fleet.is_empty() {
             return self;
         }
-        let station = self.pads.first().copied().unwrap_or_default();
-        let radio = self.radio.get_or_insert(Radio {
+        let station = self.seats.pads.first().copied().unwrap_or_default();
+        let radio = self.site.radio.get_or_insert(Radio {
             own: None,
             station,
             antenna_m: Radio::USUAL_ANTENNA_M,
         });
-        let seats = fleet.iter().zip(&self.asked);
-        self.fits = seats
+        let seats = fleet.iter().zip(&self.seats.asked);
+        self.seats.fits = seats
             .map(|(design, asked)| Fit::of(design, asked, radio.own))
             .collect();
         let mut all = Fit::default();
-        let carried = self.fits.iter().flat_map(|fit| &fit.sensors);
+        let carried = self.seats.fits.iter().flat_map(|fit| &fit.sensors);
         carried.for_each(|sensor| all.add(sensor));
-        self.sensors = all.sensors;
-        self.fleet = fleet;
+        self.seats.sensors = all.sensors;
+        self.seats.designs = fleet;
         self
     }
 
     /// The airframes of the built drones, in the order of the seats; empty if the mission's own drones fly it.
     pub(crate) fn airframes(&self) -> Vec<Arc<Airframe>> {
         let mut airframes: Vec<Arc<Airframe>> = Vec::new();
-        for (seat, design) in self.fleet.iter().enumerate() {
-            let alike = self.fleet[..seat].iter().position(|it| it == design);
+        for (seat, design) in self.seats.designs.iter().enumerate() {
+            let alike = self.seats.designs[..seat]
+                .iter()
+                .position(|it| it == design);
             airframes.push(match alike {
                 Some(first) => Arc::clone(&airframes[first]),
                 None => airframe(design),

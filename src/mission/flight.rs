@@ -160,7 +160,7 @@ impl Flight {
         if let Some(recorder) = &mut self.recorder {
             recorder.step(now, vehicles, ledger);
         }
-        let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.time_limit));
+        let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.rules.time_limit));
         self.journal.begin(self.elapsed);
         self.enlist(vehicles);
         self.world.step(self.elapsed);
@@ -259,11 +259,11 @@ impl Flight {
     /// is kept to the end: a vehicle first heard after the start takes the last free seat, whatever its id.
     fn enlist(&mut self, vehicles: &Vehicles) {
         for &id in vehicles.keys() {
-            if self.crafts.len() >= self.mission.vehicles {
+            if self.crafts.len() >= self.mission.seats.count {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let fit = &self.mission.fits[self.crafts.len()];
+                let fit = &self.mission.seats.fits[self.crafts.len()];
                 self.loads.add(fit);
                 self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
                 self.swarm.add(id);
@@ -325,11 +325,11 @@ impl Flight {
         let weather = &mut self.world.weather;
         self.threats
             .step(&self.mission, weather, &sight, &mut self.journal);
-        let lesson = &self.mission.lesson;
+        let lesson = &self.mission.advice.lesson;
         self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
         let scope = self.threats.engine().scope(weather, &sight);
         let is_reached = |hint: &Hint| hint.until.as_ref().is_some_and(|it| it.holds(&scope));
-        self.reached_hints = self.mission.hints.iter().map(is_reached).collect();
+        self.reached_hints = self.mission.advice.hints.iter().map(is_reached).collect();
     }
 
     /// Reports which objectives have been met, or are open again.
@@ -342,7 +342,7 @@ impl Flight {
     fn scene(&self) -> ObjectiveScene<'_> {
         ObjectiveScene {
             now: self.elapsed,
-            over: self.is_over() || self.elapsed >= self.mission.time_limit,
+            over: self.is_over() || self.elapsed >= self.mission.rules.time_limit,
             vehicles: &self.crafts,
             surveys: self.surveys.all(),
             world: &self.world,
@@ -354,7 +354,7 @@ impl Flight {
 
     /// How each of the mission's vehicles was used.
     fn vehicle_uses(&self) -> Vec<VehicleUse> {
-        self.swarm.uses(self.mission.vehicles)
+        self.swarm.uses(self.mission.seats.count)
     }
 
     fn standings(&self) -> Vec<ObjectiveStanding> {

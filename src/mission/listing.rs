@@ -118,30 +118,30 @@ impl Mission {
             id: self.id.clone(),
             rev: self.rev,
             title: self.title.clone(),
-            brief: self.brief.clone(),
-            drill_of: self.drill_of.clone(),
-            tier: self.tier,
-            vehicles: self.vehicles,
-            time_limit: self.time_limit,
+            brief: self.summary.brief.clone(),
+            drill_of: self.summary.drill_of.clone(),
+            tier: self.summary.tier,
+            vehicles: self.seats.count,
+            time_limit: self.rules.time_limit,
             par_time: self.scoring.par_time,
             par_energy_wh: self.scoring.par_energy_wh,
-            max_height_m: self.max_height_m,
-            land_reserve_percent: self.land_reserve_percent,
-            wind_m_s: self.weather.wind.speed_m_s,
-            wind_from_deg: self.weather.wind.from_deg,
+            max_height_m: self.rules.max_height_m,
+            land_reserve_percent: self.rules.land_reserve_percent,
+            wind_m_s: self.site.weather.wind.speed_m_s,
+            wind_from_deg: self.site.weather.wind.from_deg,
             needs: self.needs(),
             fits: self.listed_fits(),
             areas: self.areas(),
             places: self.sites(),
             objectives: self.listed_objectives(),
-            hints: self.hints.clone(),
+            hints: self.advice.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
             medals: self.scoring.medals,
-            pausable: self.pausable,
-            most_speedup: self.most_speedup,
-            requires: self.requires.clone(),
-            rewards: self.rewards.clone(),
-            outlay: self.outlay.clone(),
+            pausable: self.rules.pausable,
+            most_speedup: self.rules.most_speedup,
+            requires: self.career.requires.clone(),
+            rewards: self.career.rewards.clone(),
+            outlay: self.seats.outlay.clone(),
             gold_requires: self
                 .scoring
                 .gold_requires
@@ -157,7 +157,7 @@ impl Mission {
         let gates = demands.filter_map(|it| it.route).flat_map(|route| {
             let numbered = route.gates().iter().enumerate();
             numbered.map(|(index, &[east_m, north_m, _])| {
-                let at = self.origin.place([east_m, north_m]);
+                let at = self.site.origin.place([east_m, north_m]);
                 (GateRoute::name(index), at)
             })
         });
@@ -169,7 +169,7 @@ impl Mission {
     /// The equipment of the vehicles, which are numbered by their pads, from 1.
     fn listed_fits(&self) -> Vec<FitListing> {
         let mut listed: Vec<FitListing> = Vec::new();
-        for (vehicle, fit) in (1..).zip(&self.fits) {
+        for (vehicle, fit) in (1..).zip(&self.seats.fits) {
             let sensors = fit.sensors.iter();
             let loads = fit.loads.iter();
             let new = FitListing {

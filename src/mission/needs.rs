@@ -68,19 +68,23 @@ impl Mission {
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
-        for (vehicle, asked) in (1..).zip(&self.asked) {
+        for (vehicle, asked) in (1..).zip(&self.seats.asked) {
             let need = Need {
                 seats: vec![vehicle],
                 sensors: asked.sensors.iter().map(|sensor| sensor.id).collect(),
                 loads: parts(asked.loads.iter().map(|(load, count)| (*load, *count))),
                 reach_m: far_m * REACH,
                 far_m,
-                height_m: USUAL_HEIGHT_M.min(self.max_height_m),
+                height_m: USUAL_HEIGHT_M.min(self.rules.max_height_m),
                 wind_m_s: self.strongest_wind_m_s(),
                 time: self.scoring.par_time,
-                reserve_percent: self.land_reserve_percent,
+                reserve_percent: self.rules.land_reserve_percent,
                 air: self.air(),
-                credits: self.outlay.budget.map(|all| all / self.vehicles as u32),
+                credits: self
+                    .seats
+                    .outlay
+                    .budget
+                    .map(|all| all / self.seats.count as u32),
             };
             let alike = |it: &&mut Need| it.sensors == need.sensors && it.loads == need.loads;
             match needs.iter_mut().find(alike) {
@@ -99,11 +103,15 @@ impl Mission {
         let seeded = trackers.flat_map(|tracker| tracker.places());
         let surveyed = self.objectives.iter().filter_map(|it| it.kind.survey());
         let cells = surveyed.flat_map(|plan| plan.cells.iter().map(|cell| cell.centre));
-        let mut points: Vec<Point> = self.places.iter().map(|(_, at)| *at).collect();
+        let mut points: Vec<Point> = self.site.places.iter().map(|(_, at)| *at).collect();
         points.extend(seeded.map(|(_, at)| at).chain(cells));
         let zones = |wanted: fn(&ZoneKind) -> bool| {
-            let mut of_kind = self.zones.iter().filter(move |zone| wanted(&zone.kind));
-            let from = &self.pads;
+            let mut of_kind = self
+                .site
+                .zones
+                .iter()
+                .filter(move |zone| wanted(&zone.kind));
+            let from = &self.seats.pads;
             let mut far_m: f64 = 0.0;
             for zone in &mut of_kind {
                 let each = from.iter().map(|&pad| zone.shape.farthest_m(pad));
@@ -111,7 +119,7 @@ impl Mission {
             }
             far_m
         };
-        let to_points = self.pads.iter().flat_map(|&pad| {
+        let to_points = self.seats.pads.iter().flat_map(|&pad| {
             let points = points.iter();
             points.map(move |&point| distance_m(pad, point))
         });
@@ -126,7 +134,7 @@ impl Mission {
 
     /// The mean wind with its gusts, or the stronger wind of an event.
     fn strongest_wind_m_s(&self) -> f64 {
-        let mean_m_s = self.weather.wind.speed_m_s;
+        let mean_m_s = self.site.weather.wind.speed_m_s;
         let actions = self.events.iter().flat_map(|event| &event.actions);
         let later = actions.filter_map(|action| match action {
             Action::Weather(change) => change.wind_m_s(mean_m_s),
@@ -138,7 +146,7 @@ impl Mission {
             | Action::Fail(_)
             | Action::Event(_) => None,
         });
-        later.fold(mean_m_s, f64::max) + self.weather.gust_m_s
+        later.fold(mean_m_s, f64::max) + self.site.weather.gust_m_s
     }
 }
 

@@ -83,9 +83,9 @@ impl Head {
             when: occasion.when.clone(),
             profile: occasion.profile.clone(),
             stake: occasion.stake,
-            designs: mission.fleet.iter().map(Design::to_toml).collect(),
+            designs: mission.seats.designs.iter().map(Design::to_toml).collect(),
             program: env!("SORTIE_VERSION").to_owned(),
-            source: mission.source.clone(),
+            source: mission.file.text.clone(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Mission;
+use super::{FlightRules, Mission, MissionAdvice};
 
 /// The purpose of a flight, which sets how it counts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,12 +25,12 @@ impl Mission {
     pub fn flown_for(self, stake: Stake) -> Self {
         match stake {
             Stake::Exam => Self {
-                pausable: false,
-                gives_hints: false,
-                most_speedup: 1.0,
-                hints: Vec::new(),
-                clues: Vec::new(),
-                lesson: Vec::new(),
+                rules: FlightRules {
+                    pausable: false,
+                    most_speedup: 1.0,
+                    ..self.rules
+                },
+                advice: MissionAdvice::default(),
                 ..self
             },
             Stake::Graded | Stake::Practice | Stake::Daily => self,

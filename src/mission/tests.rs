@@ -419,12 +419,12 @@ fn vehicles_carry_what_the_fleet_does_and_their_own() {
         vehicles = [{ sensors = [\"s_pm25\", \"s_voc\"], loads = { ball = 4, kit = 0 } }]";
     let source = AIR_SAMPLE.replace("sensors = [\"s_voc\"]", fleet);
     let mission = Mission::parse(&source).expect("it is good");
-    let [fit] = &mission.fits[..] else {
-        panic!("one vehicle, one fit: {:?}", mission.fits)
+    let [fit] = &mission.seats.fits[..] else {
+        panic!("one vehicle, one fit: {:?}", mission.seats.fits)
     };
     let sensors: Vec<&str> = fit.sensors.iter().map(|sensor| sensor.id).collect();
     assert_eq!(sensors, ["s_voc", "s_pm25"]);
     let loads: Vec<(ground_truth::Load, u32)> = fit.loads.clone().into_iter().collect();
     assert_eq!(loads, [(ground_truth::Load::Ball, 4)]);
-    assert_eq!(mission.sensors, fit.sensors);
+    assert_eq!(mission.seats.sensors, fit.sensors);
 }

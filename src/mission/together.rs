@@ -13,13 +13,13 @@ const LEAST_LED_M: f64 = 2.0;
 impl Mission {
     /// The required separation between vehicles in the air.
     pub(crate) fn min_separation_m(&self) -> f64 {
-        self.separation_m.unwrap_or(USUAL_SEPARATION_M)
+        self.rules.separation_m.unwrap_or(USUAL_SEPARATION_M)
     }
 
     /// The rules for surveys, formations and the like: the line spacing follows from the sensors, the separation from
     /// the mission if it sets one.
     pub fn swarm_rules(&self) -> Rules {
-        let swaths = self.sensors.iter().filter_map(|sensor| {
+        let swaths = self.seats.sensors.iter().filter_map(|sensor| {
             // A detector's strip has the same width at any height; a camera's widens.
             let at_ground_m = sensor.swath_m(0.0)?;
             Some(Swath {
@@ -29,7 +29,10 @@ impl Mission {
         });
         let width = |swath: &Swath| swath.width_m(USUAL_HEIGHT_M);
         let usual = Rules::default();
-        let separation_m = self.separation_m.map(|metres| metres.max(LEAST_LED_M));
+        let separation_m = self
+            .rules
+            .separation_m
+            .map(|metres| metres.max(LEAST_LED_M));
         Rules {
             separation_m: separation_m.unwrap_or(usual.separation_m),
             swath: swaths.min_by(|a, b| width(a).total_cmp(&width(b))),

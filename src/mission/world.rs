@@ -38,9 +38,9 @@ impl World {
         let release = |(hazard, stream): (&dyn Hazard, u64)| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
             random.set_stream(stream);
-            hazard.release(&mission.weather, random)
+            hazard.release(&mission.site.weather, random)
         };
-        let hazards = mission.hazards.iter().map(AsRef::as_ref);
+        let hazards = mission.site.hazards.iter().map(AsRef::as_ref);
         let fields: Vec<Box<dyn Field>> = hazards.zip((0..=u64::MAX).rev()).map(release).collect();
         let numbered = fields.iter().enumerate();
         let objects = numbered.flat_map(|(hazard, field)| {
@@ -49,7 +49,7 @@ impl World {
         });
         Self {
             seed,
-            weather: mission.weather,
+            weather: mission.site.weather,
             sought: objects
                 .filter_map(|(hazard, object)| Some((object.class.kind()?, hazard)))
                 .collect(),

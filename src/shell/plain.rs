@@ -97,7 +97,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
 /// The number of vehicles, if known.
 fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
-        Opening::Mission(mission) => mission.vehicles,
+        Opening::Mission(mission) => mission.seats.count,
         Opening::Free => usize::from(options.vehicles),
         Opening::Home | Opening::Connect(_) | Opening::Replay(_) => 1,
     }

@@ -45,8 +45,8 @@ fn cheapest(need: &Need) -> Option<Design> {
 fn every_mission_can_be_flown_with_built_drones_within_its_budget() {
     for source in store::missions() {
         let mission = Mission::parse(&source.text).expect("no faults");
-        let (id, budget) = (mission.id.clone(), mission.outlay.budget);
-        let mut fleet = vec![Design::new("none"); mission.vehicles];
+        let (id, budget) = (mission.id.clone(), mission.seats.outlay.budget);
+        let mut fleet = vec![Design::new("none"); mission.seats.count];
         for need in mission.needs() {
             let Some(design) = cheapest(&need) else {
                 panic!("{id}: nothing flies on seats {:?}", need.seats);

@@ -31,7 +31,7 @@ struct Course {
 
 impl Course {
     fn script(&self, source: &str) -> Script {
-        let vehicles: Vec<u16> = (1..=self.mission.vehicles as u16).collect();
+        let vehicles: Vec<u16> = (1..=self.mission.seats.count as u16).collect();
         let places = self.mission.places_to_name();
         let context = Context {
             places: Some(&places),
@@ -157,10 +157,10 @@ fn every_mission_speaks_both_languages_and_has_its_pilots() {
         let mission = &course.mission;
         assert_eq!(course.name, mission.id);
         assert!(
-            mission.untranslated.is_empty(),
+            mission.file.untranslated.is_empty(),
             "{}: {:?}",
             course.name,
-            mission.untranslated
+            mission.file.untranslated
         );
         course.reference();
         if !course.is_drill {

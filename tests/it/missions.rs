@@ -115,7 +115,7 @@ fn the_file_that_the_bad_ones_are_made_from_is_good() {
 
 fn noted(source: &str) -> Vec<String> {
     let mission = Mission::parse(source).expect("no faults");
-    let notes = mission.untranslated.iter();
+    let notes = mission.file.untranslated.iter();
     notes.map(|note| note.one_line("m.toml", source)).collect()
 }
 
@@ -232,7 +232,7 @@ fn shipped_missions_and_drills_make_sense_and_name_missions_that_exist() {
         let faults = mission.check().into_iter();
         let faults = faults.chain(mission.unknown_missions(&known));
         wrong.extend(faults.map(|fault| fault.one_line(&name, &source)));
-        assert_eq!(mission.drill_of.is_some(), name.starts_with('d'), "{name}");
+        assert_eq!(mission.summary.drill_of.is_some(), name.starts_with('d'), "{name}");
         assert_eq!(Mission::id_of(&source), Some(name));
     }
     assert_eq!(wrong, Vec::<String>::new());

@@ -93,7 +93,7 @@ fn measure(mission: Mission, seed: u64) -> Result<MissionCost, Failure> {
     let cpu = processor_time()?.saturating_sub(before).as_secs_f64();
     Ok(MissionCost {
         mission: mission.id.clone(),
-        vehicles: mission.vehicles,
+        vehicles: mission.seats.count,
         sim_time_s: report.sim_time_s,
         cpu_ms: cpu * 1e3,
         realtime_factor: report.sim_time_s / cpu,

@@ -5,7 +5,7 @@ use crate::language::Context;
 fn pilot(mission: &str, script: &str) -> (Mission, Script) {
     let mission = Mission::parse(mission).expect("no faults");
     let (places, areas) = (mission.places_to_name(), mission.named_areas());
-    let vehicles: Vec<u16> = (1..=mission.vehicles as u16).collect();
+    let vehicles: Vec<u16> = (1..=mission.seats.count as u16).collect();
     let context = Context {
         places: Some(&places),
         areas: Some(&areas),

@@ -10,17 +10,20 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let fleet = examined.section("fleet");
     let written = fleet.and_then(|fleet| fleet.get("budget"));
-    let (Some(budget), Some(written)) = (mission.outlay.budget, written) else {
+    let (Some(budget), Some(written)) = (mission.seats.outlay.budget, written) else {
         return;
     };
     let vehicle = cheapest_vehicle();
     let mut prices: Vec<u32> = mission
+        .seats
         .fits
         .iter()
         .map(|fit| vehicle + price(fit))
         .collect();
     prices.sort_unstable();
-    let bought = prices.len().saturating_sub(mission.outlay.loaners.len());
+    let bought = prices
+        .len()
+        .saturating_sub(mission.seats.outlay.loaners.len());
     let least: u32 = prices.iter().take(bought).sum();
     if budget < least {
         let fault = format!(

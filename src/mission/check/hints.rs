@@ -9,7 +9,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let written = examined.tables("hints").iter();
     let asked = written.filter(|hint| hint.get("level").is_some());
-    for (clue, written) in mission.clues.iter().zip(asked) {
+    for (clue, written) in mission.advice.clues.iter().zip(asked) {
         if clue.level == 1
             && let Some(line) = command_line(&clue.text.to_string())
         {

@@ -39,22 +39,25 @@ impl Mission {
     /// The missions that the file names, in file order.
     fn named_missions(&self) -> Vec<NamedMission<'_>> {
         let named = |id, written| NamedMission { id, written };
-        let value = |section: &str, key: &str| self.written.get(section)?.get(key);
+        let value = |section: &str, key: &str| self.file.written.get(section)?.get(key);
         let items = |section, key| value(section, key).map_or(&[][..], WrittenValue::items);
         let drill = self
+            .summary
             .drill_of
             .as_deref()
-            .map(|id| named(id, self.written.span_of("drill_of")));
+            .map(|id| named(id, self.file.written.span_of("drill_of")));
         let needed = self
+            .career
             .requires
             .missions
             .iter()
             .zip(items("requires", "missions"));
-        let medals = self.requires.medals.keys().filter_map(|id| {
+        let medals = self.career.requires.medals.keys().filter_map(|id| {
             let medal = value("requires", "medals")?.get(id)?;
             Some(named(id, medal.key.clone()))
         });
         let unlocked = self
+            .career
             .rewards
             .unlock
             .iter()

@@ -17,7 +17,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         equipment(examined, &objective);
         time(examined, &objective);
     }
-    let limit = examined.mission.time_limit;
+    let limit = examined.mission.rules.time_limit;
     let events = examined.mission.events.iter();
     for (event, written) in events.zip(examined.tables("events")) {
         if matches!(event.trigger, Trigger::At(at) if at >= limit) {
@@ -34,7 +34,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let Some(demanded) = objective.demands.equipment else {
         return;
     };
-    if !demanded.equipment.is_carried(&examined.mission.fits) {
+    if !demanded.equipment.is_carried(&examined.mission.seats.fits) {
         let place = objective.written.span_of(demanded.key);
         let missing = demanded.equipment.words();
         examined.add(place, format!("no vehicle carries {missing}"));
@@ -43,7 +43,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
 
 /// Reports objectives that take longer than the time allowed, even on the shortest path and without delay.
 fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
-    let limit = examined.mission.time_limit;
+    let limit = examined.mission.rules.time_limit;
     let limit_s = limit.as_secs();
     for demanded in &objective.demands.times {
         if demanded.time >= limit {
@@ -74,7 +74,7 @@ impl LeastTime {
         let demands = &objective.demands;
         let place = |key| objective.written.span_of(key);
         // The vehicles share the work.
-        let vehicles = u32::try_from(mission.vehicles.max(1)).unwrap_or(u32::MAX);
+        let vehicles = u32::try_from(mission.seats.count.max(1)).unwrap_or(u32::MAX);
         let staying = demands.staying / vehicles;
         if let Some(route) = demands.route {
             return Some(Self {
@@ -90,7 +90,11 @@ impl LeastTime {
             });
         }
         let zone = demands.zone?;
-        let ways = mission.pads.iter().map(|&pad| zone.shape.distance_m(pad));
+        let ways = mission
+            .seats
+            .pads
+            .iter()
+            .map(|&pad| zone.shape.distance_m(pad));
         let way = flown(ways.fold(f64::INFINITY, f64::min));
         Some(Self {
             time: way.saturating_add(staying),
@@ -113,7 +117,7 @@ fn along_m(mission: &Mission, route: &GateRoute) -> Option<f64> {
 
 /// The distance from the nearest pad, in metres.
 fn from_pads_m(mission: &Mission, at: Point) -> f64 {
-    let ways = mission.pads.iter().map(|&pad| distance_m(pad, at));
+    let ways = mission.seats.pads.iter().map(|&pad| distance_m(pad, at));
     ways.fold(f64::INFINITY, f64::min)
 }
 

@@ -30,13 +30,13 @@ fn pads(examined: &mut Examined<'_>) {
     let written = examined
         .section("fleet")
         .map_or(&[][..], |fleet| fleet.items_of("pads"));
-    for (index, (&at, written)) in mission.pads.iter().zip(written).enumerate() {
+    for (index, (&at, written)) in mission.seats.pads.iter().zip(written).enumerate() {
         let place = written.span.clone();
         if let Some(what) = obstacle(examined, at, 0.0) {
             let number = index + 1;
             examined.add(place.clone(), format!("pad {number} lies {what}"));
         }
-        let before = mission.pads.iter().take(index);
+        let before = mission.seats.pads.iter().take(index);
         let near = before.map(|&other| distance_m(at, other));
         let near_m = near.fold(f64::INFINITY, f64::min);
         if near_m < mission.min_separation_m() {
@@ -104,13 +104,18 @@ fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<String> {
     if let Some(fence) = fences(examined).into_iter().find(|it| is_beyond(it, at)) {
         return Some(format!("beyond the fence `{}`", fence.id));
     }
-    let mut zones = examined.mission.zones.iter().filter(|zone| zone.active);
+    let mut zones = examined
+        .mission
+        .site
+        .zones
+        .iter()
+        .filter(|zone| zone.active);
     let forbidden = zones.find(|zone| zone.kind.forbids_all(up_m, up_m) && zone.shape.contains(at));
     forbidden.map(|zone| format!("in the zone `{}`, where flying is forbidden", zone.id))
 }
 
 fn fences<'m>(examined: &Examined<'m>) -> Vec<&'m Zone> {
-    let zones = examined.mission.zones.iter();
+    let zones = examined.mission.site.zones.iter();
     let is_fence = |zone: &&Zone| zone.active && matches!(zone.kind, ZoneKind::Geofence { .. });
     zones.filter(is_fence).collect()
 }

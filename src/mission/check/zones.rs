@@ -13,7 +13,7 @@ const MOST_FORBIDDEN: f64 = 0.9;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
-    for (zone, written) in mission.zones.iter().zip(examined.tables("zones")) {
+    for (zone, written) in mission.site.zones.iter().zip(examined.tables("zones")) {
         shape(examined, zone, written);
         let jams = match zone.kind {
             ZoneKind::RadioJam { .. } => Some("radio_jam"),
@@ -25,7 +25,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
             | ZoneKind::GnssGlitch { .. }
             | ZoneKind::People { .. } => None,
         };
-        if let Some(kind) = jams.filter(|_| mission.radio.is_none()) {
+        if let Some(kind) = jams.filter(|_| mission.site.radio.is_none()) {
             let fault =
                 format!("a `{kind}` needs the section `radio`: without it nothing is jammed");
             examined.add(written.span_of("kind"), fault);
@@ -94,7 +94,7 @@ fn forbidden(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let closes = |(place, other): &(usize, &Zone)| {
         other.active && other.kind.forbids_all(low_m, high_m) && !is_lifted(*place)
     };
-    let all = mission.zones.iter().enumerate();
+    let all = mission.site.zones.iter().enumerate();
     let closed: Vec<&Zone> = all.filter(closes).map(|(_, zone)| zone).collect();
     if share_within(&zone.shape, &closed) > MOST_FORBIDDEN {
         let names = closed.iter().map(|zone| format!("`{}`", zone.id));

@@ -80,10 +80,10 @@ impl Engine {
         let schedule = Schedule::new(mission, &mut random);
         let mut places = ChaCha8Rng::seed_from_u64(seed);
         places.set_stream(PLACES_STREAM);
-        let zones = mission.zones.iter();
+        let zones = mission.site.zones.iter();
         Self {
             zones: zones.map(|zone| zone.moved(&mut places)).collect(),
-            active: mission.zones.iter().map(|zone| zone.active).collect(),
+            active: mission.site.zones.iter().map(|zone| zone.active).collect(),
             schedule,
             drifts: Vec::new(),
             movers: Vec::new(),
@@ -115,10 +115,14 @@ impl Engine {
             .filter_map(|drift| drift.step(weather, sight.now))
             .collect();
         if is_due(sight.now, expression::EVERY) {
-            self.margins_db = mission.radio.as_ref().map_or_else(BTreeMap::new, |radio| {
-                let own = |seat: usize| mission.fits.get(seat)?.radio;
-                radio.margins_db(self.zones_now(), sight.crafts, own)
-            });
+            self.margins_db = mission
+                .site
+                .radio
+                .as_ref()
+                .map_or_else(BTreeMap::new, |radio| {
+                    let own = |seat: usize| mission.seats.fits.get(seat)?.radio;
+                    radio.margins_db(self.zones_now(), sight.crafts, own)
+                });
             self.ask(mission, weather, sight, &mut news);
         }
         for (index, event) in mission.events.iter().enumerate() {

@@ -168,7 +168,7 @@ fn overflight(mission: &Mission) -> Spawn {
 
 /// The centre of the first task zone, or the first pad.
 fn place_of_work(mission: &Mission) -> Point {
-    let mut tasks = mission.zones.iter();
+    let mut tasks = mission.site.zones.iter();
     let task = tasks.find(|zone| zone.kind == crate::mission::zone::ZoneKind::Task);
     let middle = task.map(|zone| {
         let (low, high) = zone.shape.bounds();
@@ -178,6 +178,6 @@ fn place_of_work(mission: &Mission) -> Point {
         ]
     });
     middle
-        .or_else(|| mission.pads.first().copied())
+        .or_else(|| mission.seats.pads.first().copied())
         .unwrap_or_default()
 }

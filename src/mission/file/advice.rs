@@ -2,16 +2,7 @@
 
 use super::events::condition;
 use crate::mission::format::{FileTable, text, whole, word};
-use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
-
-/// All advice of a mission.
-#[derive(Default)]
-pub(super) struct MissionAdvice {
-    /// Hints that are shown automatically.
-    pub hints: Vec<Hint>,
-    /// Hints that must be requested.
-    pub clues: Vec<Clue>,
-}
+use crate::mission::{Clue, Hint, MissionAdvice, NEXT_CELL, Phase};
 
 /// One piece of advice of either kind.
 pub(super) enum OneAdvice {
@@ -19,18 +10,19 @@ pub(super) enum OneAdvice {
     Asked(Clue),
 }
 
-impl MissionAdvice {
-    /// Separates automatic advice from advice on request.
-    pub fn of(all: Vec<OneAdvice>) -> Self {
-        let mut advice = Self::default();
-        for one in all {
-            match one {
-                OneAdvice::Shown(hint) => advice.hints.push(hint),
-                OneAdvice::Asked(clue) => advice.clues.push(clue),
-            }
+/// Separates automatic advice from advice on request.
+pub(super) fn of(all: Vec<OneAdvice>) -> MissionAdvice {
+    let mut advice = MissionAdvice {
+        gives_hints: true,
+        ..MissionAdvice::default()
+    };
+    for one in all {
+        match one {
+            OneAdvice::Shown(hint) => advice.hints.push(hint),
+            OneAdvice::Asked(clue) => advice.clues.push(clue),
         }
-        advice
     }
+    advice
 }
 
 pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::career::design_id;
+use crate::mission::MissionSeats;
 use crate::mission::fit::Fit;
 use crate::mission::format::{
     FileTable, ListValue, NamedValue, list, named, point, table as table_of, whole,
@@ -40,6 +41,19 @@ impl FleetSection {
         let carried = self.fits.iter().flat_map(|fit| &fit.sensors);
         carried.for_each(|sensor| all.add(sensor));
         all.sensors
+    }
+
+    /// The seats of the mission with its own drones.
+    pub fn seats(self) -> MissionSeats {
+        MissionSeats {
+            count: self.pads.len(),
+            sensors: self.sensors(),
+            outlay: self.outlay,
+            pads: self.pads,
+            asked: self.fits.clone(),
+            fits: self.fits,
+            designs: Vec::new(),
+        }
     }
 }
 

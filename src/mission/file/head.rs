@@ -3,6 +3,7 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
+use crate::mission::MissionSummary;
 use crate::mission::format::{Draft, FileShape, FileTable, FileValue, list, text_by, whole};
 use crate::text::Text;
 
@@ -16,11 +17,7 @@ pub(super) struct FileHead {
     pub id: String,
     pub rev: u32,
     pub title: Text,
-    pub tier: u8,
-    pub tags: Vec<String>,
-    pub authors: Vec<String>,
-    pub brief: Text,
-    pub drill_of: Option<String>,
+    pub summary: MissionSummary,
 }
 
 impl FileHead {
@@ -71,11 +68,13 @@ impl FileHead {
             id: id?.into_inner(),
             rev: rev?,
             title: title?,
-            tier,
-            tags: tags.into_iter().map(Spanned::into_inner).collect(),
-            authors: authors.into_iter().map(Spanned::into_inner).collect(),
-            brief: brief?,
-            drill_of: drill_of.map(Spanned::into_inner),
+            summary: MissionSummary {
+                brief: brief?,
+                tier,
+                tags: tags.into_iter().map(Spanned::into_inner).collect(),
+                authors: authors.into_iter().map(Spanned::into_inner).collect(),
+                drill_of: drill_of.map(Spanned::into_inner),
+            },
         })
     }
 }

@@ -1,42 +1,35 @@
 //! `[rules]`: the limits of a flight.
 
+use std::time::Duration;
+
 use toml::Spanned;
 
+use crate::mission::FlightRules;
 use crate::mission::format::{FileTable, flag, list, number, text};
 
 const USUAL_MAX_HEIGHT_M: f64 = 120.0;
 const USUAL_RESERVE_PERCENT: f64 = 20.0;
 const USUAL_SPEEDUP: f64 = 8.0;
 
-/// The rules for all vehicles.
-pub(super) struct RuleSet {
-    pub max_height_m: f64,
-    pub land_reserve_percent: f64,
-    pub separation_m: Option<f64>,
-    pub pausable: bool,
-    pub most_speedup: f64,
-    pub open_parameters: Vec<String>,
-}
-
-impl RuleSet {
-    /// The rules if the file does not have the section.
-    pub fn usual() -> Self {
-        Self {
-            max_height_m: USUAL_MAX_HEIGHT_M,
-            land_reserve_percent: USUAL_RESERVE_PERCENT,
-            separation_m: None,
-            pausable: true,
-            most_speedup: USUAL_SPEEDUP,
-            open_parameters: Vec::new(),
-        }
+/// The rules if the file does not have the section. The time limit stands elsewhere in the file.
+pub(super) fn usual() -> FlightRules {
+    FlightRules {
+        time_limit: Duration::ZERO,
+        max_height_m: USUAL_MAX_HEIGHT_M,
+        land_reserve_percent: USUAL_RESERVE_PERCENT,
+        separation_m: None,
+        pausable: true,
+        most_speedup: USUAL_SPEEDUP,
+        open_parameters: Vec::new(),
     }
 }
 
-pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
-    let usual = RuleSet::usual();
+pub(super) fn rules(table: &mut FileTable<'_>) -> Option<FlightRules> {
+    let usual = usual();
     let height = number(1.0, 10_000.0, "m");
     let charge = number(0.0, 100.0, "%");
-    Some(RuleSet {
+    Some(FlightRules {
+        time_limit: usual.time_limit,
         max_height_m: table.or("max_agl", height, usual.max_height_m, "maximum height above the pads"),
         land_reserve_percent: table.or(
             "land_reserve_pct",

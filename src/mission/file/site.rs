@@ -8,17 +8,17 @@ use crate::mission::format::{FileTable, LONGEST_S, number, seconds, table as tab
 use crate::mission::weather::{Light, Weather, Wind};
 
 /// The site and the time limit.
-pub(super) struct MissionSite {
+pub(super) struct SiteSection {
     pub time_limit: Duration,
     pub origin: Origin,
 }
 
-pub(super) fn site(table: &mut FileTable<'_>) -> Option<MissionSite> {
+pub(super) fn site(table: &mut FileTable<'_>) -> Option<SiteSection> {
     let limit = seconds(10.0, LONGEST_S);
     let time_limit = table.need("time_limit", limit, "maximum mission time");
     let origin = table.need("origin", table_of(origin), "position of `[0, 0]`");
     table.draft().time_limit = time_limit;
-    Some(MissionSite {
+    Some(SiteSection {
         time_limit: time_limit?,
         origin: origin?,
     })

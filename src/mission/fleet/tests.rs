@@ -4,7 +4,7 @@ use crate::workshop::part;
 fn mission(budget: Option<u32>) -> Mission {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mut mission = Mission::parse(source).expect("it is good");
-    mission.outlay.budget = budget;
+    mission.seats.outlay.budget = budget;
     mission
 }
 
@@ -22,7 +22,7 @@ fn relay() -> Design {
 
 #[test]
 fn the_last_design_flies_in_all_seats_that_follow() {
-    let seats = mission(None).vehicles;
+    let seats = mission(None).seats.count;
     assert!(seats > 2, "{seats}");
     let flown = mission(None)
         .with_fleet(vec![starter(), relay()])
@@ -38,7 +38,7 @@ fn the_last_design_flies_in_all_seats_that_follow() {
 
 #[test]
 fn a_fleet_is_refused_with_every_reason_in_words() {
-    let seats = mission(None).vehicles;
+    let seats = mission(None).seats.count;
     let cost = starter().credits() * seats as u32;
     let refused = |budget, fleet: Vec<Design>| {
         let faults = mission(budget).with_fleet(fleet).expect_err("refused");
@@ -74,8 +74,8 @@ fn a_sensor_is_there_only_if_it_is_mounted() {
     let air = || parsed(include_str!("../../../missions/01-air-sample.toml"));
     let sensors = |design: Design| -> Vec<&str> {
         let flown = air().with_fleet(vec![design]).expect("it may fly");
-        assert_eq!(flown.sensors, flown.fits[0].sensors);
-        flown.sensors.iter().map(|sensor| sensor.id).collect()
+        assert_eq!(flown.seats.sensors, flown.seats.fits[0].sensors);
+        flown.seats.sensors.iter().map(|sensor| sensor.id).collect()
     };
     let bare = starter().without(part("s_voc").expect("a part"));
     assert_eq!(sensors(bare.clone()), Vec::<&str>::new());
@@ -85,7 +85,11 @@ fn a_sensor_is_there_only_if_it_is_mounted() {
         ["s_voc", "s_rgb"],
         "what is asked for is first"
     );
-    let asked: Vec<&str> = air().asked[0].sensors.iter().map(|it| it.id).collect();
+    let asked: Vec<&str> = air().seats.asked[0]
+        .sensors
+        .iter()
+        .map(|it| it.id)
+        .collect();
     assert_eq!(asked, ["s_voc"]);
 }
 
@@ -93,14 +97,14 @@ fn a_sensor_is_there_only_if_it_is_mounted() {
 fn loads_are_the_pieces_that_hang_on_the_dropper() {
     let fire = || {
         let mut mission = parsed(include_str!("../../../missions/09-fire-attack.toml"));
-        mission.outlay.budget = None;
+        mission.seats.outlay.budget = None;
         mission
     };
     let big = design(include_str!("../../../designs/deminer.toml"));
     let loads = |parts: &[&str]| {
         let built = carrying(&big, parts);
         let flown = fire().with_fleet(vec![built]).expect("it may fly");
-        let loads = flown.fits[0].loads.clone();
+        let loads = flown.seats.fits[0].loads.clone();
         loads.into_iter().collect::<Vec<_>>()
     };
     assert_eq!(loads(&["s_ball"]), [], "nothing holds it");
@@ -115,12 +119,12 @@ fn loads_are_the_pieces_that_hang_on_the_dropper() {
 #[test]
 fn each_drone_has_the_radio_that_was_built_in() {
     let source = include_str!("../../../missions/01-air-sample.toml");
-    assert!(parsed(source).radio.is_none());
+    assert!(parsed(source).site.radio.is_none());
     let set = |mut mission: Mission, design: Design| {
-        mission.outlay.budget = None;
+        mission.seats.outlay.budget = None;
         let flown = mission.with_fleet(vec![design]).expect("it may fly");
-        assert!(flown.radio.is_some(), "the ground has its counterpart");
-        flown.fits[0].radio.expect("a radio")
+        assert!(flown.site.radio.is_some(), "the ground has its counterpart");
+        flown.seats.fits[0].radio.expect("a radio")
     };
     let plain = set(parsed(source), starter());
     assert_eq!((plain.model.id, plain.relays), ("r_sik915", false));

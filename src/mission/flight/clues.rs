@@ -54,14 +54,14 @@ impl CluesGiven {
     /// lessons about the console, none does.
     pub fn used(&self, mission: &Mission) -> HintsUsed {
         let mut used = HintsUsed {
-            free_level: match (self.attempt, mission.tier) {
+            free_level: match (self.attempt, mission.summary.tier) {
                 (1, 0) => 3,
                 (1, _) => 2,
                 _ => 0,
             },
             ..HintsUsed::default()
         };
-        for (_, clue) in self.all(&mission.clues) {
+        for (_, clue) in self.all(&mission.advice.clues) {
             if let Some(count) = used.levels.get_mut(usize::from(clue.level).wrapping_sub(1)) {
                 *count += 1;
             }
@@ -79,11 +79,11 @@ impl CluesGiven {
 impl Flight {
     /// Gives the next suitable clue.
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
-        if !self.mission.gives_hints {
+        if !self.mission.advice.gives_hints {
             return Err(text!("deed-exam-hint"));
         }
         let index = self.next_clue().ok_or_else(|| text!("deed-no-hint"))?;
-        let clue = &self.mission.clues[index];
+        let clue = &self.mission.advice.clues[index];
         let price = self.clues.used(&self.mission).price(clue.level);
         let text = text!(
             "mission-hint-given",
@@ -105,7 +105,7 @@ impl Flight {
 
     /// The state of the hints, for the mission panel.
     pub(super) fn clue_progress(&self) -> ClueProgress {
-        let clues = &self.mission.clues;
+        let clues = &self.mission.advice.clues;
         let used = self.clues.used(&self.mission);
         let next = self.next_clue().map(|index| clues[index].level);
         let given = self.clues.all(clues);
@@ -132,6 +132,6 @@ impl Flight {
             named.next().is_none_or(|(_, standing)| !standing.met)
         };
         let phase: Phase = self.phase(&standings);
-        next_clue(&self.mission.clues, &given, phase, is_open)
+        next_clue(&self.mission.advice.clues, &given, phase, is_open)
     }
 }

@@ -195,7 +195,7 @@ impl Flight {
     /// The position of a spot, in the mission's frame.
     fn point(&self, vehicle: VehicleId, spot: Spot) -> Result<Point, Text> {
         match spot {
-            Spot::At(place) => Ok(self.mission.origin.point(place)),
+            Spot::At(place) => Ok(self.mission.site.origin.point(place)),
             Spot::Offset { north_m, east_m } => Ok([east_m, north_m]),
             Spot::Here => {
                 let craft = self.crafts.iter().find(|craft| craft.id == vehicle);

@@ -18,7 +18,7 @@ impl Flight {
     /// The places known so far: contacts (`c1`, `fire1`), the highest reading of all (`peak`) and of vehicle 1
     /// (`peak1`), and those that the seed decides (`gate1`, and `next` for the next gate or cell).
     pub fn places(&self) -> BTreeMap<String, LatLon> {
-        let place = |point| self.mission.origin.place(point);
+        let place = |point| self.mission.site.origin.place(point);
         let contacts = self
             .search
             .contacts()
@@ -46,14 +46,14 @@ impl Mission {
     /// matter.
     pub fn places_to_name(&self) -> BTreeMap<String, LatLon> {
         let mut places = self.places();
-        let own = (1..=self.vehicles as VehicleId).map(peak_of);
+        let own = (1..=self.seats.count as VehicleId).map(peak_of);
         let later = own.chain([PEAK.to_owned()]);
         for name in later.chain(Contacts::names(NAMED_CONTACTS)) {
-            places.entry(name).or_insert(self.origin.at);
+            places.entry(name).or_insert(self.site.origin.at);
         }
         let drawn = self.objectives.iter();
         for name in drawn.flat_map(|objective| objective.kind.place_names()) {
-            places.entry(name).or_insert(self.origin.at);
+            places.entry(name).or_insert(self.site.origin.at);
         }
         places
     }

@@ -41,7 +41,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         safety: flight.journal.broken_rules().to_vec(),
         commands: judged(flight, flight.orders.tally()),
         alerts: flight.threats.engine().alert_facts().to_vec(),
-        vehicles: flight.mission.vehicles,
+        vehicles: flight.mission.seats.count,
         usage: flight.vehicle_uses(),
         hints: flight.clues.used(&flight.mission),
         given_up: flight.outcome == FlightOutcome::Abandoned,
@@ -91,7 +91,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         outcome: flight.outcome,
         grade: ScoreGrade::of(score.points),
         vehicles: flight.crafts.len(),
-        time_limit_s: rounded(mission.time_limit.as_secs_f64(), 1),
+        time_limit_s: rounded(mission.rules.time_limit.as_secs_f64(), 1),
         par_time_s: rounded(mission.scoring.par_time.as_secs_f64(), 1),
         energy_wh: facts.energy_wh.map(|energy| rounded(energy, 2)),
         par_energy_wh: rounded(mission.scoring.par_energy_wh, 2),
@@ -133,7 +133,7 @@ fn hints(flight: &Flight) -> Vec<HintReport> {
     };
     flight
         .clues
-        .all(&flight.mission.clues)
+        .all(&flight.mission.advice.clues)
         .map(report)
         .collect()
 }

@@ -149,7 +149,7 @@ fn who_flies_on_unheard_is_not_idle() {
 fn vehicles_that_nobody_has_heard_have_numbers_of_their_own() {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mission = Arc::new(Mission::parse(source).expect("it is good"));
-    let count = mission.vehicles;
+    let count = mission.seats.count;
     let mut flight = Flight::new(mission, 1);
     let heard = BTreeMap::from([(2, Arc::new(Vehicle::new(2, 1)))]);
     drop(flight.step(Duration::ZERO, &heard, &Ledger::new()));

@@ -18,7 +18,13 @@ impl Flight {
     /// The truth as it is now.
     pub(super) fn truth_report(&self) -> TruthReport {
         let mut truth = TruthReport {
-            pads: self.mission.pads.iter().map(|&pad| tenths(pad)).collect(),
+            pads: self
+                .mission
+                .seats
+                .pads
+                .iter()
+                .map(|&pad| tenths(pad))
+                .collect(),
             fences: self.fences(),
             gates: self.gates(),
             ..TruthReport::default()
@@ -64,7 +70,7 @@ impl Flight {
     }
 
     fn fences(&self) -> Vec<Vec<Point>> {
-        let zones = self.mission.zones.iter();
+        let zones = self.mission.site.zones.iter();
         let fences = zones.filter(|zone| matches!(zone.kind, ZoneKind::Geofence { .. }));
         let corners = fences.map(|zone| zone.shape.corners());
         corners

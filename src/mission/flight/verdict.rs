@@ -18,6 +18,7 @@ impl Flight {
         for seconds in WARN_BEFORE_S {
             let mark = self
                 .mission
+                .rules
                 .time_limit
                 .saturating_sub(Duration::from_secs(seconds));
             if previous < mark && mark <= self.elapsed {
@@ -39,7 +40,7 @@ impl Flight {
             self.end(FlightOutcome::Failed);
         } else if all_lost || (settled && all_down) {
             self.end(self.verdict(FlightOutcome::Failed));
-        } else if now >= self.mission.time_limit {
+        } else if now >= self.mission.rules.time_limit {
             self.end(self.verdict(FlightOutcome::TimedOut));
         }
     }

@@ -41,7 +41,7 @@ impl Flight {
         Progress {
             title: self.mission.title.clone(),
             elapsed: self.elapsed,
-            limit: self.mission.time_limit,
+            limit: self.mission.rules.time_limit,
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
@@ -57,9 +57,9 @@ impl Flight {
             answered_question: self.swarm.answered_question(),
             swarm: self.swarm.figures(&self.crafts, self.elapsed),
             places: self.places(),
-            contacts: self.search.shown_contacts(&self.mission.origin),
+            contacts: self.search.shown_contacts(&self.mission.site.origin),
             injects: self.injects(),
-            marks: self.search.shown_marks(&self.mission.origin),
+            marks: self.search.shown_marks(&self.mission.site.origin),
             cells: self.cells(),
             mapped: self.mapped(),
             swept: self.swept(),
@@ -104,7 +104,7 @@ impl Flight {
         if self.grounding().is_some() {
             return None;
         }
-        let step = self.mission.lesson.get(self.lesson_step?)?;
+        let step = self.mission.advice.lesson.get(self.lesson_step?)?;
         (!self.is_over()).then(|| step.clone())
     }
 
@@ -123,7 +123,7 @@ impl Flight {
             return Some(text!("mission-landed"));
         }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
-        let mut hints = self.mission.hints.iter().enumerate();
+        let mut hints = self.mission.advice.hints.iter().enumerate();
         let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
         (!self.is_over()).then(|| self.filled(&found.text))
     }
@@ -190,7 +190,7 @@ impl Flight {
 
     fn ground(&self, patch: GroundPatch) -> Ground {
         Ground {
-            centre: self.mission.origin.place(patch.at),
+            centre: self.mission.site.origin.place(patch.at),
             side_m: patch.side_m,
         }
     }
@@ -199,7 +199,11 @@ impl Flight {
         let of = |survey: &Survey| {
             let cell = |index: usize| Cell {
                 name: survey.plan.cells[index].name.clone(),
-                centre: self.mission.origin.place(survey.plan.cells[index].centre),
+                centre: self
+                    .mission
+                    .site
+                    .origin
+                    .place(survey.plan.cells[index].centre),
                 side_m: survey.plan.side_m,
                 sampled: survey.is_sampled(index),
                 value: survey.mean(index),
@@ -218,7 +222,7 @@ impl Flight {
         let thing = |mover: &Mover| MovingThing {
             name: mover.id.clone(),
             kind: mover.kind,
-            at: self.mission.origin.place(mover.at),
+            at: self.mission.site.origin.place(mover.at),
             height_m: mover.height_m,
             keep_out_m: mover.keep_out_m,
         };

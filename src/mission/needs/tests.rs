@@ -83,7 +83,7 @@ fn a_need_follows_the_wind_the_budget_and_the_missing_parts() {
     let mut mission = Mission::parse(RELAY).expect("it is good");
     // An event raises the wind from 3 to 7 m/s.
     assert!(mission.needs()[0].wind_m_s >= 7.0);
-    mission.outlay.budget = Some(starter().credits() * mission.vehicles as u32 - 4);
+    mission.seats.outlay.budget = Some(starter().credits() * mission.seats.count as u32 - 4);
     let need = &mission.needs()[0];
     let cost = |design: &Design| {
         let last = need.fit(design).pop().expect("the cost");
@@ -114,7 +114,7 @@ fn a_stronger_wind_shortens_the_radius_until_it_stands_in_the_way() {
         radius.expect("a radius")
     };
     assert!(radius(&mission).met);
-    mission.weather.wind.speed_m_s = 20.0;
+    mission.site.weather.wind.speed_m_s = 20.0;
     let beaten = radius(&mission);
     assert!(!beaten.met && beaten.is_block, "{beaten:?}");
     assert_eq!(beaten.has.to_string(), "0 m");

@@ -303,7 +303,7 @@ fn a_record_says_who_flew_what_for_what_and_is_flown_again_so() {
         assert_eq!(stored.head.stake, stake);
         let mission = stored.head.flown().expect("a good mission");
         assert_eq!(mission.fleet()[0].name, "Starter 450");
-        assert_eq!(mission.pausable, stake != Stake::Exam);
+        assert_eq!(mission.rules.pausable, stake != Stake::Exam);
         assert_eq!(mission.listing().hints.is_empty(), stake == Stake::Exam);
         let again = stored.rescore().expect("a good mission").report;
         assert_eq!(again.score, report.score);

@@ -186,7 +186,7 @@ impl MissionRun {
     /// Mission time, which starts once the vehicles are heard.
     fn time(&mut self, now: Duration, shown: &FlightView) -> Duration {
         if !shown.is_starting() && !shown.is_reading() {
-            let wanted = self.driver.flight().mission().vehicles;
+            let wanted = self.driver.flight().mission().seats.count;
             self.driver
                 .begin_when_heard(now, shown.vehicles().len() >= wanted);
         }
@@ -283,7 +283,7 @@ impl RunningSession {
     /// vehicles are heard.
     pub fn can_wait_for_reader(&self, vehicles: usize) -> bool {
         let mission = self.mission_run.as_ref().map(|run| run.driver.flight());
-        self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().vehicles)
+        self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().seats.count)
     }
 
     /// Adds a pause of this length to the mission's record.

@@ -15,7 +15,7 @@ fn basics() -> String {
 fn flown(source: &str, script: &str, seed: u64) -> Report {
     let mission = Mission::parse(source).expect("a good mission");
     let places = mission.places_to_name();
-    let vehicles: Vec<u16> = (1..=mission.vehicles as u16).collect();
+    let vehicles: Vec<u16> = (1..=mission.seats.count as u16).collect();
     let context = Context {
         places: Some(&places),
         vehicles: &vehicles,

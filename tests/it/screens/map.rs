@@ -296,7 +296,7 @@ fn at_the_first_gate() -> Console {
     let mut console = Console::flying(0);
     console.vehicle(fixtures::airborne(1, 10.0, 20.0));
     let source = include_str!("../../../missions/00-first-flight.toml");
-    let lesson = Mission::parse(source).expect("a mission").lesson;
+    let lesson = Mission::parse(source).expect("a mission").advice.lesson;
     let mut progress = fixtures::progress();
     progress.lesson = lesson.into_iter().next();
     let gates = [("gate1", 40.0), ("gate2", 80.0), ("next", 80.0)];

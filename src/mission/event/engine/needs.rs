@@ -44,7 +44,7 @@ impl Engine {
             wishes.weather(weather);
             self.navigation(mission, craft, &mut wishes);
             for broken in self.breakdowns.of(craft.id) {
-                wishes.broken(broken, mission.origin.at);
+                wishes.broken(broken, mission.site.origin.at);
             }
             self.demands.wish(craft.id, wishes);
             let fault = self.radio(mission, craft.id);
@@ -71,7 +71,7 @@ impl Engine {
                     // The vehicle's reported position is off by the size of the deception.
                     let leave_m = HYSTERESIS_M + maths::hypot(offset_m[0], offset_m[1]);
                     if self.gnss.holds(craft, index, zone, leave_m) {
-                        wishes.mislead(offset_m, mission.origin.at);
+                        wishes.mislead(offset_m, mission.site.origin.at);
                     }
                 }
                 ZoneKind::Task
@@ -87,7 +87,7 @@ impl Engine {
     /// The effect of distance, obstacles and faults on a vehicle's link.
     fn radio(&self, mission: &Mission, vehicle: VehicleId) -> RadioFault {
         let margin_db = self.margins_db.get(&vehicle).copied();
-        let mut fault = match (&mission.radio, margin_db) {
+        let mut fault = match (&mission.site.radio, margin_db) {
             (Some(_), Some(margin_db)) => crate::mission::radio::Radio::fault(margin_db),
             _ => RadioFault::default(),
         };

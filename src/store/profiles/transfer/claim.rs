@@ -151,7 +151,7 @@ impl Claims<'_> {
 fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
     let fleet = run.airframes.iter().map(|it| Design::from_toml(it).ok());
     let fleet: Vec<Design> = fleet.collect::<Option<_>>()?;
-    let mission = Mission::parse(&mission.source).ok()?;
+    let mission = Mission::parse(&mission.file.text).ok()?;
     mission.with_fleet(fleet).ok()
 }
 

@@ -1,0 +1,104 @@
+//! The parts of a mission; each owns its fields.
+
+use std::time::Duration;
+
+use super::format::WrittenValue;
+use super::hazard::Hazard;
+use super::sensor::Sensor;
+use super::zone::Zone;
+use super::{Clue, Hint, LessonStep, Origin, Outlay, Point, Requires, Rewards};
+use super::{fit, radio, weather};
+use crate::diagnostic::Diagnostic;
+use crate::text::Text;
+use crate::workshop::Design;
+
+/// The file that a mission was read from.
+#[derive(Debug, Default)]
+pub struct MissionSource {
+    pub text: String,
+    /// The parsed file with the position of every value.
+    pub(super) written: WrittenValue,
+    /// Texts that have no translation; not faults.
+    pub untranslated: Vec<Diagnostic>,
+}
+
+/// The description of a mission for lists and its brief.
+#[derive(Debug)]
+pub struct MissionSummary {
+    pub brief: Text,
+    /// Difficulty, 0 (first steps) to 3.
+    pub tier: u8,
+    /// Its topics, for lists and searches.
+    pub tags: Vec<String>,
+    pub authors: Vec<String>,
+    /// The id of the mission that it is a short exercise for.
+    pub drill_of: Option<String>,
+}
+
+/// The place of a mission in a career.
+#[derive(Debug)]
+pub struct CareerTerms {
+    /// Requirements before the mission is offered.
+    pub requires: Requires,
+    /// Credits, experience and unlocks for passing it.
+    pub rewards: Rewards,
+}
+
+/// The rules of a flight.
+#[derive(Debug)]
+pub struct FlightRules {
+    pub time_limit: Duration,
+    /// Whether pausing is allowed.
+    pub pausable: bool,
+    /// The highest speed-up of time in flight.
+    pub most_speedup: f64,
+    /// Protected parameters that may be set in this mission.
+    pub open_parameters: Vec<String>,
+    pub(crate) max_height_m: f64,
+    pub(crate) land_reserve_percent: f64,
+    /// The minimum distance between vehicles in the air, in metres; `None` if the mission does not set it.
+    pub(crate) separation_m: Option<f64>,
+}
+
+/// The advice to the trainee.
+#[derive(Debug, Default)]
+pub struct MissionAdvice {
+    /// Whether the trainee can ask for hints; an exam gives none.
+    pub gives_hints: bool,
+    /// Advice by phase of the flight.
+    pub hints: Vec<Hint>,
+    /// Advice that the trainee can ask for; each costs points.
+    pub clues: Vec<Clue>,
+    /// The steps of a guided lesson.
+    pub lesson: Vec<LessonStep>,
+}
+
+/// The area of a mission and the hazards in it.
+#[derive(Debug)]
+pub struct MissionSite {
+    pub(crate) origin: Origin,
+    pub(crate) weather: weather::Weather,
+    pub(crate) zones: Vec<Zone>,
+    pub(crate) places: Vec<(String, Point)>,
+    pub(crate) hazards: Vec<Box<dyn Hazard>>,
+    /// The radio model; `None` if radio does not matter.
+    pub(crate) radio: Option<radio::Radio>,
+}
+
+/// The vehicles of a mission: their pads, their equipment, and the drones built for them.
+#[derive(Debug)]
+pub struct MissionSeats {
+    /// The number of vehicles.
+    pub count: usize,
+    /// The limit on the fleet's price, and the drones that the mission lends.
+    pub outlay: Outlay,
+    pub(crate) pads: Vec<Point>,
+    /// Every sensor that some vehicle carries.
+    pub(crate) sensors: Vec<&'static Sensor>,
+    /// The equipment of each vehicle, in the order of the pads.
+    pub(crate) fits: Vec<fit::Fit>,
+    /// The equipment of the mission's own drones, which is also what it requires of built drones.
+    pub(crate) asked: Vec<fit::Fit>,
+    /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
+    pub(crate) designs: Vec<Design>,
+}
