@@ -232,7 +232,11 @@ fn shipped_missions_and_drills_make_sense_and_name_missions_that_exist() {
         let faults = mission.check().into_iter();
         let faults = faults.chain(mission.unknown_missions(&known));
         wrong.extend(faults.map(|fault| fault.one_line(&name, &source)));
-        assert_eq!(mission.summary.drill_of.is_some(), name.starts_with('d'), "{name}");
+        assert_eq!(
+            mission.summary.drill_of.is_some(),
+            name.starts_with('d'),
+            "{name}"
+        );
         assert_eq!(Mission::id_of(&source), Some(name));
     }
     assert_eq!(wrong, Vec::<String>::new());
