@@ -33,6 +33,10 @@ pub(super) enum ArmingMethod {
 
 /// The state of arming and landing.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
 pub(super) struct Safety {
     pub(super) armed: bool,
     /// Whether the autopilot believes that the vehicle has landed; the body has the true state.

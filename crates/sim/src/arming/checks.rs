@@ -108,6 +108,10 @@ impl ArmingRules {
 }
 
 /// The inputs of the checks.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
 pub(crate) struct ArmingChecks<'a> {
     pub(crate) rules: &'a ArmingRules,
     pub(crate) failsafe_rules: &'a FailsafeRules,

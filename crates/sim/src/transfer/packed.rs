@@ -80,7 +80,7 @@ impl PackRequest {
             let Some(parameter) = parameters.at(index as u16) else {
                 break;
             };
-            let default = self.with_defaults.then(|| parameter.default);
+            let default = self.with_defaults.then_some(parameter.default);
             append(&mut file, &parameter, before, default, block);
             before = parameter.name;
         }

@@ -142,7 +142,6 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
         ymag: field[1],
         zmag: field[2],
         temperature: IMU_CDEG,
-        ..Default::default()
     })
 }
 
