@@ -47,11 +47,11 @@ forward-no-session = no links to share: connect to vehicles, or start a flight
 forward-mission = another program must not help to fly a mission: add `read-only` after the address
 forward-open-already = already shared with { $address }: remove that forward first
 forward-none-there = no forward to { $address }: `forward` lists them
-forward-empty = the address is missing: write ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]
+forward-empty = the address is missing: write `ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]`
 forward-no-value = a value is missing after "{ $word }"
-forward-unknown-word = unknown word "{ $word }": after the address come read-only, only NAMES, except NAMES, rate HZ
+forward-unknown-word = unknown word "{ $word }": after the address come `read-only`, `only NAMES`, `except NAMES`, `rate HZ`
 forward-wrong-rate = "{ $word }" is no rate: write 0.1 to 1000 messages per second
-forward-no-message = unknown message "{ $word }": write names or ids with commas between them, such as ATTITUDE,GPS_RAW_INT
+forward-no-message = unknown message "{ $word }": write names or ids with commas between them, such as `ATTITUDE,GPS_RAW_INT`
 forward-file = { $address } is a recording: a forward needs a port
 
 # Commands of other ground stations

@@ -15,6 +15,7 @@ mod career;
 mod command_line;
 mod commands;
 mod forget;
+mod forwards;
 pub mod hangar;
 mod keymap;
 mod map;
