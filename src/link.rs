@@ -256,7 +256,7 @@ impl LinkHandle {
     /// Stations that share the link see the message too.
     pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
         self.tap.share(&outgoing);
-        self.outlet.queue(to, Parcel::Message(outgoing))
+        self.outlet.queue(to, Parcel::from(outgoing))
     }
 
     /// The tap for watching the link's frames.
@@ -352,9 +352,10 @@ fn open_tapped(
         Transport::Pipe(_) => ("pipe".to_owned(), LinkState::Up),
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
-    let outbox_len = match tap.is_forward() {
-        true => FORWARD_OUTBOX_LEN,
-        false => OUTBOX_LEN,
+    let outbox_len = if tap.is_forward() {
+        FORWARD_OUTBOX_LEN
+    } else {
+        OUTBOX_LEN
     };
     let (outbox, to_send) = mpsc::channel(outbox_len);
     let (published, status) = watch::channel(LinkStatus::new(id, name, state));

@@ -22,7 +22,6 @@ use crate::geo::LatLon;
 use crate::scoring;
 use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
-use crate::workshop::Design;
 
 mod area;
 mod campaign;

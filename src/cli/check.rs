@@ -95,7 +95,7 @@ pub(super) fn check(
         if plan::is_plan_file(path) {
             let locale = Locale::new(settings.language());
             let (reading, rules) = (ReadOptions::default(), CheckOptions::default());
-            faulty |= plan::report(path, &reading, &rules, &locale)?;
+            faulty |= plan::report(path, reading, &rules, &locale)?;
             continue;
         }
         match store::read(path, "file-any") {

@@ -54,10 +54,10 @@ enum PlanCommand {
 /// How to read shapes that say less than a plan needs.
 #[derive(Debug, Clone, Copy, Args)]
 struct ShapeArguments {
-    /// Use this height above home for lines and points of KML and GeoJSON that have none, in metres.
+    /// Use this height above home for lines and points of KML and `GeoJSON` that have none, in metres.
     #[arg(long, value_name = "M", default_value_t = ReadOptions::default().height_m, value_parser = parse_height)]
     height: f32,
-    /// Make polygons of KML and GeoJSON areas to stay out of, instead of areas to stay in.
+    /// Make polygons of KML and `GeoJSON` areas to stay out of, instead of areas to stay in.
     #[arg(long)]
     exclude: bool,
 }
@@ -100,9 +100,9 @@ pub(super) fn is_plan_file(path: &Path) -> bool {
 ///
 /// # Errors
 /// It cannot be read, or has faults.
-fn load(path: &Path, options: &ReadOptions) -> Result<Loaded, FileFault> {
+fn load(path: &Path, options: ReadOptions) -> Result<Loaded, FileFault> {
     let bytes = store::read_bytes(path, "file-plan").map_err(|error| FileFault::from(&error))?;
-    read(&bytes, options).map_err(|(text, faults)| {
+    read(&bytes, &options).map_err(|(text, faults)| {
         let name = path.display().to_string();
         let faults = faults.iter().map(preflight::fault).collect();
         FileFault::Inside(Source { name, text }, faults)
@@ -110,7 +110,7 @@ fn load(path: &Path, options: &ReadOptions) -> Result<Loaded, FileFault> {
 }
 
 /// All files, each with its name without the folder.
-fn load_all(paths: &[PathBuf], options: &ReadOptions) -> Result<Vec<(String, Loaded)>, Failure> {
+fn load_all(paths: &[PathBuf], options: ReadOptions) -> Result<Vec<(String, Loaded)>, Failure> {
     let load = |path: &PathBuf| {
         let loaded = load(path, options).map_err(|fault| fault.failure())?;
         let name = path.file_name().unwrap_or(path.as_os_str());

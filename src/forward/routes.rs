@@ -104,8 +104,8 @@ fn receiver_in(id: u32, payload: &[u8]) -> Option<MavAddress> {
     };
     let value = |mark| payload.get(place(mark)?).copied();
     Some(MavAddress {
-        system: value(|message| message.target_system_id_mut())?,
-        component: value(|message| message.target_component_id_mut()).unwrap_or(0),
+        system: value(mavlink::Message::target_system_id_mut)?,
+        component: value(mavlink::Message::target_component_id_mut).unwrap_or(0),
     })
 }
 
@@ -195,9 +195,12 @@ impl Router {
         let others = ports.into_iter().filter(|&port| port != from);
         let (vehicles, stations): (Vec<Port>, Vec<Port>) =
             others.partition(|port| matches!(port, Port::Vehicle { .. }));
-        let reach = |ports: Vec<Port>| match ports.is_empty() {
-            true => Reach::Nobody,
-            false => Reach::These(ports),
+        let reach = |ports: Vec<Port>| {
+            if ports.is_empty() {
+                Reach::Nobody
+            } else {
+                Reach::These(ports)
+            }
         };
         Route::To {
             vehicles: match from {

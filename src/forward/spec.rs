@@ -62,7 +62,7 @@ impl ForwardSpec {
 
     /// Whether the rate of a kind of message is limited. Answers and events come once each: none may be left out.
     pub fn is_paced(&self, id: u32) -> bool {
-        /// PARAM_VALUE, `MISSION_CURRENT`, `MISSION_ITEM_REACHED`, `LOG_ENTRY`, `LOG_DATA`, `AUTOPILOT_VERSION`,
+        /// `PARAM_VALUE`, `MISSION_CURRENT`, `MISSION_ITEM_REACHED`, `LOG_ENTRY`, `LOG_DATA`, `AUTOPILOT_VERSION`,
         /// `HOME_POSITION`, STATUSTEXT.
         const ONCE: [u32; 8] = [22, 42, 46, 118, 120, 148, 242, 253];
         self.rate_hz.is_some() && id != HEARTBEAT && !ONCE.contains(&id)

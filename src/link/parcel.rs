@@ -12,14 +12,14 @@ use crate::wire::Outgoing;
 #[derive(Debug, Clone)]
 pub(super) enum Parcel {
     /// A message of the console, numbered by the link.
-    Message(Outgoing),
+    Message(Box<Outgoing>),
     /// A whole frame of another sender, passed on byte for byte.
     Frame(Arc<[u8]>),
 }
 
 impl From<Outgoing> for Parcel {
     fn from(outgoing: Outgoing) -> Self {
-        Self::Message(outgoing)
+        Self::Message(Box::new(outgoing))
     }
 }
 

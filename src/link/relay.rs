@@ -185,7 +185,7 @@ impl RelayPort {
         }
         for forward in self.relay.core().forwards.values_mut() {
             if forward.spec.passes(id) {
-                let parcel = Parcel::Message(outgoing.clone());
+                let parcel = Parcel::from(outgoing.clone());
                 forward.outlet.queue(To::Everyone, parcel);
             } else {
                 forward.counts.filtered += 1;
@@ -216,7 +216,7 @@ impl RelayCore {
             peer: peer.0,
         };
         if let Route::To { stations, .. } = self.router.route(from, facts, now) {
-            self.to_stations(None, &stations, facts, bytes, now);
+            self.pass_to_stations(None, &stations, facts, bytes, now);
         }
     }
 
@@ -241,8 +241,8 @@ impl RelayCore {
             _ if forward.spec.read_only => forward.counts.held_back += 1,
             Route::Unknown => forward.counts.unknown += 1,
             Route::To { vehicles, stations } => {
-                self.to_vehicles(&vehicles, bytes);
-                self.to_stations(Some((id, peer)), &stations, facts, bytes, now);
+                self.pass_to_vehicles(&vehicles, bytes);
+                self.pass_to_stations(Some((id, peer)), &stations, facts, bytes, now);
                 if vehicles != Reach::Nobody {
                     self.report(facts, frame);
                 }
@@ -261,7 +261,7 @@ impl RelayCore {
         }
     }
 
-    fn to_vehicles(&self, reach: &Reach, bytes: &Arc<[u8]>) {
+    fn pass_to_vehicles(&self, reach: &Reach, bytes: &Arc<[u8]>) {
         match reach {
             Reach::Nobody => {}
             Reach::Everyone => {
@@ -282,7 +282,7 @@ impl RelayCore {
         }
     }
 
-    fn to_stations(
+    fn pass_to_stations(
         &mut self,
         from: Option<(LinkId, LinkPeer)>,
         reach: &Reach,

@@ -181,9 +181,8 @@ fn wanted(
         return Err(text!("refused-plan-autopilot"));
     }
     match &command.deed {
-        PlanDeed::Show => Ok(None),
         PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
-        PlanDeed::Download { .. } => Ok(None),
+        PlanDeed::Download { .. } | PlanDeed::Show => Ok(None),
         PlanDeed::Clear if command.kind == ListKind::Plan && flies_plan(vehicle) => {
             Err(text!("refused-plan-clear-auto"))
         }

@@ -220,7 +220,7 @@ mod tests {
         ];
         const SEEKS: u32 = 12;
         let data = tempfile::tempdir().expect("a folder");
-        let mut console = flying(data.path()).await;
+        let mut console = Box::pin(flying(data.path())).await;
         let began = console.clock.now();
         let mut flown = Vec::new();
         for second in 0..48_usize {
@@ -228,7 +228,10 @@ mod tests {
                 say(&mut console, line).await;
             }
             run(&mut console, 1).await;
-            flown.push((console.clock.now() - began, shown(console.app.state())));
+            flown.push((
+                console.clock.now().saturating_sub(began),
+                shown(console.app.state()),
+            ));
         }
         abandon(&mut console).await;
         say(&mut console, "replay").await;
@@ -259,7 +262,7 @@ mod tests {
     #[tokio::test(start_paused = true)]
     async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrief() {
         let data = tempfile::tempdir().expect("a folder");
-        let mut console = flying(data.path()).await;
+        let mut console = Box::pin(flying(data.path())).await;
         run(&mut console, 5).await;
         for line in ["all guided", "all arm", "all takeoff 20", "bookmark up"] {
             say(&mut console, line).await;

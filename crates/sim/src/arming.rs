@@ -2,12 +2,14 @@
 
 mod checks;
 mod consistency;
+mod reason;
 mod values;
 
 use std::time::Duration;
 
-pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS, Reason};
+pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
 pub(super) use consistency::ImuWatch;
+pub(super) use reason::Reason;
 
 /// The delay after arming in which the motors do not turn up.
 const MOTORS_WAIT: Duration = Duration::from_secs(2);

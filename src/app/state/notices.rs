@@ -133,13 +133,12 @@ impl NoticeLog {
             let is_open = notice.at.saturating_sub(line.last) <= FOLD_TIME;
             is_open && line.content == LineContent::UnlistedTexts
         });
-        match open {
-            Some(line) => line.count(notice),
-            None => {
-                let vehicle = notice.vehicle;
-                let notice = Notice::general(notice.at, Severity::Warning, text!("heard-flood"));
-                self.list(Notice { vehicle, ..notice }, LineContent::UnlistedTexts);
-            }
+        if let Some(line) = open {
+            line.count(notice)
+        } else {
+            let vehicle = notice.vehicle;
+            let notice = Notice::general(notice.at, Severity::Warning, text!("heard-flood"));
+            self.list(Notice { vehicle, ..notice }, LineContent::UnlistedTexts);
         }
     }
 

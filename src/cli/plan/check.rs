@@ -23,10 +23,10 @@ pub(in crate::cli) struct CheckArguments {
     /// Check for this kind of vehicle; by default the kind that the file names, or a copter.
     #[arg(long, value_enum, value_name = "KIND")]
     vehicle: Option<Vehicle>,
-    /// Warn of heights above this one: FENCE_ALT_MAX, in metres above home.
+    /// Warn of heights above this one: `FENCE_ALT_MAX`, in metres above home.
     #[arg(long, value_name = "M")]
     ceiling: Option<f32>,
-    /// Warn of places farther from home than this: FENCE_RADIUS, in metres.
+    /// Warn of places farther from home than this: `FENCE_RADIUS`, in metres.
     #[arg(long, value_name = "M")]
     radius: Option<f32>,
     /// The vehicle has terrain data for the area.
@@ -62,7 +62,7 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
     };
     let mut faulty = false;
     for path in &options.files {
-        faulty |= report(path, &options.shapes.options(), &rules, locale)?;
+        faulty |= report(path, options.shapes.options(), &rules, locale)?;
     }
     Ok(ExitCode::from(u8::from(faulty)))
 }
@@ -70,7 +70,7 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
 /// Prints what is wrong with a plan file; returns whether there is an error.
 pub(in crate::cli) fn report(
     path: &Path,
-    reading: &ReadOptions,
+    reading: ReadOptions,
     rules: &CheckOptions,
     locale: &Locale,
 ) -> Result<bool, io::Error> {

@@ -59,8 +59,7 @@ pub(super) fn convert(options: &ConvertArguments, locale: &Locale) -> Result<Exi
             options.output.display()
         ))
     })?;
-    let loaded =
-        load(&options.input, &options.shapes.options()).map_err(|fault| fault.failure())?;
+    let loaded = load(&options.input, options.shapes.options()).map_err(|fault| fault.failure())?;
     let name = options.input.display().to_string();
     for remark in preflight::remarks(&loaded, &[]) {
         let line = remark.diagnostic.text(&name, &loaded.text);

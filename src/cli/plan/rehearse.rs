@@ -49,10 +49,10 @@ pub(super) struct FlyingArguments {
     /// The mean wind: speed in m/s, and the direction from which it blows, in degrees.
     #[arg(long, value_name = "M/S[,FROM]", value_parser = parse_wind)]
     wind: Option<(f32, f32)>,
-    /// The strength of gusts (SIM_WIND_TURB).
+    /// The strength of gusts (`SIM_WIND_TURB`).
     #[arg(long, default_value_t = 0.0)]
     turbulence: f32,
-    /// Set a parameter of all vehicles, such as WPNAV_SPEED=800; use the option several times for several parameters.
+    /// Set a parameter of all vehicles, such as `WPNAV_SPEED=800`; use the option several times for several parameters.
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
     parameters: Vec<(String, f32)>,
     /// Use this seed for the gusts.
@@ -94,7 +94,7 @@ pub(super) struct Cast {
 
 impl FlyingArguments {
     pub(super) fn cast(&self, files: &[PathBuf]) -> Result<Cast, Failure> {
-        let loaded: Vec<(String, Loaded)> = load_all(files, &self.shapes.options())?;
+        let loaded: Vec<(String, Loaded)> = load_all(files, self.shapes.options())?;
         let frames: Result<Vec<_>, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         let frames = frames?;
         let (wind_m_s, wind_from_deg) = self.wind.unwrap_or_default();

@@ -324,11 +324,13 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
 
 /// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
 /// readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 42] = [
+const RECORDED_VERBS: [&str; 48] = [
     "altitude",
     "arm",
     "disarm",
     "drop",
+    "fence",
+    "fence switch",
     "follow",
     "formation",
     "formation off",
@@ -347,7 +349,11 @@ const RECORDED_VERBS: [&str; 42] = [
     "mode",
     "orbit",
     "param",
+    "plan",
+    "plan goto",
+    "plan start",
     "predict",
+    "rally",
     "reboot",
     "relay",
     "relay to",

@@ -136,7 +136,11 @@ impl Sending {
         if let Some((refused_at, result)) = self.refusal {
             let heard_at = self.asked_at.map_or(refused_at, |at| at.max(refused_at));
             if now >= heard_at + REFUSED_AFTER + delay {
-                return Some(Sent::Refused(result, self.reached.saturating_sub(1)));
+                return Some(if names_a_fault(result) {
+                    Sent::Refused(result, self.reached.saturating_sub(1))
+                } else {
+                    Sent::Silent
+                });
             }
             return None;
         }
@@ -162,4 +166,13 @@ impl Sending {
         out.push(count.into());
         None
     }
+}
+
+/// Whether an answer is about the list. The others tell of the transfer only, such as a vehicle that has waited too
+/// long for an item: it may take the same list the next time.
+fn names_a_fault(result: MavMissionResult) -> bool {
+    !matches!(
+        result,
+        MavMissionResult::MAV_MISSION_ERROR | MavMissionResult::MAV_MISSION_OPERATION_CANCELLED
+    )
 }

@@ -50,7 +50,7 @@ fn list(kind: ListKind, count: usize, seed: f64) -> Vec<Item> {
     let item = |at: usize| {
         let place = HOME.moved(
             40.0 + 7.0 * at as f64 * seed,
-            60.0 * (at as f64 + seed).cos(),
+            60.0 * crate::geo::maths::cos(at as f64 + seed),
         );
         let (x, y) = place.to_e7();
         let (command, params) = match kind {
@@ -146,7 +146,7 @@ impl Rig {
 
     fn step(&mut self) {
         self.now += STEP;
-        if self.now.as_millis() % 1000 == 0 && !self.session.is_cut() {
+        if self.now.as_millis().is_multiple_of(1000) && !self.session.is_cut() {
             self.say(&MavMessage::HEARTBEAT(HEARTBEAT_DATA::DEFAULT).into());
         }
         for message in self.session.take_outgoing() {
@@ -344,6 +344,8 @@ struct Tally {
 
 /// Uploads two lists in turn over a link that loses 30 % and is cut at a random moment of each transfer.
 fn cut(kind: ListKind, by_file: bool, cuts: u64) -> Tally {
+    // Item by item, reading the list on board alone takes most of a minute over such a link.
+    let longest_ms = if by_file { 15_000 } else { 90_000 };
     let mut rig = Rig::new(by_file);
     let mut random = ChaCha8Rng::seed_from_u64(7 + cuts);
     let lists = [list(kind, 12, 1.0), list(kind, 17, 2.0)];
@@ -357,7 +359,7 @@ fn cut(kind: ListKind, by_file: bool, cuts: u64) -> Tally {
         let wanted = 1 - held;
         rig.radio(0.3, 100, round);
         rig.upload(kind, &wanted.to_string());
-        rig.pass(Duration::from_millis(random.random_range(0..15_000)));
+        rig.pass(Duration::from_millis(random.random_range(0..longest_ms)));
         if !rig.state().is_some_and(RowState::is_final) {
             rig.radio(1.0, 100, round);
             rig.pass(Duration::from_millis(random.random_range(200..14_000)));
@@ -400,13 +402,13 @@ fn cut(kind: ListKind, by_file: bool, cuts: u64) -> Tally {
 #[test]
 fn a_plan_by_file_is_old_or_new_after_any_cut() {
     let tally = cut(ListKind::Plan, true, 30);
-    assert!(tally.new > 20, "{tally:?}");
+    assert!(tally.new >= 10 && tally.old >= 1, "{tally:?}");
 }
 
 #[test]
 fn a_plan_by_items_is_old_or_new_after_any_cut() {
     let tally = cut(ListKind::Plan, false, 30);
-    assert!(tally.new > 20, "{tally:?}");
+    assert!(tally.new >= 10 && tally.old >= 1, "{tally:?}");
 }
 
 #[test]
@@ -414,7 +416,7 @@ fn a_fence_and_rally_points_are_old_or_new_after_any_cut() {
     for kind in [ListKind::Fence, ListKind::Rally] {
         for by_file in [true, false] {
             let tally = cut(kind, by_file, 8);
-            assert!(tally.new > 4, "{tally:?}");
+            assert!(tally.new >= 1, "{tally:?}");
         }
     }
 }

@@ -395,9 +395,10 @@ fn links(state: &State) -> Vec<Text> {
         )
     });
     let forwards = session.forwards().iter().map(|forward| {
-        let state = match forward.up {
-            true => text!("links-up"),
-            false => forward.error.clone().unwrap_or(text!("links-down")),
+        let state = if forward.up {
+            text!("links-up")
+        } else {
+            forward.error.clone().unwrap_or(text!("links-down"))
         };
         text!(
             "plain-forward",

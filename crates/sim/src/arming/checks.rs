@@ -1,9 +1,9 @@
 //! The checks before arming, in the order in which `ArduCopter` makes them.
 
-use std::borrow::Cow;
 use std::time::Duration;
 
 use super::ArmingMethod;
+use super::reason::Reason;
 use super::values::ValueChecks;
 
 use crate::boot::Boot;
@@ -13,9 +13,6 @@ use crate::failsafe::{Failsafe, FailsafeRules};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 use crate::plan::Item;
-
-/// A reason against arming, as it is told.
-pub(crate) type Reason = Cow<'static, str>;
 
 /// The time between reports of the reasons against arming.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);

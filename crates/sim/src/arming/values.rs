@@ -1,6 +1,6 @@
 //! Checks of the parameters' own values before arming: they change only with a parameter, so they are made then.
 
-use super::checks::Reason;
+use super::reason::Reason;
 use crate::parameters::Parameters;
 
 /// Frames of a multicopter (`FRAME_CLASS`): quad, hexa, octa, octa quad, Y6, tri, dodecahexa, deca.
