@@ -134,7 +134,7 @@ impl NoticeLog {
             is_open && line.content == LineContent::UnlistedTexts
         });
         if let Some(line) = open {
-            line.count(notice)
+            line.count(notice);
         } else {
             let vehicle = notice.vehicle;
             let notice = Notice::general(notice.at, Severity::Warning, text!("heard-flood"));
