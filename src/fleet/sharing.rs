@@ -26,7 +26,7 @@ const OWN: MavAddress = MavAddress {
 const SAME_WITHIN: Duration = Duration::from_secs(5);
 /// The number of remembered deeds above which old ones are forgotten.
 const MOST_SAID: usize = 1024;
-/// The time within which a stream of setpoints goes on.
+/// The longest pause between setpoints of one stream.
 const STREAM_WITHIN: Duration = Duration::from_secs(30);
 
 /// A forward that can be watched.

@@ -143,7 +143,7 @@ pub struct Router {
 }
 
 impl Router {
-    /// A router that has heard nobody; `own` is the console's own address.
+    /// A router before the first message; `own` is the console's own address.
     pub fn new(own: MavAddress) -> Self {
         Self {
             own,

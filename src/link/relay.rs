@@ -1,6 +1,6 @@
 //! Passes frames between the links to vehicles and the forwards to other ground stations.
 //!
-//! The links' tasks call it with every frame; it only queues copies and waits for nobody. A link or a forward whose queue
+//! The links' tasks call it with every frame; it only queues copies and never waits. A link or a forward whose queue
 //! is full drops the frame and counts it.
 
 use std::collections::{BTreeMap, HashMap};

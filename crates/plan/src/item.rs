@@ -33,7 +33,7 @@ pub struct Item {
     pub command: u16,
     /// The number of a `MAV_FRAME`. Its `_INT` twin is another number for the same reference.
     pub frame: u8,
-    /// Whether the vehicle goes on to the next item by itself.
+    /// Whether the vehicle continues with the next item by itself.
     pub auto_continue: bool,
     /// The first four parameters of the command; NaN means "not set".
     pub params: [f32; 4],

@@ -1,6 +1,6 @@
 //! The upload of a list item by item: its length, then each item that the vehicle requests.
 //!
-//! A refusal does not end an upload: `ArduPilot` refuses an item that arrives twice, and goes on. It requests an
+//! A refusal does not end an upload: `ArduPilot` refuses an item that arrives twice, and continues. It requests an
 //! item each second, and ends the upload after 8 s without one.
 
 #![expect(
