@@ -275,7 +275,7 @@ impl Console {
         }
         self.sight.prepare(screen)?;
         let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
-        if slow != self.app.state().slow_line() {
+        if slow != self.app.state().display().slow_line() {
             self.feed(TerminalEvent::SlowLine(slow)).await;
         }
         self.sight.draw(self.app.state(), screen)

@@ -1,27 +1,24 @@
 //! The console's state. Only [`App::update`](super::App::update) changes it; drawing reads it.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
 use super::action::Action;
-use super::effect::Launch;
 use super::keymap::Place;
-use crate::campaign::Reward;
 use crate::config::{Config, Symbols};
 use crate::mission::Stake;
-use crate::review::Review;
-use crate::scoring::{TryReport, workload_question};
+use crate::scoring::workload_question;
 use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
-use crate::workshop::Design;
 
 mod alarms;
 mod alert;
 mod bell;
 mod career;
 mod column;
+mod display;
 mod filter;
 mod flight_view;
 mod ghost;
@@ -34,9 +31,10 @@ mod names;
 mod notices;
 mod overlay;
 mod pace;
-mod profiles;
 mod replay;
 mod time;
+mod training;
+mod typing;
 mod views;
 
 use super::Setup;
@@ -48,6 +46,7 @@ pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use column::SortKey;
+pub use display::{Display, SMALLEST};
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView, TimeFlow};
 pub use ghost::Ghost;
@@ -59,14 +58,11 @@ pub use links::{ForwardSummary, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};
-pub use profiles::Trainee;
 pub use replay::{ReplayPosition, ReplayView};
 pub use time::SessionTime;
+pub use training::{Trainee, Training};
+pub use typing::Typing;
 
-/// The smallest terminal that the console fits into: columns and rows.
-pub const SMALLEST: (u16, u16) = (80, 24);
-/// The length of the command line's history.
-const HISTORY_KEPT: usize = 200;
 /// How long a message stays on the last line of the screen: one that needs attention, and a confirmation.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
@@ -86,49 +82,18 @@ pub struct State<R> {
     /// The overlay over the room.
     pub(in crate::app) overlay: Option<Overlay>,
     pub(in crate::app) session: FlightView,
-    /// The vehicle list being typed, `3-9`; empty without one.
-    pub(in crate::app) typed: String,
+    pub(in crate::app) typing: Typing,
     /// Time since the start of the program by the wall clock: this also runs during a pause.
     pub(in crate::app) wall: Duration,
-    /// When the previous key answered a question that changed the session, by the wall clock.
-    pub(in crate::app) answered_at: Option<Duration>,
     pub(in crate::app) config: Config,
     /// The texts of the language in use.
     pub(in crate::app) locale: Arc<Locale>,
-    /// Lines of a macro that wait for an answer.
-    pub(in crate::app) pending: VecDeque<String>,
     pub(in crate::app) notices: NoticeLog,
-    pub(in crate::app) missions: Vec<MissionListing>,
-    /// The trainee's attempts at their current revisions, by the mission's id, oldest first.
-    pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
-    /// The trainee's newest review of each mission, by the mission's id.
-    pub(in crate::app) reviews: BTreeMap<String, Review>,
-    /// The trainee's career; `None` without a profile.
-    pub(in crate::app) career: Option<Career>,
-    /// The rewards of the last flight; `None` once another session has started.
-    pub(in crate::app) reward: Option<Reward>,
-    /// The names of all profiles.
-    pub(in crate::app) profiles: Vec<String>,
-    /// The drones chosen for missions, by the mission's id: one for all seats or one per seat; empty for the mission's
-    /// own.
-    pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
-    /// The designs that come with the program.
-    pub(in crate::app) stock: Vec<Design>,
-    /// The names of the available themes.
-    pub(in crate::app) themes: Vec<String>,
-    /// The name of the theme in use.
-    pub(in crate::app) theme: String,
+    pub(in crate::app) training: Training,
+    pub(in crate::app) display: Display,
     pub(in crate::app) keymap: Keymap,
-    /// The command history, oldest first.
-    pub(in crate::app) history: VecDeque<String>,
-    /// The size of the terminal: columns and rows.
-    pub(in crate::app) size: (u16, u16),
     /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
-    /// Whether rooms are drawn; the plain console has none.
-    pub(in crate::app) has_rooms: bool,
-    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
-    pub(in crate::app) slow_line: Option<u32>,
     /// The console's latest message.
     message: Option<Message>,
     revision: u64,
@@ -156,44 +121,37 @@ impl Message {
 impl<R: Default> State<R> {
     /// A console on its home screen.
     pub(in crate::app) fn new(setup: Setup) -> Self {
-        let mut state = Self {
+        Self {
             now: Duration::ZERO,
+            wall: Duration::ZERO,
             replay: None,
             ghost: None,
             room: Room::Home,
             rooms: R::default(),
-            typed: String::new(),
-            wall: Duration::ZERO,
-            answered_at: None,
-            config: setup.config,
-            locale: setup.locale,
-            pending: VecDeque::new(),
             overlay: None,
             session: FlightView::default(),
+            typing: Typing::after(&setup.history),
+            config: setup.config,
+            locale: setup.locale,
             notices: NoticeLog::default(),
-            missions: setup.missions,
-            tries: setup.tries,
-            reviews: BTreeMap::new(),
-            career: None,
-            reward: None,
-            profiles: Vec::new(),
-            fleets: BTreeMap::new(),
-            stock: setup.stock,
-            themes: setup.themes,
-            theme: setup.theme,
+            training: Training {
+                missions: setup.missions,
+                tries: setup.tries,
+                stock: setup.stock,
+                ..Training::default()
+            },
+            display: Display {
+                size: SMALLEST,
+                slow_line: None,
+                has_rooms: setup.has_rooms,
+                themes: setup.themes,
+                theme: setup.theme,
+            },
             keymap: setup.keymap,
-            history: VecDeque::new(),
-            size: SMALLEST,
             has_ardupilot: setup.has_ardupilot,
-            has_rooms: setup.has_rooms,
-            slow_line: None,
             message: None,
             revision: 0,
-        };
-        for line in &setup.history {
-            state.remember(line);
         }
-        state
     }
 }
 
@@ -206,11 +164,6 @@ impl<R> State<R> {
     /// Marks the screen as changed.
     pub fn touch(&mut self) {
         self.revision += 1;
-    }
-
-    /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
-    pub fn is_too_small(&self) -> bool {
-        self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
     }
 
     /// The number of a log's entries.
@@ -298,28 +251,6 @@ impl<R> State<R> {
         }
     }
 
-    /// Adds a line to the history, without duplicates.
-    pub fn remember(&mut self, line: &str) {
-        self.history.retain(|known| known != line);
-        self.history.push_back(line.to_owned());
-        if self.history.len() > HISTORY_KEPT {
-            self.history.pop_front();
-        }
-    }
-
-    /// A graded flight of a mission with the drones chosen for it.
-    pub fn launch(&self, mission: &str) -> Launch {
-        Launch {
-            fleet: self.fleets.get(mission).cloned().unwrap_or_default(),
-            ..Launch::graded(mission)
-        }
-    }
-
-    /// Why the mission is locked for the trainee; `None` without a profile.
-    pub fn lock(&self, mission: &str) -> Option<Text> {
-        self.career.as_ref()?.lock(mission)
-    }
-
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
         self.session.listing.as_deref()
@@ -348,13 +279,6 @@ impl<R> State<R> {
     pub fn can_pledge(&self) -> bool {
         let progress = self.session.mission.as_ref();
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
-    }
-
-    /// The trainee's best attempt that counts and earned points; of several equal ones, the first.
-    pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
-        let tries = self.tries.get(mission)?.iter();
-        let ended = tries.filter(|one| one.score > Some(0) && !one.is_practice);
-        ended.rev().max_by_key(|one| one.score)
     }
 
     /// The vehicle class for modes on the command line: that of the first target.

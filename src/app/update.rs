@@ -58,7 +58,7 @@ pub fn update(state: &mut State, event: Event) -> Effects {
 /// Without rooms, a session always shows the vehicles; its stages and its brief are printed as lines.
 fn stay_with_vehicles(state: &mut State) {
     let is_waiting = state.room == Room::Hangar && state.session.is_starting();
-    if !state.has_rooms && (is_waiting || state.room == Room::Mission) {
+    if !state.display.has_rooms && (is_waiting || state.room == Room::Mission) {
         state.room = Room::Fly;
     }
 }
@@ -95,7 +95,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
         TerminalEvent::Resize { columns, rows } => keys::resize(state, columns, rows),
         TerminalEvent::Choose(action) => return keys::choose(state, action),
         TerminalEvent::Told => told(state),
-        TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
+        TerminalEvent::SlowLine(bytes_per_s) => state.display.slow_line = bytes_per_s,
     }
     Effects::none()
 }
@@ -190,14 +190,14 @@ fn session(state: &mut State, event: SessionEvent) {
 fn career(state: &mut State, event: CareerEvent) {
     state.touch();
     match event {
-        CareerEvent::Profiles(names) => state.profiles = names,
+        CareerEvent::Profiles(names) => state.training.profiles = names,
         CareerEvent::Career(career) => {
             profiles::arrived(state, career.map(|career| *career));
             workshop::heard(state);
         }
-        CareerEvent::Tries(tries) => state.tries = tries,
-        CareerEvent::Reviews(reviews) => state.reviews = reviews,
-        CareerEvent::Rewarded(reward) => state.reward = Some(*reward),
+        CareerEvent::Tries(tries) => state.training.tries = tries,
+        CareerEvent::Reviews(reviews) => state.training.reviews = reviews,
+        CareerEvent::Rewarded(reward) => state.training.reward = Some(*reward),
     }
 }
 

@@ -61,7 +61,7 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> AttemptTerms<'a> {
-        let career = self.app.state().career();
+        let career = self.app.state().training().career();
         AttemptTerms {
             mission,
             wanted,

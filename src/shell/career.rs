@@ -155,7 +155,7 @@ impl Console {
         match shown {
             Ok((names, career, own)) => {
                 let all = own.unwrap_or_else(|| self.tries_of_guests());
-                let tries = missions::current(all, self.app.state().missions());
+                let tries = missions::current(all, self.app.state().training().missions());
                 self.post(CareerEvent::Profiles(names));
                 self.post(CareerEvent::Career(career));
                 self.post(CareerEvent::Tries(tries));

@@ -32,7 +32,7 @@ impl Console {
 
     /// Appends a new history line to its file, without waiting for a slow disk.
     pub(super) fn keep_line(&mut self) {
-        let newest = self.app.state().last_line();
+        let newest = self.app.state().typing().last_line();
         let Some(history) = self.options.preferences.history.clone() else {
             return;
         };

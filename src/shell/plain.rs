@@ -388,7 +388,7 @@ impl Plain {
         let state = self.console.app.state();
         if let Some(debrief) = state.rooms().debrief() {
             passed = debrief.report().passed;
-            for line in debrief.lines(state.reward(), state.locale()) {
+            for line in debrief.lines(state.training().reward(), state.locale()) {
                 self.say(&Text::from(line.text.as_str()));
             }
         }

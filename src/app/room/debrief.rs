@@ -191,7 +191,7 @@ impl RoomModel for Option<Debrief> {
     }
 
     fn escape(state: &mut State) -> Answer {
-        let width = state.size.0;
+        let width = state.display.size.0;
         let debrief = state.rooms.debrief.as_mut();
         Some(match debrief.filter(|debrief| debrief.is_map(width)) {
             Some(debrief) => {
@@ -235,12 +235,12 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
 
 /// Scrolls: `to` gets the current first line, the first lines of the sections, and the number of possible first lines.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
-    let height = state.size.1;
+    let height = state.display.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {
         // The header and the footer take a row each.
         let free_rows = height.saturating_sub(2 + debrief.summary(height).rows);
         let rows = usize::from(free_rows);
-        let lines = debrief.lines_below(state.reward.as_ref(), &state.locale);
+        let lines = debrief.lines_below(state.training.reward.as_ref(), &state.locale);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
         let headings = lines
             .iter()
@@ -253,20 +253,29 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
 
 /// Flies the recommended mission; without a profile, the one after the mission just flown.
 fn next_mission(state: &mut State) -> Vec<RoomRequest> {
-    if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
-        return vec![RoomRequest::Fly(state.launch(next))];
+    if let Some(next) = state
+        .training
+        .career
+        .as_ref()
+        .and_then(Career::next_mission)
+    {
+        return vec![RoomRequest::Fly(state.training().launch(next))];
     }
     let debriefed = state.rooms.debrief.as_ref();
     let flown = debriefed.map(|debrief| debrief.report.mission.as_str());
     let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());
-    let mut all = state.missions.iter();
+    let mut all = state.training.missions.iter();
     let flown = all.find(|it| Some(it.id.as_str()) == flown).map(of);
-    let mut missions = state.missions.iter().filter(|it| it.drill_of.is_none());
+    let mut missions = state
+        .training
+        .missions
+        .iter()
+        .filter(|it| it.drill_of.is_none());
     let is_there = missions.any(|it| Some(&it.id) == flown.as_ref());
     let next = missions.next().filter(|_| is_there);
     let Some(id) = next.map(|next| next.id.clone()) else {
         state.say(Severity::Notice, text!("debrief-last-mission"));
         return Vec::new();
     };
-    vec![RoomRequest::Fly(state.launch(&id))]
+    vec![RoomRequest::Fly(state.training().launch(&id))]
 }

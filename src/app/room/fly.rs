@@ -166,7 +166,8 @@ impl RoomModel for Fly {
 
     /// Esc clears the filter last.
     fn escape(state: &mut State) -> Answer {
-        let is_all_else_taken_back = state.typed.is_empty() && state.session.selection.is_empty();
+        let is_all_else_taken_back =
+            state.typing.targets.is_empty() && state.session.selection.is_empty();
         if !is_all_else_taken_back || state.rooms.fly.filter.is_empty() {
             return None;
         }

@@ -46,10 +46,10 @@ pub enum HomeItem {
 
 /// The items of the home screen, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
-    let mut missions: Vec<usize> = (0..state.missions.len())
-        .filter(|&at| of_drill(state, &state.missions[at]).is_none())
+    let mut missions: Vec<usize> = (0..state.training.missions.len())
+        .filter(|&at| of_drill(state, &state.training.missions[at]).is_none())
         .collect();
-    missions.sort_by_key(|&at| state.missions[at].tier);
+    missions.sort_by_key(|&at| state.training.missions[at].tier);
     let missions = missions.into_iter().map(HomeItem::Mission);
     let ardupilot = state.has_ardupilot.then_some(HomeItem::ArduPilot);
     let others = [HomeItem::Connect, HomeItem::Quit];
@@ -63,12 +63,16 @@ pub fn items(state: &State) -> Vec<HomeItem> {
 /// The mission that a drill belongs to, if it is available: such a drill is not listed on its own.
 fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
     let of = drill.drill_of.as_ref()?;
-    state.missions.iter().find(|mission| mission.id == *of)
+    state
+        .training
+        .missions
+        .iter()
+        .find(|mission| mission.id == *of)
 }
 
 /// The drill for a mission, by the mission's id.
 pub fn drill<'a>(state: &'a State, mission: &str) -> Option<&'a Listing> {
-    let mut all = state.missions.iter();
+    let mut all = state.training.missions.iter();
     all.find(|listing| listing.drill_of.as_deref() == Some(mission))
 }
 
@@ -78,7 +82,7 @@ pub fn fly_drill(state: &mut State, mission: &str) -> Vec<RoomRequest> {
         state.say(Severity::Notice, text!("home-no-drill"));
         return Vec::new();
     };
-    vec![RoomRequest::Fly(state.launch(&id))]
+    vec![RoomRequest::Fly(state.training().launch(&id))]
 }
 
 const HINTS: &[KeyHint] = &[
@@ -133,7 +137,7 @@ impl RoomModel for Home {
 /// The mission under the cursor.
 pub fn under_cursor(state: &State) -> Option<&Listing> {
     match items(state).get(state.rooms.home.cursor) {
-        Some(HomeItem::Mission(at)) => state.missions.get(*at),
+        Some(HomeItem::Mission(at)) => state.training.missions.get(*at),
         Some(HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit) | None => {
             None
         }
@@ -143,7 +147,7 @@ pub fn under_cursor(state: &State) -> Option<&Listing> {
 /// Puts the cursor on a mission, or on the first line if it is not listed.
 pub fn point_at(state: &mut State, mission: Option<&str>) {
     let is_it = |item: &HomeItem| match item {
-        HomeItem::Mission(at) => Some(state.missions[*at].id.as_str()) == mission,
+        HomeItem::Mission(at) => Some(state.training.missions[*at].id.as_str()) == mission,
         HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit => false,
     };
     state.rooms.home.cursor = items(state).iter().position(is_it).unwrap_or(0);
@@ -156,11 +160,11 @@ fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<Ro
         StartAction::Drill => fly_drill(state, &mission),
         StartAction::Daily => vec![RoomRequest::Fly(Launch {
             stake: Stake::Daily,
-            ..state.launch(&mission)
+            ..state.training().launch(&mission)
         })],
         StartAction::Exam => vec![RoomRequest::Exam(mission)],
         StartAction::Practise => {
-            if let Some(reason) = state.lock(&mission) {
+            if let Some(reason) = state.training().lock(&mission) {
                 state.say(Severity::Warning, reason);
             } else {
                 state.prompt(Purpose::Seed(mission), "");
@@ -182,7 +186,7 @@ pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, T
     Ok(Launch {
         stake: Stake::Practice,
         seed,
-        ..state.launch(mission)
+        ..state.training().launch(mission)
     })
 }
 
@@ -207,7 +211,9 @@ fn enter(state: &mut State, item: HomeItem) -> Vec<RoomRequest> {
         effect: Effect::Session(effect),
     };
     vec![match item {
-        HomeItem::Mission(at) => RoomRequest::Fly(state.launch(&state.missions[at].id)),
+        HomeItem::Mission(at) => {
+            RoomRequest::Fly(state.training().launch(&state.training.missions[at].id))
+        }
         HomeItem::Free => start(SessionEffect::StartFree),
         HomeItem::ArduPilot => start(SessionEffect::StartArduPilot),
         HomeItem::Connect => {

@@ -115,7 +115,7 @@ impl RoomModel for Mission {
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
-        let (width, height) = state.size;
+        let (width, height) = state.display.size;
         let pages = columns(state, &state.locale, width);
         let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
         let positions = positions(lines, height.saturating_sub(2));
@@ -145,7 +145,7 @@ impl RoomModel for Mission {
 
 /// Scrolls to the newest requested hint, unless it is visible.
 pub fn show_asked_hint(state: &mut State) {
-    let (width, height) = state.size;
+    let (width, height) = state.display.size;
     let rows = height.saturating_sub(2);
     let pages = columns(state, &state.locale, width);
     let lines = pages.iter().map(Vec::len).max().unwrap_or(0);

@@ -257,7 +257,7 @@ fn walk(state: &mut State, step: Step) -> Vec<RoomRequest> {
         state.rooms.review.cursor = cursor;
         return show_moment(state);
     }
-    let (width, height) = state.size;
+    let (width, height) = state.display.size;
     let count = lines(state, &state.locale, width).len();
     let rows = height.saturating_sub(OTHER_ROWS);
     let positions = positions(count, rows - curve_rows(state, rows));

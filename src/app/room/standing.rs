@@ -139,7 +139,11 @@ impl RoomModel for Standing {
 }
 
 fn walk(state: &mut State, step: Step) {
-    let missions = state.career.as_ref().map_or(0, |it| flown(it).len());
+    let missions = state
+        .training
+        .career
+        .as_ref()
+        .map_or(0, |it| flown(it).len());
     let room = &mut state.rooms.standing;
     match room.pane {
         Pane::Skills => room.skill = step.apply(room.skill, Skill::ALL.len()),
@@ -150,7 +154,7 @@ fn walk(state: &mut State, step: Step) {
 
 /// Switches to the next level of advice, which applies at once, also in flight.
 pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
-    let Some(career) = &state.career else {
+    let Some(career) = &state.training.career else {
         let key = state.key(Action::Profiles);
         state.say(Severity::Notice, text!("standing-choose-first", key = key));
         return Vec::new();
@@ -163,7 +167,12 @@ pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
 /// Goes to the mission under the cursor on the home screen, where it can be flown.
 fn to_mission(state: &mut State) -> Vec<RoomRequest> {
     let room = &state.rooms.standing;
-    let Some(career) = state.career.as_ref().filter(|_| room.pane == Pane::Scores) else {
+    let Some(career) = state
+        .training
+        .career
+        .as_ref()
+        .filter(|_| room.pane == Pane::Scores)
+    else {
         return Vec::new();
     };
     let Some(offer) = flown(career).get(room.mission).copied() else {

@@ -13,9 +13,9 @@ impl<R: fmt::Debug> Names for State<R> {
     fn listed(&self, list: NameList) -> Listed {
         match list {
             NameList::Room => Room::listed(),
-            NameList::Theme => themes(&self.themes),
+            NameList::Theme => themes(&self.display.themes),
             NameList::Mission => {
-                let missions = self.missions.iter();
+                let missions = self.training.missions.iter();
                 Listed::Names(missions.map(|it| named(&it.id, it.title.clone())).collect())
             }
             NameList::Inject => self.injects(),

@@ -5,21 +5,19 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Activity, Alarms, Career, FlightView, ForwardSummary, Hangar, Histories, Keymap, LinkSummary,
-    MissionListing, NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow,
+    Activity, Alarms, Display, FlightView, ForwardSummary, Hangar, Histories, Keymap, LinkSummary,
+    NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow, Training,
+    Typing,
 };
-use crate::campaign::Reward;
 use crate::config::Config;
 use crate::debrief::WorkloadStrips;
 use crate::doctor::LinkFinding;
-use crate::geo::{GridSize, LatLon};
+use crate::geo::LatLon;
 use crate::language::Groups;
 use crate::ledger::Ledger;
 use crate::mission::Progress;
-use crate::scoring::TryReport;
 use crate::text::Locale;
 use crate::vehicle::{VehicleId, Vehicles};
-use crate::workshop::Design;
 
 impl<R> State<R> {
     /// Flight time: since the start of the program, or of the recording in a replay.
@@ -71,19 +69,16 @@ impl<R> State<R> {
         &self.notices
     }
 
-    /// The vehicle list being typed, `3-9`; empty without one.
-    pub fn typed(&self) -> &str {
-        &self.typed
+    pub fn typing(&self) -> &Typing {
+        &self.typing
     }
 
-    /// Whether lines of a macro wait for an answer.
-    pub fn is_in_macro(&self) -> bool {
-        !self.pending.is_empty()
+    pub fn training(&self) -> &Training {
+        &self.training
     }
 
-    /// The last line given on the command line.
-    pub fn last_line(&self) -> Option<&str> {
-        self.history.back().map(String::as_str)
+    pub fn display(&self) -> &Display {
+        &self.display
     }
 }
 
@@ -100,49 +95,6 @@ impl<R> State<R> {
 
     pub fn keymap(&self) -> &Keymap {
         &self.keymap
-    }
-
-    /// The size of the terminal: columns and rows.
-    pub fn size(&self) -> (u16, u16) {
-        self.size
-    }
-
-    /// The terminal as a grid of cells.
-    pub fn grid(&self) -> GridSize {
-        let (columns, rows) = self.size;
-        GridSize::new(columns, rows)
-    }
-
-    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
-    pub fn slow_line(&self) -> Option<u32> {
-        self.slow_line
-    }
-}
-
-/// The missions and the career.
-impl<R> State<R> {
-    pub fn missions(&self) -> &[MissionListing] {
-        &self.missions
-    }
-
-    /// The trainee's career; `None` without a profile.
-    pub fn career(&self) -> Option<&Career> {
-        self.career.as_ref()
-    }
-
-    /// The rewards of the last flight; `None` once another session has started.
-    pub fn reward(&self) -> Option<&Reward> {
-        self.reward.as_ref()
-    }
-
-    /// The trainee's attempts at a mission's current revision, oldest first.
-    pub fn tries(&self, mission: &str) -> &[TryReport] {
-        self.tries.get(mission).map_or(&[], Vec::as_slice)
-    }
-
-    /// The drones chosen for a mission: one for all seats or one per seat; empty for the mission's own.
-    pub fn fleet(&self, mission: &str) -> &[Design] {
-        self.fleets.get(mission).map_or(&[], Vec::as_slice)
     }
 }
 

@@ -134,7 +134,7 @@ pub fn go_home(state: &mut State) {
     let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();
     state.rooms.debrief = debrief;
-    state.typed.clear();
+    state.typing.targets.clear();
     state.room = Room::Home;
 }
 
@@ -202,7 +202,7 @@ pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> E
 
 /// Opens the command line. A vehicle list being typed becomes the targets.
 pub fn open_palette(state: &mut State, words: &str) {
-    let targets = std::mem::take(&mut state.typed);
+    let targets = std::mem::take(&mut state.typing.targets);
     let line = if targets.is_empty() {
         words.to_owned()
     } else {
@@ -217,7 +217,7 @@ fn select_by(state: &mut State, action: SelectAction) {
         SelectAction::SelectAll => select_all(state),
         SelectAction::Invert => invert(state),
         SelectAction::Erase => {
-            state.typed.pop();
+            state.typing.targets.pop();
         }
     }
 }
@@ -247,24 +247,26 @@ fn invert(state: &mut State) {
 
 /// Adds a character to the vehicle list, which begins with a digit.
 pub fn type_ids(state: &mut State, c: char) {
-    if (c.is_ascii_digit() || !state.typed.is_empty()) && state.typed.len() < LONGEST_LIST {
-        state.typed.push(c);
+    if (c.is_ascii_digit() || !state.typing.targets.is_empty())
+        && state.typing.targets.len() < LONGEST_LIST
+    {
+        state.typing.targets.push(c);
     }
 }
 
 fn escape(state: &mut State) {
     state.hush();
-    if state.typed.is_empty() {
+    if state.typing.targets.is_empty() {
         state.session.selection.clear();
     }
-    state.typed.clear();
+    state.typing.targets.clear();
 }
 
 fn submit(state: &mut State) {
-    if state.typed.is_empty() {
+    if state.typing.targets.is_empty() {
         return;
     }
-    let typed = std::mem::take(&mut state.typed);
+    let typed = std::mem::take(&mut state.typing.targets);
     match parse_ranges(&typed) {
         Ok(ids) => select(state, &ids),
         Err(text) => state.say(Severity::Warning, text),

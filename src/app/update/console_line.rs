@@ -25,7 +25,7 @@ pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effe
         macros::check(state, name, last_word)?;
         let lines = state.config.macros.get(name).cloned().unwrap_or_default();
         for line in lines.into_iter().rev() {
-            state.pending.push_front(line);
+            state.typing.macro_lines.push_front(line);
         }
         return Ok(Effects::none());
     }
@@ -52,7 +52,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Forward(line) => return forwards::carry_out(state, line),
         // The grammar accepts only names of rooms.
         ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
-        ConsoleLine::Fly(id) => return Ok(mission::start(state, state.launch(&id))),
+        ConsoleLine::Fly(id) => return Ok(mission::start(state, state.training().launch(&id))),
         ConsoleLine::FlyFree => {
             let effect = Effect::Session(SessionEffect::StartFree);
             return Ok(act::guarded(state, text!("ask-start"), effect));
@@ -115,7 +115,7 @@ fn set(state: &mut State, setting: &LiveSetting) -> Effects {
     setting.apply(&mut state.config);
     match setting {
         LiveSetting::Theme(name) => {
-            state.theme.clone_from(name);
+            state.display.theme.clone_from(name);
             Effects::from(Effect::Terminal(TerminalEffect::SetTheme(name.clone())))
         }
         LiveSetting::Fps(fps) => Effects::from(Effect::Terminal(TerminalEffect::SetFps(*fps))),
@@ -124,7 +124,7 @@ fn set(state: &mut State, setting: &LiveSetting) -> Effects {
                 state.say(Severity::Warning, text!("setting-lang-ascii"));
                 return Effects::none();
             }
-            let is_kept = state.career.is_some();
+            let is_kept = state.training.career.is_some();
             let keep = is_kept.then_some(Effect::Career(CareerEffect::SetLanguage(*language)));
             keep.into_iter().collect()
         }

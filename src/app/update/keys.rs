@@ -25,7 +25,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
     if key.kind == KeyEventKind::Release {
         return Effects::none();
     }
-    if state.is_too_small() {
+    if state.display().is_too_small() {
         return unseen(state, key);
     }
     if ends_an_answer(state, key) {
@@ -47,23 +47,23 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
 
 /// Whether this is an Enter after an answer whose last character was enough: it was not meant for the next screen.
 fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
-    let answered_at = state.answered_at.take();
+    let answered_at = state.typing.answered_at.take();
     let is_fresh = answered_at.is_some_and(|at| state.wall.saturating_sub(at) < ANSWER_ENDS_WITHIN);
     is_fresh && key.code == KeyCode::Enter
 }
 
 /// Handles a clicked cell. Overlays take no clicks.
 pub fn click(state: &mut State, column: u16, row: u16) {
-    if state.overlay.is_none() && state.room == Room::Map && !state.is_too_small() {
-        let size = state.grid();
+    if state.overlay.is_none() && state.room == Room::Map && !state.display().is_too_small() {
+        let size = state.display().grid();
         state.rooms.map.click(size, column, row);
     }
 }
 
 /// Handles a new size of the terminal. A question that is no longer visible is answered with no.
 pub fn resize(state: &mut State, columns: u16, rows: u16) {
-    state.size = (columns, rows);
-    if state.is_too_small()
+    state.display.size = (columns, rows);
+    if state.display().is_too_small()
         && let Some(Overlay::Confirm(question)) = &state.overlay
     {
         let text = cancelled(question);
@@ -82,14 +82,14 @@ fn unseen(state: &State, key: KeyEvent) -> Effects {
 
 /// A click on an element drawn for an action. Overlays take keys only.
 pub fn choose(state: &mut State, action: Action) -> Effects {
-    if state.is_too_small() || state.is_deaf() || state.overlay.is_some() {
+    if state.display().is_too_small() || state.is_deaf() || state.overlay.is_some() {
         return Effects::none();
     }
     act::act(state, action)
 }
 
 pub fn paste(state: &mut State, text: &str) {
-    if state.is_too_small() {
+    if state.display().is_too_small() {
         return;
     }
     // Terminals end pasted lines as the Enter key does.
@@ -194,7 +194,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
 
 /// A key's command with the typed vehicle list as targets, unless it names its own.
 fn addressed(state: &mut State, line: &str) -> String {
-    let typed = std::mem::take(&mut state.typed);
+    let typed = std::mem::take(&mut state.typing.targets);
     let names_targets = words(line).first().is_some_and(Word::is_targets);
     if typed.is_empty() || names_targets || palette::is_to_console(state, line) {
         line.to_owned()
@@ -230,7 +230,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
             if question.typed == question.answer {
                 // Only a change of the session leads to another screen.
                 if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
-                    state.answered_at = Some(state.wall);
+                    state.typing.answered_at = Some(state.wall);
                 }
                 let mut effects = order::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));
@@ -248,7 +248,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
 }
 
 fn refuse(state: &mut State, question: &Confirm) {
-    state.pending.clear();
+    state.typing.macro_lines.clear();
     state.say(Severity::Notice, cancelled(question));
 }
 

@@ -92,7 +92,7 @@ fn obstacle(state: &State) -> Option<Text> {
 
 /// Starts a mission, after a question if something would be lost; a locked one is refused.
 pub fn start(state: &mut State, launch: Launch) -> Effects {
-    if let Some(reason) = state.lock(&launch.mission) {
+    if let Some(reason) = state.training().lock(&launch.mission) {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
@@ -105,7 +105,7 @@ pub fn start(state: &mut State, launch: Launch) -> Effects {
 
 /// Starts the exam of a mission, after a question with its rules.
 pub fn start_exam(state: &mut State, mission: &str) -> Effects {
-    if let Some(reason) = state.lock(mission) {
+    if let Some(reason) = state.training().lock(mission) {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
@@ -115,7 +115,7 @@ pub fn start_exam(state: &mut State, mission: &str) -> Effects {
     };
     let launch = Launch {
         stake: Stake::Exam,
-        ..state.launch(mission)
+        ..state.training().launch(mission)
     };
     ask(
         state,

@@ -57,7 +57,7 @@ impl Nearness {
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
     all.extend(vehicles(state, written));
-    let given_before = state.history.iter().rev();
+    let given_before = state.typing.history.iter().rev();
     all.extend(given_before.map(|line| (line.clone(), text!("palette-given-before"))));
     let wanted = written.trim();
     let farthest = match wanted.chars().count() {

@@ -157,7 +157,7 @@ fn complete(state: &mut State, mut palette: Palette, forward: bool) {
 }
 
 fn browse(state: &mut State, mut palette: Palette, older: bool) {
-    let count = state.history.len();
+    let count = state.typing.history.len();
     let at = match (palette.history_at, older) {
         (None, true) if count > 0 => Some(0),
         (Some(at), true) => Some((at + 1).min(count.saturating_sub(1))),
@@ -171,7 +171,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
         palette.input.value().clone_into(&mut palette.draft);
     }
     palette.history_at = at;
-    let shown = at.and_then(|at| state.history.iter().rev().nth(at));
+    let shown = at.and_then(|at| state.typing.history.iter().rev().nth(at));
     palette.input = Input::new(shown.cloned().unwrap_or_else(|| palette.draft.clone()));
     edited(state, palette);
 }
@@ -193,12 +193,12 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
     }
     match carry_out(state, &line) {
         Ok(mut effects) => {
-            state.remember(line.trim());
+            state.typing.remember(line.trim());
             effects.extend(go_on(state));
             effects
         }
         Err(fault) => {
-            state.pending.clear();
+            state.typing.macro_lines.clear();
             match in_latin(state, &line) {
                 // Show the converted line before it is sent.
                 Some(latin) => open(state, latin),
@@ -222,13 +222,13 @@ pub fn go_on(state: &mut State) -> Effects {
         if state.overlay.is_some() {
             return effects;
         }
-        let Some(line) = state.pending.pop_front() else {
+        let Some(line) = state.typing.macro_lines.pop_front() else {
             return effects;
         };
         match carry_out(state, &line) {
             Ok(more) => effects.extend(more),
             Err(fault) => {
-                state.pending.clear();
+                state.typing.macro_lines.clear();
                 let input = Input::new(line);
                 state.overlay = Some(Overlay::Palette(Palette {
                     input,
@@ -238,8 +238,8 @@ pub fn go_on(state: &mut State) -> Effects {
             }
         }
     }
-    if !state.pending.is_empty() {
-        state.pending.clear();
+    if !state.typing.macro_lines.is_empty() {
+        state.typing.macro_lines.clear();
         let text = text!("macro-endless", count = MACRO_LINES);
         state.say(Severity::Error, text);
     }

@@ -19,9 +19,9 @@ pub fn open(state: &mut State) {
         state.say(Severity::Notice, text!("profiles-in-flight"));
         return;
     }
-    let cursor = if state.career.is_some() {
-        let mut trainees = state.trainees().into_iter();
-        trainees.position(|trainee| state.is_training(&trainee))
+    let cursor = if state.training.career.is_some() {
+        let mut trainees = state.training().trainees().into_iter();
+        trainees.position(|trainee| state.training().is_current(&trainee))
     } else {
         None
     };
@@ -32,7 +32,7 @@ pub fn open(state: &mut State) {
 
 /// Handles a key while the list is open.
 pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Effects {
-    let trainees = state.trainees();
+    let trainees = state.training().trainees();
     let cursor = match state.keymap.action(key, Place::List) {
         Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => {
@@ -47,7 +47,7 @@ pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Effects {
 }
 
 fn take(state: &mut State, trainee: Trainee) -> Effects {
-    if state.is_training(&trainee) {
+    if state.training().is_current(&trainee) {
         return Effects::none();
     }
     match trainee {
@@ -82,11 +82,11 @@ pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
 /// mission.
 pub fn arrived(state: &mut State, career: Option<Career>) {
     let seen = |career: &Career| (career.name.clone(), career.standing.flights());
-    let before = state.career.as_ref().map(seen);
+    let before = state.training.career.as_ref().map(seen);
     let now = career.as_ref().map(seen);
     let next_mission = career.as_ref().and_then(Career::next_mission);
     let next = next_mission.map(str::to_owned);
-    state.career = career;
+    state.training.career = career;
     if before == now {
         return;
     }
@@ -94,8 +94,13 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
     let name = |seen: &Option<(String, u32)>| seen.as_ref().map(|(name, _)| name.clone());
     if name(&before) != name(&now) {
         // The fleets chosen were those of another trainee.
-        state.fleets.clear();
-        if let Some(language) = state.career.as_ref().and_then(|career| career.language) {
+        state.training.fleets.clear();
+        if let Some(language) = state
+            .training
+            .career
+            .as_ref()
+            .and_then(|career| career.language)
+        {
             state.speak(language);
         }
         if is_asking(state) {

@@ -120,7 +120,7 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // Earlier notices and drops belong to the previous session.
     state.notices = NoticeLog::default();
-    state.reward = None;
+    state.training.reward = None;
     let is_again = session.activity == state.session.activity || state.replay.is_some();
     // A first attempt begins with the brief; a repeat begins in flight.
     session.first_room = if state.replay.as_ref().is_some_and(|it| it.is_review) {
@@ -140,7 +140,7 @@ pub fn started(state: &mut State, started: Started) {
     state.ghost = None;
     state.rooms.forget_session();
     map::began(state);
-    state.typed.clear();
+    state.typing.targets.clear();
     // Until the vehicles are there, the hangar shows their start.
     state.room = if state.session.is_starting() {
         Room::Hangar
@@ -173,7 +173,7 @@ pub fn notice(state: &mut State, notice: &Notice) {
 
 pub fn progress(state: &mut State, mut progress: Progress) {
     if state.session.activity.is_some() {
-        if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
+        if let (Some(career), Some(mission)) = (&state.training.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
         // In a replay, past advice is not advice now.
@@ -216,7 +216,7 @@ fn note_height(session: &mut FlightView, elapsed: Duration) {
 pub fn ended(state: &mut State, report: Box<Report>) {
     if !report.tries.is_empty() {
         let tries = report.tries.clone();
-        state.tries.insert(report.mission.clone(), tries);
+        state.training.tries.insert(report.mission.clone(), tries);
     }
     state.rooms.debrief = Some(Debrief {
         heights: state.session.heights.clone(),

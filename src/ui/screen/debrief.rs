@@ -36,7 +36,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.area
     };
     let height = panel.area.height + HEADER_AND_FOOTER;
-    let lines = debrief.lines_below(state.reward(), &panel.look.locale);
+    let lines = debrief.lines_below(state.training().reward(), &panel.look.locale);
     let page = panel.at(centred(TEXT_WIDTH, page.height, page));
     let summary = debrief.summary(height);
     summary::draw(debrief, summary, page.upper(summary.rows), buffer);

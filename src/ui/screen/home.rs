@@ -62,7 +62,7 @@ fn draw_site<'a>(
     facts_are_beside: bool,
     buffer: &mut Buffer,
 ) -> Panel<'a> {
-    let text = if state.career().is_some() && !facts_are_beside {
+    let text = if state.training().career().is_some() && !facts_are_beside {
         CAREER_ROWS
     } else {
         TEXT_ROWS
@@ -100,7 +100,7 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
 
 /// Draws the trainee's name and account, and the recommended next step.
 fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(career) = state.career() else {
+    let Some(career) = state.training().career() else {
         let line = Line::from(vec![
             Span::styled(
                 format!(" {}", panel.text(&state.key(Action::Profiles))),
@@ -163,7 +163,7 @@ fn advice(career: &Career) -> Vec<Text> {
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => look.text(&state.missions()[at].title),
+        HomeItem::Mission(at) => look.text(&state.training().missions()[at].title),
         HomeItem::Free => look.say("home-free"),
         HomeItem::ArduPilot => look.say("home-ardupilot"),
         HomeItem::Connect => look.say("home-connect"),

@@ -23,7 +23,7 @@ const SCALE_ROWS: u16 = 2;
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = state.rooms().map();
     let pane = upper(panel.area, panel.area.height.saturating_sub(1));
-    let (pane, legend) = if map.shows_legend(state.grid()) {
+    let (pane, legend) = if map.shows_legend(state.display().grid()) {
         let width = panel.area.width.saturating_sub(LEGEND_WIDTH);
         (
             columns(pane, 0, width),

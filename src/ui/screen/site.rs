@@ -54,9 +54,9 @@ fn draw_figures(state: &State, mission: &Listing, panel: Panel<'_>, buffer: &mut
 
 /// The best score with its medal: from the career, otherwise from the records.
 fn best(state: &State, mission: &Listing) -> Text {
-    let career = state.career();
+    let career = state.training().career();
     let counted = career.and_then(|career| career.standing.best(&mission.id));
-    let (score, medal) = match (counted, state.best_try(&mission.id)) {
+    let (score, medal) = match (counted, state.training().best_try(&mission.id)) {
         (Some(best), _) => (best.score, best.medal),
         (None, Some(best)) if career.is_none() => (best.score, best.medal),
         _ => (None, None),

@@ -31,7 +31,7 @@ struct Subject<'a> {
 
 /// Draws the summary and the chosen pane, or all panes if there is room.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(career) = state.career() else {
+    let Some(career) = state.training().career() else {
         return draw_nobody(state, panel, buffer);
     };
     let subject = Subject {
@@ -41,7 +41,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     draw_summary(&subject, panel.area, buffer);
     let panel = panel.below(2);
-    let (width, height) = state.size();
+    let (width, height) = state.display().size();
     if !shows_all(width, height) && !shows_all(panel.area.width, panel.area.height + 4) {
         match state.rooms().standing().pane() {
             Pane::Skills => skills::draw(&subject, panel.area, buffer),

@@ -62,7 +62,7 @@ fn rows(text: &str, width: usize) -> Vec<String> {
 
 /// The lines of the message, unless something else takes the footer.
 fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
-    if !state.typed().is_empty() || state.is_deaf() {
+    if !state.typing().targets().is_empty() || state.is_deaf() {
         return None;
     }
     let message = state.message()?;
@@ -75,10 +75,10 @@ fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
 fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     let (look, width) = (panel.look, panel.width());
     let muted = |text: String| Span::styled(text, look.style(Role::Muted));
-    if !state.typed().is_empty() {
+    if !state.typing().targets().is_empty() {
         return Line::from(vec![
             muted(format!(" {} ", look.say("footer-vehicles"))),
-            Span::styled(state.typed(), look.style(Role::Selected)),
+            Span::styled(state.typing().targets(), look.style(Role::Selected)),
             muted(format!("_  {}", look.text(&list_keys(state)))),
         ]);
     }

@@ -89,7 +89,7 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
 }
 
 fn slow_line(state: &State) -> Option<Text> {
-    let bytes_per_s = state.slow_line()?;
+    let bytes_per_s = state.display().slow_line()?;
     let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
     Some(text!("terminal-slow", rate = rate))
 }

@@ -21,7 +21,7 @@ const FRAME: u16 = 4;
 
 /// Draws the list with its cursor.
 pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
-    let trainees = state.trainees();
+    let trainees = state.training().trainees();
     let height = (trainees.len() as u16).saturating_add(FRAME);
     let place = centred(
         WIDTH,
@@ -37,7 +37,7 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
         let row = row as u16;
         let (trainee, under_cursor) = (&trainees[at], at == cursor);
         let mark = if under_cursor { '>' } else { ' ' };
-        let now = if state.is_training(trainee) {
+        let now = if state.training().is_current(trainee) {
             panel.say("profiles-now")
         } else {
             String::new()

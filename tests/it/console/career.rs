@@ -133,9 +133,9 @@ fn starter() -> Design {
 
 /// The number of missions for which drones have been chosen.
 fn fleets(console: &Console) -> usize {
-    let missions = console.state().missions().iter();
+    let missions = console.state().training().missions().iter();
     missions
-        .filter(|mission| !console.state().fleet(&mission.id).is_empty())
+        .filter(|mission| !console.state().training().fleet(&mission.id).is_empty())
         .count()
 }
 
@@ -258,7 +258,13 @@ fn practice_and_scripts_are_no_best_of_a_mission() {
         is_practice,
     };
     let mut console = Console::new();
-    let best = |console: &Console| console.state().best_try("m01").and_then(|it| it.score);
+    let best = |console: &Console| {
+        console
+            .state()
+            .training()
+            .best_try("m01")
+            .and_then(|it| it.score)
+    };
     let tries = |tries: Vec<TryReport>| CareerEvent::Tries([("m01".to_owned(), tries)].into());
     console.hear(tries(vec![one(900, true)]));
     assert_eq!(best(&console), None);
@@ -305,7 +311,7 @@ fn an_exam_that_would_end_a_flight_says_so() {
 
 #[test]
 fn profiles_are_chosen_made_and_left() {
-    let names = |console: &Console| console.state().trainees();
+    let names = |console: &Console| console.state().training().trainees();
     let mut console = trained_by(career());
     assert_eq!(
         names(&console),

@@ -130,7 +130,7 @@ fn a_wrong_line_stays_with_the_wrong_word_marked() {
         console.press("esc");
     }
     assert!(
-        console.state().last_line().is_none(),
+        console.state().typing().last_line().is_none(),
         "a line that did nothing is not history"
     );
     assert_eq!(console.state().session().ledger().entries().len(), 0);

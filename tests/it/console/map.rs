@@ -86,7 +86,11 @@ fn goto_is_written_with_the_place_under_the_cursor_and_sent_only_by_enter() {
         console.vehicle(fixtures::airborne(id, 0.0, 20.0));
     }
     console.write("2-3");
-    assert_eq!(console.state().typed(), "2-3", "`-` belongs to the list");
+    assert_eq!(
+        console.state().typing().targets(),
+        "2-3",
+        "`-` belongs to the list"
+    );
     console.press("enter");
     assert_eq!(selection(&console), [2, 3]);
     console.press("home").press("g");

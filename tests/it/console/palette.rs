@@ -151,7 +151,7 @@ fn a_macro_waits_for_the_answer_to_a_question_and_no_means_none_of_the_rest() {
     assert_eq!(given(&console), 2);
     console.give("macro m").press("n").press("esc");
     assert_eq!(given(&console), 2);
-    assert!(!console.state().is_in_macro());
+    assert!(!console.state().typing().is_in_macro());
 }
 
 #[test]

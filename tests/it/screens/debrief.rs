@@ -106,7 +106,12 @@ fn debriefed_in(mut console: Console, size: (u16, u16)) -> Console {
 }
 
 fn shown(console: &Console, symbols: Symbols) -> String {
-    drawn(console, symbols, Language::English, console.state().size())
+    drawn(
+        console,
+        symbols,
+        Language::English,
+        console.state().display().size(),
+    )
 }
 
 #[test]
@@ -268,7 +273,7 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     let mut console = debriefed((80, 24));
     assert!(shown(&console, Symbols::Ascii).contains("837 / 1000"));
     console.press("h");
-    let tries = console.state().tries("m01").to_vec();
+    let tries = console.state().training().tries("m01").to_vec();
     let mut console = Console::set_up(|setup| setup.tries = [("m01".to_owned(), tries)].into());
     let home = console.screen(80, 24);
     assert!(home.contains(" 905 ***"), "{home}");

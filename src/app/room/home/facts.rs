@@ -20,7 +20,7 @@ pub struct Fact {
 
 /// The facts for the trainee, most important first; empty without a profile.
 pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
-    let Some(career) = &state.career else {
+    let Some(career) = &state.training.career else {
         return Vec::new();
     };
     let Some(offer) = career.course.offer(&mission.id) else {
@@ -59,7 +59,7 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
 pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     match unlock {
         Unlock::Mission(id) => {
-            let mut missions = state.missions.iter();
+            let mut missions = state.training.missions.iter();
             let known = missions.find(|mission| mission.id == *id);
             let title = known.map_or_else(|| id.as_str().into(), |it| it.title.clone());
             text!("mission-reward-mission", title = title)

@@ -74,23 +74,23 @@ impl RoomModel for Map {
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
-        let size = state.rooms.map.canvas(state.grid());
+        let size = state.rooms.map.canvas(state.display().grid());
         go(state, size, step);
         Some(Vec::new())
     }
 
     fn submit(state: &mut State) -> Answer {
-        if !state.typed.is_empty() {
+        if !state.typing.targets.is_empty() {
             return None;
         }
-        let size = state.rooms.map.canvas(state.grid());
+        let size = state.rooms.map.canvas(state.display().grid());
         pick_nearest(state, size);
         Some(Vec::new())
     }
 
     fn escape(state: &mut State) -> Answer {
         let map = &mut state.rooms.map;
-        if !state.typed.is_empty() || map.mark.is_none() {
+        if !state.typing.targets.is_empty() || map.mark.is_none() {
             return None;
         }
         map.mark = None;
@@ -98,7 +98,7 @@ impl RoomModel for Map {
     }
 
     fn view(state: &mut State, action: ViewAction) -> Answer {
-        let size = state.rooms.map.canvas(state.grid());
+        let size = state.rooms.map.canvas(state.display().grid());
         match action {
             ViewAction::NextVehicle => turn_to(state, size, 1),
             ViewAction::PreviousVehicle => turn_to(state, size, -1),
@@ -117,13 +117,13 @@ impl RoomModel for Map {
 }
 
 pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
-    let screen = state.grid();
+    let screen = state.display().grid();
     let map = &mut state.rooms.map;
     let size = map.canvas(screen);
     match action {
         MapAction::ZoomIn => map.zoom(size, true),
         // `-` belongs to the vehicle list (`3-9`) while one is being typed.
-        MapAction::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
+        MapAction::ZoomOut if !state.typing.targets.is_empty() => state.typing.targets.push('-'),
         MapAction::ZoomOut => map.zoom(size, false),
         MapAction::Fit => {
             refit(state);

@@ -108,12 +108,16 @@ impl RoomModel for Workshop {
 
     fn entered(state: &mut State) {
         if state.rooms.workshop.bench.is_untouched() {
-            let own = state.career.as_ref().and_then(|it| it.designs.first());
+            let own = state
+                .training
+                .career
+                .as_ref()
+                .and_then(|it| it.designs.first());
             let is_simple = |design: &&Design| {
                 let mut parts = design.pieces();
                 parts.all(|(part, _)| STARTER_PARTS.contains(&part.id))
             };
-            let first = own.or_else(|| state.stock.iter().find(is_simple));
+            let first = own.or_else(|| state.training.stock.iter().find(is_simple));
             if let Some(design) = first.cloned() {
                 let origin = own.map(|own| own.name.clone());
                 state.rooms.workshop.bench.open(design, origin, air());
@@ -218,7 +222,7 @@ fn take_out(state: &mut State) {
 /// Shows the next view; on a wide screen figures and mission are always visible.
 fn next_view(state: &mut State) {
     let room = &mut state.rooms.workshop;
-    room.view = if state.size.0 < WIDE {
+    room.view = if state.display.size.0 < WIDE {
         room.view.next()
     } else if room.view == View::Payload {
         View::Polar

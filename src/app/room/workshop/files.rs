@@ -12,7 +12,7 @@ use crate::workshop::Design;
 
 /// Asks for the name under which to store the design.
 pub(super) fn ask_save(state: &mut State) {
-    if state.career.is_none() {
+    if state.training.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
         return state.say(Severity::Warning, text!("bench-no-profile", key = key));
     }
@@ -22,7 +22,7 @@ pub(super) fn ask_save(state: &mut State) {
 
 /// Asks for the name of a copy: of a design of the list, or of the one on the bench.
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
-    if state.career.is_none() {
+    if state.training.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
         return state.say(Severity::Warning, text!("bench-no-profile", key = key));
     }
@@ -182,7 +182,7 @@ fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
 }
 
 fn own<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
-    let career = state.career.as_ref()?;
+    let career = state.training.career.as_ref()?;
     career.designs.iter().find(|it| same(&it.name, name))
 }
 

@@ -21,7 +21,7 @@ pub struct Seat<'a> {
 
 /// The seats of a mission.
 pub fn seats<'a>(state: &'a State, mission: &Listing) -> Vec<Seat<'a>> {
-    let fleet = state.fleets.get(&mission.id);
+    let fleet = state.training.fleets.get(&mission.id);
     let chosen = |seat: usize| match fleet.map(Vec::as_slice)? {
         [all] => Some(all),
         each => each.get(seat),
@@ -84,7 +84,7 @@ fn assign(state: &mut State, seat: Option<usize>) {
         None => fleet = vec![design; count],
     }
     let name = fleet[seat.unwrap_or_default()].name.clone();
-    state.fleets.insert(id, fleet);
+    state.training.fleets.insert(id, fleet);
     let text = match seat {
         Some(seat) => text!("bench-seat-taken", seat = seat + 1, name = name),
         None => text!("bench-seats-taken", name = name),
@@ -111,7 +111,7 @@ fn check(state: &State, mission: &Listing) -> Result<(), Text> {
 
 pub(super) fn give_back(state: &mut State) {
     let id = mission(state).map(|mission| mission.id.clone());
-    if id.is_some_and(|id| state.fleets.remove(&id).is_some()) {
+    if id.is_some_and(|id| state.training.fleets.remove(&id).is_some()) {
         state.say(Weight::Notice, text!("bench-seats-lent"));
     }
 }
@@ -128,5 +128,5 @@ pub(super) fn fly(state: &mut State) -> Vec<RoomRequest> {
         state.say(Weight::Warning, text);
         return Vec::new();
     }
-    vec![RoomRequest::Fly(state.launch(&id))]
+    vec![RoomRequest::Fly(state.training().launch(&id))]
 }

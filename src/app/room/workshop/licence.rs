@@ -23,7 +23,7 @@ pub enum Licence {
 
 /// Whether the trainee may use a part.
 pub fn licence(state: &State, part: &Part) -> Licence {
-    let Some(career) = &state.career else {
+    let Some(career) = &state.training.career else {
         return Licence::Held;
     };
     match career.standing.part_state(part, &career.course) {
@@ -35,7 +35,7 @@ pub fn licence(state: &State, part: &Part) -> Licence {
 
 /// The parts of a design that the trainee may not use yet, each once.
 pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
-    let Some(career) = &state.career else {
+    let Some(career) = &state.training.career else {
         return Vec::new();
     };
     let missing = career.standing.missing_parts(design, &career.course);
@@ -47,7 +47,7 @@ pub(super) fn buy(state: &mut State) {
     let Some(part) = part_under_cursor(state) else {
         return;
     };
-    let Some(career) = &state.career else {
+    let Some(career) = &state.training.career else {
         return state.say(Severity::Notice, text!("bench-nobody-buys"));
     };
     match career.standing.buy(part.id, &career.course) {
@@ -79,7 +79,7 @@ pub(super) fn buy(state: &mut State) {
 
 /// The title of a mission by its id.
 fn title(state: &State, mission: &str) -> Text {
-    let career = state.career.as_ref();
+    let career = state.training.career.as_ref();
     let offer = career.and_then(|career| career.course.offer(mission));
     offer.map_or_else(|| Text::verbatim(mission), |offer| offer.title.clone())
 }

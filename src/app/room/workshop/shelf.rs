@@ -20,12 +20,16 @@ pub struct Stored<'a> {
 
 /// All designs, the trainee's own first.
 pub fn stored(state: &State) -> Vec<Stored<'_>> {
-    let own_designs = state.career.iter().flat_map(|career| &career.designs);
+    let own_designs = state
+        .training
+        .career
+        .iter()
+        .flat_map(|career| &career.designs);
     let own = own_designs.map(|design| Stored {
         design,
         is_own: true,
     });
-    let stock = state.stock.iter().map(|design| Stored {
+    let stock = state.training.stock.iter().map(|design| Stored {
         design,
         is_own: false,
     });
@@ -41,7 +45,11 @@ pub fn is_saved(state: &State) -> bool {
 /// Handles a change of the trainee's own designs: the bench may match one of them now.
 pub fn heard(state: &mut State) {
     let bench = &mut state.rooms.workshop.bench;
-    let own = state.career.iter().flat_map(|career| &career.designs);
+    let own = state
+        .training
+        .career
+        .iter()
+        .flat_map(|career| &career.designs);
     if own.into_iter().any(|design| design == bench.design()) {
         let design = bench.design().clone();
         let origin = Some(design.name.clone());
@@ -68,7 +76,7 @@ pub fn open(state: &mut State, design: Design) {
 
 /// Opens a design on the bench.
 pub fn lay(state: &mut State, design: Design) {
-    let career = state.career.as_ref();
+    let career = state.training.career.as_ref();
     let is_own = career.is_some_and(|it| it.designs.contains(&design));
     let origin = is_own.then(|| design.name.clone());
     let room = &mut state.rooms.workshop;

@@ -32,8 +32,8 @@ fn workshop(career: Option<Career>) -> State {
         stock: vec![starter()],
         ..Setup::default()
     });
-    state.size = (200, 50);
-    state.career = career;
+    state.display.size = (200, 50);
+    state.training.career = career;
     press(&mut state, "W");
     state
 }

@@ -69,7 +69,7 @@ fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buff
     if state.session().activity().is_some() {
         return;
     }
-    let mission = &state.missions()[at];
+    let mission = &state.training().missions()[at];
     let lines = tasks(state, mission, &panel.look.locale, panel.area.width);
     let rows = usize::from(panel.area.height);
     for (row, line) in lines.iter().take(rows).enumerate() {
@@ -148,7 +148,7 @@ fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec
     let HomeItem::Mission(at) = item else {
         return Vec::new();
     };
-    let facts = facts(state, &state.missions()[at]);
+    let facts = facts(state, &state.training().missions()[at]);
     let names: Vec<String> = facts.iter().map(|fact| look.text(&fact.name)).collect();
     let indent = names.iter().map(|name| width(name)).max().unwrap_or(0) + 2;
     let mut lines = Vec::new();
@@ -171,15 +171,15 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
     let HomeItem::Mission(at) = item else {
         return keys;
     };
-    let mission = &state.missions()[at];
-    if state.lock(&mission.id).is_some() {
+    let mission = &state.training().missions()[at];
+    if state.training().lock(&mission.id).is_some() {
         keys.clear();
     }
     if state.session().activity().is_none() {
         let rules = look.say("home-mission-rules");
         keys.push((key(Action::Show(Room::Mission)), rules));
     }
-    if state.lock(&mission.id).is_some() {
+    if state.training().lock(&mission.id).is_some() {
         return keys;
     }
     if let Some(drill) = drill(state, &mission.id) {
@@ -190,7 +190,7 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
         );
         keys.push((key(Action::Start(StartAction::Drill)), look.text(&about)));
     }
-    if state.career().is_some() {
+    if state.training().career().is_some() {
         for (action, what) in [
             (Action::Start(StartAction::Daily), "home-daily"),
             (Action::Start(StartAction::Exam), "home-exam"),
@@ -224,15 +224,15 @@ fn best_words(state: &State, item: HomeItem) -> Option<Text> {
     let HomeItem::Mission(at) = item else {
         return None;
     };
-    let id = &state.missions()[at].id;
-    let best = state.best_try(id)?;
+    let id = &state.training().missions()[at].id;
+    let best = state.training().best_try(id)?;
     let medal = best.medal.map_or(text!("debrief-no-medal"), Medal::title);
     Some(text!("home-best", score = best.score?, medal = medal))
 }
 
 fn about(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => look.locale.text(&state.missions()[at].brief),
+        HomeItem::Mission(at) => look.locale.text(&state.training().missions()[at].brief),
         HomeItem::Free => {
             let (about, first) = (
                 look.say("home-free-about"),

@@ -83,7 +83,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             panel.at(row_of(inner, row)).mark_cursor(buffer);
         }
     }
-    if state.career().is_some() && count + SIGNS.len() < rows {
+    if state.training().career().is_some() && count + SIGNS.len() < rows {
         draw_signs(panel.at(below(inner, count as u16 + 1)), buffer);
     }
 }
@@ -153,12 +153,15 @@ fn item_line(
     columns: usize,
 ) -> (String, Role) {
     let cursor = if under_cursor { '>' } else { ' ' };
-    let (sign, score) = match (item, state.career()) {
+    let (sign, score) = match (item, state.training().career()) {
         (HomeItem::Mission(at), Some(career)) => {
-            let id = &state.missions()[at].id;
+            let id = &state.training().missions()[at].id;
             (Some(Sign::of(career, id)), career_best(career, id))
         }
-        (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions()[at].id)),
+        (HomeItem::Mission(at), None) => (
+            None,
+            recorded_best(state, &state.training().missions()[at].id),
+        ),
         (
             HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit,
             Some(_) | None,
@@ -184,7 +187,7 @@ fn career_best(career: &Career, mission: &str) -> Option<String> {
 
 /// The best recorded score without a profile.
 fn recorded_best(state: &State, mission: &str) -> Option<String> {
-    let best = state.best_try(mission)?;
+    let best = state.training().best_try(mission)?;
     let score = best.score?;
     Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
@@ -194,7 +197,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
     let items = items(state);
     let tier = |item: &HomeItem| match item {
-        HomeItem::Mission(at) => Some(state.missions()[*at].tier),
+        HomeItem::Mission(at) => Some(state.training().missions()[*at].tier),
         HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit => None,
     };
     let (least, most) = (
@@ -232,7 +235,7 @@ fn listed(state: &State, item: HomeItem, look: &Look) -> String {
     let HomeItem::Mission(at) = item else {
         return name;
     };
-    let number = state.missions()[at]
+    let number = state.training().missions()[at]
         .id
         .split('-')
         .next()

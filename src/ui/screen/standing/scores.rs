@@ -81,7 +81,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
     let look = subject.look;
     let title = text!("standing-chart", mission = offer.title.clone());
     let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
-    let mut missions = subject.state.missions().iter();
+    let mut missions = subject.state.training().missions().iter();
     let listing = missions.find(|listing| listing.id == offer.id);
     let tries = subject.career.growth.tries(&offer.id);
     let bars: Vec<Bar> = tries

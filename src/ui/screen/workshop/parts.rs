@@ -83,7 +83,11 @@ impl Layout {
     fn new(state: &State, look: &Look, columns: u16) -> Self {
         let bench = state.rooms().workshop().bench();
         let width = usize::from(columns);
-        let licence = if state.career().is_some() { LICENCE } else { 0 };
+        let licence = if state.training().career().is_some() {
+            LICENCE
+        } else {
+            0
+        };
         let flies = |sheet: &Sheet| sheet.figures.is_some();
         let has_figures =
             flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));

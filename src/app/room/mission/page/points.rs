@@ -10,7 +10,7 @@ impl Page<'_> {
     /// Adds them before the flight.
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
-        let review = self.state.reviews.get(&self.mission.id);
+        let review = self.state.training.reviews.get(&self.mission.id);
         let says = |it: &&Review| is_read && (!it.points().is_empty() || !it.next.is_empty());
         let Some(review) = review.filter(says) else {
             return;

@@ -12,11 +12,17 @@ impl Page<'_> {
     /// Adds the earlier attempts before the flight, if there are any.
     pub(super) fn tries(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
-        let Some(tries) = self.state.tries.get(&self.mission.id).filter(|_| is_read) else {
+        let Some(tries) = self
+            .state
+            .training
+            .tries
+            .get(&self.mission.id)
+            .filter(|_| is_read)
+        else {
             return;
         };
         let from = tries.len().saturating_sub(SHOWN);
-        let best = self.state.best_try(&self.mission.id);
+        let best = self.state.training().best_try(&self.mission.id);
         let earlier = best.filter(|best| !tries[from..].contains(best));
         let rows: Vec<(Text, Text)> = earlier
             .into_iter()

@@ -7,24 +7,24 @@ use crate::app::state::Activity;
 fn a_fleet_is_chosen_given_back_and_flown() {
     let mut state = workshop(None);
     press(&mut state, "f enter");
-    let id = state.missions[0].id.clone();
-    assert_eq!(state.fleets[&id], [starter()]);
+    let id = state.training.missions[0].id.clone();
+    assert_eq!(state.training.fleets[&id], [starter()]);
     let effects = press(&mut state, "g");
-    let launch = state.launch(&id);
+    let launch = state.training().launch(&id);
     assert_eq!(launch.fleet, [starter()]);
     assert_eq!(
         effects,
         [Effect::Session(SessionEffect::StartMission(launch))]
     );
     press(&mut state, "x");
-    assert!(state.fleets.is_empty());
+    assert!(state.training.fleets.is_empty());
 }
 
 #[test]
 fn another_mission_is_built_for_once_the_flown_one_is_over() {
     let mut state = workshop(None);
-    let more = state.missions[0].clone();
-    state.missions.push(more);
+    let more = state.training.missions[0].clone();
+    state.training.missions.push(more);
     state.session.activity = Some(Activity::Free);
     press(&mut state, "]");
     assert_eq!(state.rooms.home.cursor, 0);
@@ -41,7 +41,7 @@ fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
         let stands = fit.groups.iter().flat_map(|(_, stands)| stands);
         stands.map(|stand| stand.line.met).collect()
     };
-    let needs = &state.missions[0].needs;
+    let needs = &state.training.missions[0].needs;
     let first = needs[0].sensors.first().copied();
     let sensor = first.and_then(crate::workshop::part).expect("it needs one");
     let before = met(&state).iter().filter(|met| **met).count();
@@ -53,7 +53,7 @@ fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
     let after = met(&state).iter().filter(|met| **met).count();
     assert!(has || after == before + 1, "{before} {after}");
     let design = design(&state).without(sensor);
-    assert!(met(&state)[0] && !state.missions[0].needs[0].fit(&design)[0].met);
+    assert!(met(&state)[0] && !state.training.missions[0].needs[0].fit(&design)[0].met);
 }
 
 #[test]
@@ -61,27 +61,27 @@ fn what_does_not_fly_or_is_not_owned_takes_no_seat() {
     let mut state = workshop(Some(career()));
     put(&mut state, PartSlot::Motor, "m2215_900");
     press(&mut state, "f enter");
-    assert!(state.fleets.is_empty(), "the motors are not owned");
+    assert!(state.training.fleets.is_empty(), "the motors are not owned");
     let mut state = workshop(None);
     press(&mut state, "x f enter");
-    assert!(state.fleets.is_empty(), "a frame is missing");
+    assert!(state.training.fleets.is_empty(), "a frame is missing");
 }
 
 #[test]
 fn a_design_that_does_not_fly_in_the_air_of_the_mission_takes_no_seat() {
     let mut state = workshop(None);
-    for need in &mut state.missions[0].needs {
+    for need in &mut state.training.missions[0].needs {
         need.air.altitude_m = 9000.0;
     }
     press(&mut state, "f enter");
-    assert!(state.fleets.is_empty(), "the air is too thin");
+    assert!(state.training.fleets.is_empty(), "the air is too thin");
 }
 
 #[test]
 fn a_fleet_beyond_the_budget_stays_on_the_ground() {
     let mut state = workshop(None);
-    state.missions[0].outlay.budget = Some(starter().credits() - 1);
+    state.training.missions[0].outlay.budget = Some(starter().credits() - 1);
     assert_eq!(press(&mut state, "f * g"), []);
-    state.missions[0].outlay.budget = Some(starter().credits());
+    state.training.missions[0].outlay.budget = Some(starter().credits());
     assert_eq!(press(&mut state, "g").len(), 1);
 }

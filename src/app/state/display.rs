@@ -1,0 +1,44 @@
+//! The terminal that the console is shown on.
+
+use crate::geo::GridSize;
+
+/// The smallest terminal that the console fits into: columns and rows.
+pub const SMALLEST: (u16, u16) = (80, 24);
+
+/// The terminal's size and speed, and its theme.
+#[derive(Debug, Clone)]
+pub struct Display {
+    /// The size of the terminal: columns and rows.
+    pub(in crate::app) size: (u16, u16),
+    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
+    pub(in crate::app) slow_line: Option<u32>,
+    /// Whether rooms are drawn; the plain console has none.
+    pub(in crate::app) has_rooms: bool,
+    /// The names of the available themes.
+    pub(in crate::app) themes: Vec<String>,
+    /// The name of the theme in use.
+    pub(in crate::app) theme: String,
+}
+
+impl Display {
+    /// The size of the terminal: columns and rows.
+    pub fn size(&self) -> (u16, u16) {
+        self.size
+    }
+
+    /// The terminal as a grid of cells.
+    pub fn grid(&self) -> GridSize {
+        let (columns, rows) = self.size;
+        GridSize::new(columns, rows)
+    }
+
+    /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
+    pub fn is_too_small(&self) -> bool {
+        self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
+    }
+
+    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
+    pub fn slow_line(&self) -> Option<u32> {
+        self.slow_line
+    }
+}
