@@ -1,6 +1,5 @@
 //! The console's state. Only [`App::update`](super::App::update) changes it; drawing reads it.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -17,7 +16,9 @@ mod alarms;
 mod alert;
 mod bell;
 mod career;
+mod choice;
 mod column;
+mod command_log;
 mod display;
 mod filter;
 mod flight_view;
@@ -32,7 +33,9 @@ mod notices;
 mod overlay;
 mod pace;
 mod replay;
+mod task;
 mod time;
+mod timing;
 mod training;
 mod typing;
 mod views;
@@ -45,21 +48,25 @@ pub use alarms::{Alarms, Pressing, Standing};
 pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
+pub use choice::{Choice, Selection};
 pub use column::SortKey;
+pub use command_log::CommandLog;
 pub use display::{Display, SMALLEST};
 pub use filter::VehicleFilter;
-pub use flight_view::{Activity, FlightView, TimeFlow};
+pub use flight_view::{Activity, FlightView};
 pub use ghost::Ghost;
 pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
-pub use links::{ForwardSummary, LinkSummary};
+pub use links::{Connections, ForwardSummary, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};
 pub use replay::{ReplayPosition, ReplayView};
+pub use task::Task;
 pub use time::SessionTime;
+pub use timing::{TimeFlow, Timing};
 pub use training::{Trainee, Training};
 pub use typing::Typing;
 
@@ -213,7 +220,7 @@ impl<R> State<R> {
 
     /// The other flight's time, if one is shown and has begun.
     pub fn ghost_time(&self) -> Option<Duration> {
-        let elapsed = self.session.mission.as_ref()?.elapsed;
+        let elapsed = self.session.task.progress.as_ref()?.elapsed;
         self.ghost.as_ref()?.time(elapsed)
     }
 
@@ -244,23 +251,24 @@ impl<R> State<R> {
 
     /// The targets of a command that names none: the selection, or the vehicle under the cursor.
     pub fn addressed(&self) -> Vec<VehicleId> {
-        if self.session.selection.is_empty() {
-            self.session.cursor.into_iter().collect()
-        } else {
-            self.session.selection.iter().copied().collect()
-        }
+        self.session.choice.vehicles()
     }
 
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
-        self.session.listing.as_deref()
+        self.session.task.listing.as_deref()
     }
 
     /// Whether the trainee is asked now for the workload: in the air, except in exams, until the question is
     /// answered.
     pub fn asks_workload(&self) -> bool {
         let session = &self.session;
-        let Some(progress) = session.mission.as_ref().filter(|_| !session.over) else {
+        let Some(progress) = session
+            .task
+            .progress
+            .as_ref()
+            .filter(|_| !session.task.over)
+        else {
             return false;
         };
         let question = workload_question(progress.elapsed);
@@ -277,8 +285,8 @@ impl<R> State<R> {
 
     /// Whether the trainee can still enter a prediction and a goal for the flight.
     pub fn can_pledge(&self) -> bool {
-        let progress = self.session.mission.as_ref();
-        !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
+        let progress = self.session.task.progress.as_ref();
+        !self.session.task.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
     /// The vehicle class for modes on the command line: that of the first target.
@@ -289,5 +297,3 @@ impl<R> State<R> {
         heartbeat.map_or(VehicleClass::Copter, |heartbeat| heartbeat.class)
     }
 }
-
-pub type Selection = BTreeSet<VehicleId>;

@@ -131,6 +131,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             let line = line.as_str();
             state
                 .session
+                .commands
                 .open(at, Given { line, verb, risk }, &vehicles);
             state.rooms.ledger.spoil();
         }
@@ -147,11 +148,11 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
 fn link(state: &mut State, event: LinkEvent) {
     match event {
         LinkEvent::Summaries(summaries) => {
-            state.session.links = summaries;
+            state.session.connections.links = summaries;
             state.touch();
         }
         LinkEvent::Forwards(forwards) => {
-            state.session.forwards = forwards;
+            state.session.connections.forwards = forwards;
             if state.room == Room::Links {
                 state.touch();
             }

@@ -10,14 +10,14 @@ impl State {
     /// Runs `work` with the grammar's context: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
-        let named = self.session.areas.iter();
+        let named = self.session.task.areas.iter();
         let areas = named
             .map(|area| (area.name.clone(), area.outline.clone()))
             .collect();
         let first = self.addressed().first().copied();
         let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
         work(&Context {
-            groups: &self.session.groups,
+            groups: &self.session.choice.groups,
             places: Some(&self.session.places),
             areas: Some(&areas),
             vehicles: &vehicles,
@@ -44,12 +44,12 @@ impl State {
             VehicleChoice::Filter => self.rooms.fly.rows().to_vec(),
             VehicleChoice::Invert => {
                 let shown = self.rooms.fly.rows().iter().copied();
-                let others = shown.filter(|id| !self.session.selection.contains(id));
+                let others = shown.filter(|id| !self.session.choice.selection.contains(id));
                 others.collect()
             }
             VehicleChoice::Ids(ids) => ids.clone(),
             VehicleChoice::Group(name) => {
-                let members = self.session.groups.get(name).cloned();
+                let members = self.session.choice.groups.get(name).cloned();
                 members.ok_or_else(|| text!("group-unknown", name = name))?
             }
         })

@@ -62,9 +62,9 @@ impl Fly {
 /// Puts the cursor on another vehicle, in the order of the table.
 pub fn move_cursor(state: &mut State, step: Step) {
     let fly = &state.rooms.fly;
-    let row = step.apply(fly.row_of(state.session.cursor), fly.rows().len());
+    let row = step.apply(fly.row_of(state.session.choice.cursor), fly.rows().len());
     if let Some(&id) = fly.rows().get(row) {
-        state.session.place_cursor(id);
+        state.session.choice.place_cursor(id);
     }
 }
 
@@ -167,7 +167,7 @@ impl RoomModel for Fly {
     /// Esc clears the filter last.
     fn escape(state: &mut State) -> Answer {
         let is_all_else_taken_back =
-            state.typing.targets.is_empty() && state.session.selection.is_empty();
+            state.typing.targets.is_empty() && state.session.choice.selection.is_empty();
         if !is_all_else_taken_back || state.rooms.fly.filter.is_empty() {
             return None;
         }
@@ -212,12 +212,13 @@ pub fn filter(state: &mut State, text: &str) {
     let fly = &state.rooms.fly;
     let is_shown = state
         .session
+        .choice
         .cursor
         .is_some_and(|id| fly.rows.contains(&id));
     if let Some(&first) = fly.rows.first()
         && !is_shown
     {
-        state.session.place_cursor(first);
+        state.session.choice.place_cursor(first);
     }
 }
 
@@ -302,7 +303,7 @@ pub(in crate::app) fn arrange(state: &mut State) {
     }
     fly.ordered = Some((sort, state.now));
     let filter = VehicleFilter::new(&fly.filter);
-    let held = session.cursor.filter(|id| fly.rows.contains(id));
+    let held = session.choice.cursor.filter(|id| fly.rows.contains(id));
     let shown = session.vehicles.values().filter(|vehicle| {
         held == Some(vehicle.id)
             || filter.is_empty()

@@ -17,7 +17,7 @@ pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 /// Whether a hint's keys are useful now: pause, if the mission allows it; hint, if one is left; prediction and goal,
 /// before launch.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
-    let mission = state.session.mission.as_ref();
+    let mission = state.session.task.progress.as_ref();
     match hint {
         PAUSE => state.flown_mission().is_none_or(|it| it.pausable),
         MISSION_HINT => mission.is_some_and(|mission| mission.clues.next.is_some()),

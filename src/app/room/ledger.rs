@@ -154,7 +154,7 @@ impl RoomModel for Ledger {
         let room = &mut state.rooms.ledger;
         if room.opened {
             let id = room.under_cursor();
-            let entry = id.and_then(|id| state.session.ledger.entry(id));
+            let entry = id.and_then(|id| state.session.commands.ledger.entry(id));
             let rows = entry.map_or(0, |entry| entry.rows.len());
             room.scroll = step.apply(room.scroll, rows);
         } else {
@@ -237,7 +237,7 @@ fn find(state: &mut State) {
     let room = &mut state.rooms.ledger;
     room.stale = false;
     let terms = terms(&room.filter);
-    let entries = state.session.ledger.entries();
+    let entries = state.session.commands.ledger.entries();
     let fitting = entries
         .filter(|entry| room.outcome.fits(entry) && terms.iter().all(|term| term.fits(entry)));
     room.shown = fitting.map(|entry| entry.id).collect();

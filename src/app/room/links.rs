@@ -58,7 +58,7 @@ impl RoomModel for Links {
 
     fn step(state: &mut State, step: Step) -> Answer {
         let cursor = &mut state.rooms.links.cursor;
-        *cursor = step.apply(*cursor, state.session.links.len());
+        *cursor = step.apply(*cursor, state.session.connections.links.len());
         Some(Vec::new())
     }
 }

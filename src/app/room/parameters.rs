@@ -300,7 +300,11 @@ pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomReques
             }
         }
         ParametersAction::SaveParameters => {
-            let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
+            let name = state
+                .session
+                .choice
+                .cursor
+                .map(|id| format!("vehicle-{id}.parm"));
             state.prompt(Purpose::SaveParameters, name.unwrap_or_default());
         }
         ParametersAction::LoadParameters => state.prompt(Purpose::LoadParameters, ""),
@@ -320,7 +324,7 @@ pub fn cursor_row(state: &State, rows: &[Row<'_>]) -> usize {
 
 /// Downloads the lists of the vehicles again.
 pub fn fetch(state: &mut State) {
-    let vehicles: Vec<VehicleId> = state.session.cursor.into_iter().collect();
+    let vehicles: Vec<VehicleId> = state.session.choice.cursor.into_iter().collect();
     state.rooms.parameters.anew.extend(vehicles);
 }
 
@@ -345,7 +349,7 @@ pub fn outcome(
     entry: EntryId,
     vehicle: VehicleId,
 ) -> Option<&crate::ledger::LedgerRow> {
-    let entry = state.session.ledger.entry(entry)?;
+    let entry = state.session.commands.ledger.entry(entry)?;
     entry.rows.iter().find(|row| row.vehicle == vehicle)
 }
 

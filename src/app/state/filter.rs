@@ -171,7 +171,7 @@ mod tests {
             session.alarms.observe(&vehicle, std::time::Duration::ZERO);
             session.insert(vehicle.into());
         }
-        session.groups.insert("red".to_owned(), vec![1, 7]);
+        session.choice.groups.insert("red".to_owned(), vec![1, 7]);
         session
     }
 

@@ -1,9 +1,38 @@
-//! The counters of the links.
+//! The links: their counters, their forwards, and what is wrong with them.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
+use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::text::Text;
 use crate::wire::{ComponentId, SystemId};
+
+/// The links of a session.
+#[derive(Debug, Clone, Default)]
+pub struct Connections {
+    /// The links, in the order of their addresses.
+    pub(in crate::app) links: Vec<LinkSummary>,
+    /// The forwards to other ground stations.
+    pub(in crate::app) forwards: Vec<ForwardSummary>,
+    /// The findings of the link doctor, worst first.
+    pub(in crate::app) findings: Vec<LinkFinding>,
+    /// Findings already reported, by link and name.
+    told: BTreeSet<(usize, &'static str)>,
+}
+
+impl Connections {
+    /// Whether a finding is reported for the first time; it counts as reported afterwards.
+    pub(in crate::app) fn report(&mut self, finding: &LinkFinding) -> bool {
+        self.told.insert((finding.link, finding.cause.name()))
+    }
+
+    /// Why no vehicle is received, as found by the link doctor; a closed link shows its own error.
+    pub(super) fn worst_finding(&self) -> Option<&LinkFinding> {
+        let worst = self.findings.first()?;
+        let is_reported = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
+        is_reported.then_some(worst)
+    }
+}
 
 /// The counters of a forward: other ground stations that use the links.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -34,7 +34,7 @@ impl<R: fmt::Debug> Names for State<R> {
 
 impl<R> State<R> {
     fn injects(&self) -> Listed {
-        let Some(mission) = &self.session.mission else {
+        let Some(mission) = &self.session.task.progress else {
             return Listed::Nothing(text!("console-no-mission"));
         };
         if mission.injects.is_empty() {

@@ -36,7 +36,7 @@ impl<R> State<R> {
         Some(WorkloadStrips {
             workload,
             width,
-            cursor: self.session.mission.as_ref().map(|it| it.elapsed),
+            cursor: self.session.task.progress.as_ref().map(|it| it.elapsed),
             locale,
         })
     }
@@ -116,17 +116,17 @@ impl FlightView {
 
     /// The selected vehicles; without any, commands go to the one under the cursor.
     pub fn selection(&self) -> &Selection {
-        &self.selection
+        &self.choice.selection
     }
 
     /// The vehicle under the cursor.
     pub fn cursor(&self) -> Option<VehicleId> {
-        self.cursor
+        self.choice.cursor
     }
 
     /// The groups that commands may name.
     pub fn groups(&self) -> &Groups {
-        &self.groups
+        &self.choice.groups
     }
 
     /// The places that commands may name.
@@ -144,65 +144,65 @@ impl FlightView {
 
     /// When the session began, on the program's clock.
     pub fn began_at(&self) -> Duration {
-        self.began_at
+        self.timing.began_at
     }
 
     /// The mission's progress, if there is one.
     pub fn mission(&self) -> Option<&Progress> {
-        self.mission.as_ref()
+        self.task.progress.as_ref()
     }
 
     /// Whether the mission is over and its debrief is ready.
     pub fn is_over(&self) -> bool {
-        self.over
+        self.task.over
     }
 
     /// The speed-up of simulated time.
     pub fn pace(&self) -> SessionPace {
-        self.pace
+        self.timing.pace
     }
 
     /// Whether the session is paused.
     pub fn is_paused(&self) -> bool {
-        self.flow == TimeFlow::Paused
+        self.timing.flow == TimeFlow::Paused
     }
 
     /// Whether its mission has not begun because the brief is still shown.
     pub fn is_reading(&self) -> bool {
-        self.flow == TimeFlow::AwaitsReader
+        self.timing.flow == TimeFlow::AwaitsReader
     }
 
     /// Whether its mission's clock has started.
     pub fn has_flight_begun(&self) -> bool {
-        let mission = self.mission.as_ref();
+        let mission = self.task.progress.as_ref();
         mission.is_some_and(|progress| !progress.elapsed.is_zero())
     }
 
     /// Lets the mission begin if it waits for the brief to be left.
     pub(in crate::app) fn leave_brief(&mut self) {
         if self.is_reading() {
-            self.flow = TimeFlow::Passes;
+            self.timing.flow = TimeFlow::Passes;
         }
     }
 
     /// All commands of the session.
     pub fn ledger(&self) -> &Ledger {
-        &self.ledger
+        &self.commands.ledger
     }
 
     /// The forwards to other ground stations.
     pub fn forwards(&self) -> &[ForwardSummary] {
-        &self.forwards
+        &self.connections.forwards
     }
 
     /// The links, in the order of their addresses.
     pub fn links(&self) -> &[LinkSummary] {
-        &self.links
+        &self.connections.links
     }
 
     /// The findings of the link doctor, worst first.
     pub fn findings(&self) -> &[LinkFinding] {
-        &self.findings
+        &self.connections.findings
     }
 
     /// The processes that simulate the vehicles, if any.

@@ -155,9 +155,9 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
         }
     }
     if let Some(&first) = there.first() {
-        state.session.place_cursor(first);
+        state.session.choice.place_cursor(first);
     }
-    state.session.selection = there.into_iter().collect();
+    state.session.choice.selection = there.into_iter().collect();
 }
 
 /// What would be lost if the session ended now; `None` once the mission is over.
@@ -167,10 +167,10 @@ pub fn loss(state: &State) -> Option<Text> {
     let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
     let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
     let has_not_begun = is_waiting && session.armed() == 0;
-    if session.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
+    if session.task.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
         return None;
     }
-    match (state.session.mission.is_some(), state.session.armed()) {
+    match (state.session.task.progress.is_some(), state.session.armed()) {
         (true, _) => Some(match session.activity {
             Some(Activity::Mission {
                 stake: Stake::Exam, ..
@@ -225,24 +225,24 @@ fn select_by(state: &mut State, action: SelectAction) {
 /// Selects or deselects the vehicle under the cursor.
 fn toggle(state: &mut State) {
     let session = &mut state.session;
-    if let Some(id) = session.cursor
-        && !session.selection.remove(&id)
+    if let Some(id) = session.choice.cursor
+        && !session.choice.selection.remove(&id)
     {
-        session.selection.insert(id);
+        session.choice.selection.insert(id);
     }
 }
 
 /// Selects the vehicles in the table: those hidden by a filter are never selected.
 fn select_all(state: &mut State) {
-    state.session.selection = state.rooms.fly.rows().iter().copied().collect();
+    state.session.choice.selection = state.rooms.fly.rows().iter().copied().collect();
 }
 
 /// Inverts the selection within the table.
 fn invert(state: &mut State) {
     let shown = state.rooms.fly.rows().iter().copied();
-    let selected = &state.session.selection;
+    let selected = &state.session.choice.selection;
     let others = shown.filter(|id| !selected.contains(id)).collect();
-    state.session.selection = others;
+    state.session.choice.selection = others;
 }
 
 /// Adds a character to the vehicle list, which begins with a digit.
@@ -257,7 +257,7 @@ pub fn type_ids(state: &mut State, c: char) {
 fn escape(state: &mut State) {
     state.hush();
     if state.typing.targets.is_empty() {
-        state.session.selection.clear();
+        state.session.choice.selection.clear();
     }
     state.typing.targets.clear();
 }

@@ -26,7 +26,7 @@ pub fn advance(state: &mut State) -> Effects {
     let Some(mut batch) = state.rooms.parameters.batch.take() else {
         return Effects::none();
     };
-    batch.count(&state.session.ledger, &state.rooms.parameters);
+    batch.count(&state.session.commands.ledger, &state.rooms.parameters);
     let mut effects = Effects::none();
     while let Some(setting) = batch.take_next() {
         match order::prepare(state, &setting_line(&setting)) {

@@ -148,7 +148,7 @@ fn parameters(state: &mut State, line: ParametersLine) -> Result<Effects, Text> 
 }
 
 fn ungroup(state: &mut State, name: &str) -> Result<(), Text> {
-    if state.session.groups.remove(name).is_none() {
+    if state.session.choice.groups.remove(name).is_none() {
         return Err(text!("fly-no-group", name = name));
     }
     state.say(Severity::Notice, text!("fly-ungrouped", name = name));
@@ -168,6 +168,6 @@ fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Tex
         Severity::Notice,
         text!("group-is", name = &name, members = members),
     );
-    state.session.groups.insert(name, ids);
+    state.session.choice.groups.insert(name, ids);
     Ok(())
 }

@@ -50,7 +50,7 @@ pub fn carry_out(state: &mut State, line: ForwardLine) -> Result<Effects, Text> 
 }
 
 fn is_open(state: &State, address: &str) -> bool {
-    let forwards = state.session.forwards.iter();
+    let forwards = state.session.connections.forwards.iter();
     forwards
         .filter_map(|forward| forward.name.split(' ').next())
         .any(|open| open == address)

@@ -18,13 +18,13 @@ pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     if state.session.activity.is_none() {
         return;
     }
-    state.rooms.links.note(&state.session.links);
-    let is_new = state.session.findings != findings;
-    state.session.findings = findings;
+    state.rooms.links.note(&state.session.connections.links);
+    let is_new = state.session.connections.findings != findings;
+    state.session.connections.findings = findings;
     if is_new || state.room == Room::Links {
         state.touch();
     }
-    for finding in state.session.findings.clone() {
+    for finding in state.session.connections.findings.clone() {
         tell(state, &finding);
     }
 }
@@ -43,7 +43,7 @@ pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
 /// Reports each finding once per link.
 fn tell(state: &mut State, finding: &LinkFinding) {
     let waits = state.session.vehicles.is_empty()
-        && state.now.saturating_sub(state.session.began_at) >= PATIENCE;
+        && state.now.saturating_sub(state.session.timing.began_at) >= PATIENCE;
     let is_news = match finding.cause {
         // A closed link shows its own error, and the fleet reports a duplicate system id.
         Cause::NotOpen | Cause::DuplicateSystem(_) => false,
@@ -68,15 +68,10 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         | Cause::Unanswered(_)
         | Cause::Well(_) => waits && finding.cause.weight() == Weight::Fatal,
     };
-    if !is_news
-        || !state
-            .session
-            .told
-            .insert((finding.link, finding.cause.name()))
-    {
+    if !is_news || !state.session.connections.report(finding) {
         return;
     }
-    let link = state.session.links.get(finding.link);
+    let link = state.session.connections.links.get(finding.link);
     let name = link.map_or_else(String::new, |link| link.name.clone());
     let notice = Notice::general(
         state.now,

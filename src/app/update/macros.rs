@@ -43,7 +43,7 @@ impl MacroLine<'_> {
 /// # Errors
 /// The first fault, placed at `at`, the call of the macro.
 pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnostic> {
-    let mut groups = state.session.groups.clone();
+    let mut groups = state.session.choice.groups.clone();
     let mut seen = BTreeSet::new();
     // A stack, whose last element is the next line.
     let mut left: Vec<MacroLine<'_>> = Vec::new();

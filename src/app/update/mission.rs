@@ -58,7 +58,7 @@ pub fn go_on(state: &mut State) -> Effects {
 
 /// Notes that the session was paused or resumed.
 pub fn paused(state: &mut State, paused: bool) {
-    state.session.flow = if paused {
+    state.session.timing.flow = if paused {
         TimeFlow::Paused
     } else {
         TimeFlow::Passes
@@ -74,10 +74,10 @@ pub fn paused(state: &mut State, paused: bool) {
 /// Why the session cannot be paused.
 fn obstacle(state: &State) -> Option<Text> {
     let session = &state.session;
-    let forbidden = || session.listing.as_ref().is_some_and(|it| !it.pausable);
+    let forbidden = || session.task.listing.as_ref().is_some_and(|it| !it.pausable);
     match &session.activity {
         None => Some(text!("mission-none")),
-        _ if session.over => Some(text!("deed-over")),
+        _ if session.task.over => Some(text!("deed-over")),
         _ if session.is_paused() => Some(text!("pause-is-one")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
@@ -137,7 +137,7 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
 
 /// Ends the mission, after a question.
 pub fn abandon(state: &mut State) -> Effects {
-    if state.flown_mission().is_none() || state.session.over || state.replay.is_some() {
+    if state.flown_mission().is_none() || state.session.task.over || state.replay.is_some() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();
     }

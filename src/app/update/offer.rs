@@ -107,7 +107,7 @@ fn synonyms(line: &str, locale: &Locale) -> Option<String> {
 /// Vehicles and groups to select.
 fn vehicles(state: &State, written: &str) -> Vec<(String, Text)> {
     let mut found = Vec::new();
-    for name in state.session.groups.keys() {
+    for name in state.session.choice.groups.keys() {
         found.push((format!("select @{name}"), text!("palette-selects")));
     }
     let ids = state.session.vehicles.keys().map(ToString::to_string);

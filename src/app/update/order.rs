@@ -210,7 +210,10 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
     if !order.verb.counts_as.is_said_to_mission() {
         state.session.leave_brief();
     }
-    let entry = state.session.open(now, order.given(), &order.targets);
+    let entry = state
+        .session
+        .commands
+        .open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
     SentOrder {
@@ -221,7 +224,7 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
 
 /// Updates the ledger with an order's progress; commands that waited for it may follow.
 pub fn advanced(state: &mut State, row: &RowUpdate) -> Effects {
-    let ledger = &mut state.session.ledger;
+    let ledger = &mut state.session.commands.ledger;
     let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);
     ledger.apply(row);
     state.rooms.ledger.spoil();

@@ -26,7 +26,7 @@ pub fn faster(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, true);
     }
-    let pace = state.session.pace;
+    let pace = state.session.timing.pace;
     let most = most(state).max(pace.usual);
     if pace.now >= most && obstacle(state, most).is_none() {
         return refuse(state, text!("speedup-limit", most = rate(most)));
@@ -39,7 +39,7 @@ pub fn usual(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, false);
     }
-    set(state, state.session.pace.usual)
+    set(state, state.session.timing.pace.usual)
 }
 
 /// Sets the speed-up over the wall clock, or shows why that is not possible.
@@ -47,7 +47,7 @@ pub fn set(state: &mut State, speedup: f64) -> Effects {
     if state.replay.is_some() {
         return replay::set_rate(state, speedup);
     }
-    let now = state.session.pace.now;
+    let now = state.session.timing.pace.now;
     let is_same = (speedup - now).abs() < f64::EPSILON;
     let same = || is_same.then(|| text!("speedup-same", rate = rate(now)));
     match obstacle(state, speedup).or_else(same) {
@@ -68,9 +68,9 @@ fn change(change: PaceChange) -> Effects {
 /// Applies a change of the speed-up.
 pub fn changed(state: &mut State, change: PaceChange) {
     let session = &mut state.session;
-    session.pace.now = change.speedup;
+    session.timing.pace.now = change.speedup;
     if session.activity == Some(Activity::Free) {
-        session.clock.go(state.now, change.speedup);
+        session.timing.clock.go(state.now, change.speedup);
     }
     let rate = rate(change.speedup);
     if let Some(reason) = change.because {
@@ -84,7 +84,7 @@ pub fn changed(state: &mut State, change: PaceChange) {
             .notices
             .push(Notice::general(state.now, Severity::Notice, text.clone()));
         state.say(Severity::Notice, text);
-    } else if state.session.pace.is_fast() {
+    } else if state.session.timing.pace.is_fast() {
         let key = state.key(Action::UsualPace);
         if is_anything_under_way(state) {
             let text = text!("speedup-is", rate = rate, key = key);
@@ -100,7 +100,7 @@ pub fn changed(state: &mut State, change: PaceChange) {
 
 /// Whether a command is still under way.
 fn is_anything_under_way(state: &State) -> bool {
-    let mut entries = state.session.ledger.entries();
+    let mut entries = state.session.commands.ledger.entries();
     entries.any(|entry| !entry.is_final())
 }
 
@@ -113,7 +113,7 @@ pub struct Watch {
 
 /// Watches an event while time runs faster than usual.
 pub fn watch(state: &State, event: &Event) -> Option<Watch> {
-    (state.session.pace.is_fast() && state.replay.is_none()).then(|| Watch {
+    (state.session.timing.pace.is_fast() && state.replay.is_none()).then(|| Watch {
         reason: reason(state, event),
         alerts: open_alerts(state),
     })
@@ -127,7 +127,7 @@ pub fn news(state: &State, before: Watch) -> Option<Text> {
 /// Returns to the usual pace, with the reason for the notice.
 pub fn fall_back(state: &State, reason: Text) -> Effects {
     change(PaceChange {
-        speedup: state.session.pace.usual,
+        speedup: state.session.timing.pace.usual,
         because: Some(reason),
     })
 }
@@ -170,7 +170,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
 }
 
 fn end_of_movement(state: &State, row: &RowUpdate) -> Option<Text> {
-    let verb = state.session.ledger.entry(row.entry)?.verb;
+    let verb = state.session.commands.ledger.entry(row.entry)?.verb;
     let is_end = row.state.is_failure() || (verb.movement.moves() && row.state.is_final());
     let (verb, vehicle) = (verb.name, row.vehicle);
     is_end.then(|| {
@@ -183,7 +183,7 @@ fn end_of_movement(state: &State, row: &RowUpdate) -> Option<Text> {
 }
 
 fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
-    let known = state.session.mission.as_ref()?;
+    let known = state.session.task.progress.as_ref()?;
     let alerts = &progress.alerts;
     let is_known = |text: &Text| known.alerts.iter().any(|old| old.text == *text);
     if alerts.len() > known.alerts.len() {
@@ -195,7 +195,7 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
 }
 
 fn most(state: &State) -> f64 {
-    let listing = state.session.listing.as_ref();
+    let listing = state.session.task.listing.as_ref();
     listing.map_or(FREE_FLIGHT_MOST, |listing| listing.most_speedup)
 }
 
@@ -204,13 +204,13 @@ fn obstacle(state: &State, speedup: f64) -> Option<Text> {
     let session = &state.session;
     match &session.activity {
         None => Some(text!("speedup-nothing")),
-        _ if session.over => Some(text!("deed-over")),
+        _ if session.task.over => Some(text!("deed-over")),
         _ if session.hangar.is_some() => Some(text!("speedup-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("speedup-not-real")),
         Some(Activity::Free) => (speedup > FREE_FLIGHT_MOST)
             .then(|| text!("speedup-too-much", most = rate(FREE_FLIGHT_MOST))),
         Some(Activity::Mission { stake, .. }) => {
-            let (usual, most) = (session.pace.usual, most(state));
+            let (usual, most) = (session.timing.pace.usual, most(state));
             if speedup < usual {
                 Some(text!("speedup-too-little", least = rate(usual)))
             } else if speedup > most && *stake == Stake::Exam {

@@ -282,7 +282,7 @@ fn recipients(state: &State, line: &str) -> Text {
         };
     }
     let vehicles = ranges(state.addressed());
-    if state.session.selection.is_empty() {
+    if state.session.choice.selection.is_empty() {
         text!("palette-to-cursor", vehicles = vehicles)
     } else {
         text!("palette-to-selected", vehicles = vehicles)

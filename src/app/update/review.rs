@@ -76,7 +76,7 @@ fn export(state: &State, path: String) -> Effects {
     let Some(view) = &state.replay else {
         return Effects::none();
     };
-    let title = match &state.session.listing {
+    let title = match &state.session.task.listing {
         Some(mission) => state.locale.text(&mission.title),
         None => view.name.clone(),
     };

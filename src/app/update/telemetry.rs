@@ -105,9 +105,9 @@ pub fn signals(state: &mut State) -> Effects {
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = FlightView::new(started.activity, started.places);
-    session.listing = started.mission;
-    session.areas = started.areas;
-    session.pace = SessionPace::new(started.speedup);
+    session.task.listing = started.mission;
+    session.task.areas = started.areas;
+    session.timing.pace = SessionPace::new(started.speedup);
     session.begin(state.now);
     if let Some(Activity::Connected { .. }) = session.activity {
         let expected = state.config.connect.expect.iter();
@@ -125,16 +125,16 @@ pub fn started(state: &mut State, started: Started) {
     // A first attempt begins with the brief; a repeat begins in flight.
     session.first_room = if state.replay.as_ref().is_some_and(|it| it.is_review) {
         Room::Review
-    } else if session.listing.is_some() && !is_again {
+    } else if session.task.listing.is_some() && !is_again {
         Room::Mission
     } else {
         Room::Fly
     };
     if session.first_room == Room::Mission {
-        session.flow = TimeFlow::AwaitsReader;
+        session.timing.flow = TimeFlow::AwaitsReader;
     }
     if is_again {
-        session.groups = std::mem::take(&mut state.session.groups);
+        session.choice.groups = std::mem::take(&mut state.session.choice.groups);
     }
     state.session = session;
     state.ghost = None;
@@ -185,7 +185,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if !progress.elapsed.is_zero() {
             state.session.leave_brief();
         }
-        let clock = &mut state.session.clock;
+        let clock = &mut state.session.timing.clock;
         clock.note(state.now, progress.elapsed);
         note_height(&mut state.session, progress.elapsed);
         state.rooms.mission.hear(&progress);
@@ -193,10 +193,10 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         // New places can be named from now on.
         state.session.places.extend(progress.places.clone());
         // Events add and remove areas.
-        state.session.areas.clone_from(&progress.areas);
+        state.session.task.areas.clone_from(&progress.areas);
         let given = |progress: &Progress| progress.clues.given.len();
-        let is_asked = state.session.mission.as_ref().map_or(0, given) < given(&progress);
-        state.session.mission = Some(progress);
+        let is_asked = state.session.task.progress.as_ref().map_or(0, given) < given(&progress);
+        state.session.task.progress = Some(progress);
         if is_asked && state.room == Room::Mission {
             mission::show_asked_hint(state);
         }
@@ -208,7 +208,7 @@ fn note_height(session: &mut FlightView, elapsed: Duration) {
     let heard = session.vehicles.values().filter(|it| !it.link.lost);
     let heights_m = heard.filter_map(|it| it.altitude_m());
     let highest_m = heights_m.filter(|it| it.is_finite()).reduce(f64::max);
-    session.heights.note(elapsed, highest_m);
+    session.task.heights.note(elapsed, highest_m);
 }
 
 /// Shows the debrief. An open command line stays on top; otherwise the rest of a line being typed would act on the
@@ -219,13 +219,13 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         state.training.tries.insert(report.mission.clone(), tries);
     }
     state.rooms.debrief = Some(Debrief {
-        heights: state.session.heights.clone(),
+        heights: state.session.task.heights.clone(),
         report,
         scroll: 0,
         map: false,
         since: state.wall,
     });
-    state.session.over = true;
+    state.session.task.over = true;
     if state.replay.is_some() {
         return;
     }

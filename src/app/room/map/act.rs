@@ -242,9 +242,9 @@ fn turn_to(state: &mut State, size: GridSize, by: i32) {
     if rows.is_empty() {
         return state.say(Severity::Notice, text!("map-no-vehicle"));
     }
-    let row = state.rooms.fly.row_of(state.session.cursor) as i32 + by;
+    let row = state.rooms.fly.row_of(state.session.choice.cursor) as i32 + by;
     let next = rows[row.rem_euclid(rows.len() as i32) as usize];
-    state.session.place_cursor(next);
+    state.session.choice.place_cursor(next);
     let place = state.session.under_cursor().and_then(|it| it.global);
     if let Some(global) = place {
         state.rooms.map.followed(global.at_point);
@@ -266,7 +266,7 @@ fn pick_nearest(state: &mut State, size: GridSize) {
     let placed = ids.filter_map(|id| Some((id, away(&id)?)));
     let nearest = placed.min_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((id, _)) = nearest {
-        state.session.place_cursor(id);
+        state.session.choice.place_cursor(id);
     }
 }
 

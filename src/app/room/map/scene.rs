@@ -81,7 +81,7 @@ impl Sketch {
 /// All outlines, the most important last: the mission's areas, then the plans, fences and rally points of the
 /// commanded vehicles. A fence shared by several is drawn once.
 pub fn sketches(state: &State) -> Vec<Sketch> {
-    let known = state.session.areas.iter();
+    let known = state.session.task.areas.iter();
     let areas = known.map(|area| {
         let kind = SketchKind::of_area(area.kind);
         Sketch::area(kind, &area.name, &area.outline)
@@ -141,9 +141,9 @@ const MOST_SHOWN: usize = 16;
 /// The vehicle under the cursor and the selected ones.
 fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     let session = &state.session;
-    let cursor = session.cursor.into_iter();
-    let selected = session.selection.iter().copied();
-    let others = selected.filter(|id| Some(*id) != session.cursor);
+    let cursor = session.choice.cursor.into_iter();
+    let selected = session.choice.selection.iter().copied();
+    let others = selected.filter(|id| Some(*id) != session.choice.cursor);
     let ids = cursor.chain(others).take(MOST_SHOWN);
     ids.filter_map(|id| session.vehicles.get(&id).map(Arc::as_ref))
 }

@@ -33,7 +33,7 @@ pub fn heard(state: &mut State, id: VehicleId) {
     if vehicle.armed() {
         map.trails.entry(id).or_default().add(global.at_point);
     }
-    if state.session.cursor == Some(id) {
+    if state.session.choice.cursor == Some(id) {
         map.followed(global.at_point);
     }
 }
@@ -64,7 +64,7 @@ pub fn measured(state: &mut State, progress: &Progress) {
             );
         }
     }
-    if state.session.mission.is_none() {
+    if state.session.task.progress.is_none() {
         for cell in &progress.cells {
             for corner in Outline::square(cell.centre, cell.side_m).corners() {
                 state.rooms.map.overview.see(corner);
@@ -106,12 +106,20 @@ fn places(state: &State) -> Vec<LatLon> {
         let target = leg(vehicle).map(|(_, target)| target);
         home.into_iter().chain(here).chain(target)
     });
-    let has_task = session.areas.iter().any(|area| area.kind == AreaKind::Task);
-    let all_areas = session.areas.iter();
+    let has_task = session
+        .task
+        .areas
+        .iter()
+        .any(|area| area.kind == AreaKind::Task);
+    let all_areas = session.task.areas.iter();
     let framed = all_areas.filter(|area| area.kind == AreaKind::Task || !has_task);
     let areas = framed.flat_map(|area| area.outline.corners());
     let named = session.places.values().copied();
-    let all_cells = session.mission.iter().flat_map(|progress| &progress.cells);
+    let all_cells = session
+        .task
+        .progress
+        .iter()
+        .flat_map(|progress| &progress.cells);
     let cells = all_cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
     let map = &state.rooms.map;
     let shown_trails = map.trails.values().filter(|_| !map.trails_hidden);

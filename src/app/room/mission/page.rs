@@ -96,7 +96,7 @@ impl Page<'_> {
 
     /// The progress of the flight.
     fn course(&self) -> Text {
-        let Some(progress) = &self.state.session.mission else {
+        let Some(progress) = &self.state.session.task.progress else {
             return text!(
                 "mission-begin",
                 fly = self.state.key(Action::Submit),
@@ -106,7 +106,7 @@ impl Page<'_> {
         let so_far = progress.score_so_far;
         let score = so_far.map_or("-".to_owned(), |so_far| so_far.to_string());
         let elapsed = clock(progress.elapsed);
-        if self.state.session.over {
+        if self.state.session.task.over {
             return text!(
                 "mission-ended",
                 elapsed = elapsed,
@@ -161,7 +161,7 @@ impl Page<'_> {
     /// An objective with its state; before the flight, its target.
     fn row(&self, at: usize) -> Row {
         let objective = &self.mission.objectives[at];
-        let progress = self.state.session.mission.as_ref();
+        let progress = self.state.session.task.progress.as_ref();
         let now = progress.and_then(|progress| progress.objectives.get(at));
         let (mark, tone) = match now.map(|now| now.state) {
             None | Some(ObjectiveState::Open) => ("[ ]", Tone::Plain),
@@ -192,11 +192,17 @@ impl Page<'_> {
 
     fn hints(&mut self) {
         let hints = &self.state.rooms.mission.hints;
-        let clues = self.state.session.mission.as_ref().map(|it| &it.clues);
+        let clues = self
+            .state
+            .session
+            .task
+            .progress
+            .as_ref()
+            .map(|it| &it.clues);
         let given = clues.map_or(&[][..], |clues| &clues.given);
         let next = clues
             .and_then(|clues| clues.price(self.words_key("hint")))
-            .filter(|_| !self.state.session.over);
+            .filter(|_| !self.state.session.task.over);
         // Before launch, the next step is shown with the questions.
         let more = !hints.is_empty() || next.is_some();
         if given.is_empty() && (self.awaits_launch() || !more) {
@@ -223,7 +229,7 @@ impl Page<'_> {
         }
         let last = hints.len().saturating_sub(1);
         for (at, hint) in hints.iter().enumerate() {
-            let going_on = at == last && !self.state.session.over;
+            let going_on = at == last && !self.state.session.task.over;
             let tone = if going_on { Tone::Hint } else { Tone::Muted };
             let hint = self.text.locale.text(hint);
             self.text.paragraph(tone, &hint);

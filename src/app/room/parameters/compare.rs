@@ -107,7 +107,7 @@ pub fn apply(state: &mut State) {
     let Some(comparison) = &state.rooms.parameters.comparison else {
         return state.say(Severity::Notice, text!("parameters-nothing-compared"));
     };
-    let vehicle = state.session.cursor;
+    let vehicle = state.session.choice.cursor;
     if let Some(id) = vehicle.and_then(|id| coming(state, id, &comparison.with)) {
         let known = state.rooms.parameters.lists.get(&id);
         let list = known.map(|known| Arc::clone(&known.list));

@@ -52,8 +52,8 @@ fn candidates(state: &State) -> Vec<VehicleId> {
     let room = &state.rooms.parameters;
     let mut wanted = Vec::new();
     if state.room == Room::Parameters {
-        wanted.extend(state.session.cursor);
-        wanted.extend(&state.session.selection);
+        wanted.extend(state.session.choice.cursor);
+        wanted.extend(&state.session.choice.selection);
         if let Some(Other::Vehicle(other)) = room.comparison.as_ref().map(|it| &it.with) {
             wanted.push(*other);
         }

@@ -94,7 +94,7 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
 pub fn tell(state: &mut State, entry: EntryId) {
     let batch = state.rooms.parameters.batch.as_ref();
     let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
-    let known = state.session.ledger.entry(entry);
+    let known = state.session.commands.ledger.entry(entry);
     let Some(known) = known.filter(|known| known.is_final()) else {
         return;
     };

@@ -15,7 +15,7 @@ use crate::vehicle::{Severity, VehicleId};
 /// The name is empty, or there is nothing to save yet.
 pub fn save(state: &State, path: &str) -> Result<Effects, Text> {
     let path = named(path)?;
-    let vehicle = state.session.cursor;
+    let vehicle = state.session.choice.cursor;
     let known = vehicle.and_then(|id| state.rooms.parameters.lists.get(&id));
     let (Some(vehicle), Some(known)) = (vehicle, known) else {
         return Err(text!("parameters-nothing-to-save"));
@@ -52,7 +52,7 @@ pub fn load(state: &mut State, entered: &str) -> Result<Effects, Text> {
     if !state.session.vehicles.contains_key(&other) {
         return Err(text!("parameters-no-such-vehicle", vehicle = other));
     }
-    if state.session.cursor == Some(other) {
+    if state.session.choice.cursor == Some(other) {
         return Err(text!("parameters-same-vehicle", vehicle = other));
     }
     compare(state, Other::Vehicle(other));

@@ -33,7 +33,7 @@ impl Row<'_> {
 
 /// The lines of the list with its filters. With a comparison, only differences.
 pub fn rows(state: &State) -> Vec<Row<'_>> {
-    let Some(vehicle) = state.session.cursor else {
+    let Some(vehicle) = state.session.choice.cursor else {
         return Vec::new();
     };
     let room = &state.rooms.parameters;
@@ -87,7 +87,7 @@ fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison
 
 /// The number of parameters that only the vehicle shown has.
 pub fn extra(state: &State, comparison: &Comparison) -> usize {
-    let vehicle = state.session.cursor;
+    let vehicle = state.session.choice.cursor;
     let compared = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
     let found = compared.unwrap_or_default();
     let is_extra =

@@ -40,7 +40,7 @@ pub(super) struct Page<'a> {
 
 impl Page<'_> {
     fn planned(&mut self) {
-        let Some(mission) = &self.state.session.listing else {
+        let Some(mission) = &self.state.session.task.listing else {
             return self.text.say(Tone::Muted, &text!("review-no-plan"));
         };
         self.text.title(&mission.title);
@@ -82,7 +82,7 @@ impl Page<'_> {
     fn unread(&mut self) {
         let position = &self.view.position;
         let is_read = position.indexed >= self.view.length;
-        let text = if is_read || self.state.session.listing.is_none() {
+        let text = if is_read || self.state.session.task.listing.is_none() {
             text!("review-no-result")
         } else {
             let reached = clock(position.indexed);

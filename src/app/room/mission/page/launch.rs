@@ -14,8 +14,8 @@ impl Page<'_> {
         let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
         self.state.replay.is_none()
             && session.activity.is_some()
-            && !session.over
-            && !session.mission.as_ref().is_some_and(flown)
+            && !session.task.over
+            && !session.task.progress.as_ref().is_some_and(flown)
     }
 
     /// Whether the clock is stopped for the brief, or can be.
@@ -24,7 +24,7 @@ impl Page<'_> {
         if session.is_reading() {
             return true;
         }
-        let allows = session.listing.as_ref().is_some_and(|it| it.pausable);
+        let allows = session.task.listing.as_ref().is_some_and(|it| it.pausable);
         self.awaits_launch() && allows && session.hangar.is_none()
     }
 
@@ -54,7 +54,7 @@ impl Page<'_> {
             text!("mission-pledge")
         });
         self.text.rows(&rows);
-        let progress = self.state.session.mission.as_ref();
+        let progress = self.state.session.task.progress.as_ref();
         if waits && let Some(hint) = progress.and_then(|progress| progress.hint.as_ref()) {
             let hint = self.text.locale.text(hint);
             self.text.paragraph(Tone::Hint, &hint);
@@ -62,7 +62,7 @@ impl Page<'_> {
     }
 
     fn pledge(&self) -> Pledge {
-        let progress = self.state.session.mission.as_ref();
+        let progress = self.state.session.task.progress.as_ref();
         progress.map_or_else(Pledge::default, |progress| progress.pledge)
     }
 
@@ -85,7 +85,7 @@ impl Page<'_> {
     }
 
     fn next_hint(&self) -> Option<Text> {
-        let progress = self.state.session.mission.as_ref();
+        let progress = self.state.session.task.progress.as_ref();
         let price = progress.and_then(|it| it.clues.price(self.words_key("hint")));
         price.filter(|_| self.awaits_launch())
     }

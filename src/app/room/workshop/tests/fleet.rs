@@ -28,7 +28,7 @@ fn another_mission_is_built_for_once_the_flown_one_is_over() {
     state.session.activity = Some(Activity::Free);
     press(&mut state, "]");
     assert_eq!(state.rooms.home.cursor, 0);
-    state.session.over = true;
+    state.session.task.over = true;
     press(&mut state, "]");
     assert_eq!(state.rooms.home.cursor, 1);
 }

@@ -1,0 +1,64 @@
+//! All commands of a session, and the current one of each vehicle.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow, RowState, RowUpdate};
+use crate::text;
+use crate::vehicle::VehicleId;
+
+/// The ledger with an index by vehicle.
+#[derive(Debug, Clone, Default)]
+pub struct CommandLog {
+    /// All commands of the session.
+    pub(in crate::app) ledger: Ledger,
+    /// For each vehicle, its newest ledger entry and those that were under way when that was opened.
+    recent: BTreeMap<VehicleId, Vec<EntryId>>,
+}
+
+impl CommandLog {
+    /// Opens a ledger entry.
+    pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
+        let entry = self.ledger.open(at, given, targets);
+        for &id in targets {
+            let under_way = |&known: &EntryId| {
+                row(&self.ledger, known, id).is_some_and(|(_, row)| !row.state.is_final())
+            };
+            let recent = self.recent.entry(id).or_default();
+            recent.retain(under_way);
+            recent.push(entry);
+        }
+        entry
+    }
+
+    /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
+    pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
+        let recent = self.recent.get(&vehicle)?;
+        let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
+        let mut newest_first = recent.iter().rev().filter_map(found);
+        newest_first
+            .find(|(_, row)| !row.state.is_final())
+            .or_else(|| recent.last().and_then(found))
+    }
+
+    /// Ends the commands under way to a vehicle that is dropped.
+    pub(super) fn forget(&mut self, vehicle: VehicleId, now: Duration) {
+        for entry in self.recent.remove(&vehicle).unwrap_or_default() {
+            let known = row(&self.ledger, entry, vehicle).map(|(_, row)| row.tries);
+            self.ledger.apply(&RowUpdate {
+                entry,
+                vehicle,
+                state: RowState::TimedOut,
+                tries: known.unwrap_or_default(),
+                at: now,
+                explanation: Some(text!("outcome-forgotten")),
+            });
+        }
+    }
+}
+
+fn row(ledger: &Ledger, entry: EntryId, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
+    let found = ledger.entry(entry)?;
+    let row = found.rows.iter().find(|row| row.vehicle == vehicle)?;
+    Some((found, row))
+}

@@ -1,0 +1,19 @@
+//! The mission of a session.
+
+use super::{Heights, MissionListing};
+use crate::mission::{Area, Progress};
+
+/// The mission that is being flown, and how far it has come.
+#[derive(Debug, Clone, Default)]
+pub struct Task {
+    /// The mission, if there is one.
+    pub(in crate::app) listing: Option<Box<MissionListing>>,
+    /// Its progress, once it is known.
+    pub(in crate::app) progress: Option<Progress>,
+    /// Whether it is over and its debrief is ready.
+    pub(in crate::app) over: bool,
+    /// Its areas that are known from the start.
+    pub(in crate::app) areas: Vec<Area>,
+    /// The greatest height of any vehicle, by mission time.
+    pub(in crate::app) heights: Heights,
+}
