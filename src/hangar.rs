@@ -161,7 +161,7 @@ enum InstanceRequest {
 pub type Instances = Arc<BTreeMap<InstanceId, Instance>>;
 
 /// The state shared by the hangar's handle and its instances' tasks.
-struct Shared {
+struct HangarShared {
     config: HangarSetup,
     launcher: launcher::Launcher,
     run: folder::Run,
@@ -171,7 +171,7 @@ struct Shared {
 
 /// Supervises the instances. Dropping it ends them all.
 pub struct Hangar {
-    shared: Arc<Shared>,
+    shared: Arc<HangarShared>,
     leftovers: watch::Receiver<Option<Vec<Leftover>>>,
 }
 
@@ -199,7 +199,7 @@ impl Hangar {
             folder::end(&mut found).await;
             ended.send_replace(Some(found));
         });
-        let shared = Shared {
+        let shared = HangarShared {
             launcher,
             run: opened.run,
             roster: Roster::new(config.limits.instances),

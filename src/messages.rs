@@ -55,13 +55,13 @@ pub struct Inbox {
 }
 
 /// The notices of a handler, with their time.
-struct Report<'a> {
+struct HandlerNotices<'a> {
     vehicle: VehicleId,
     now: Duration,
     notices: &'a mut Vec<Notice>,
 }
 
-impl Report<'_> {
+impl HandlerNotices<'_> {
     fn say(&mut self, severity: Severity, text: Text) {
         let notice = Notice::about(self.vehicle, self.now, severity, text);
         self.notices.push(notice);
@@ -100,7 +100,7 @@ impl Inbox {
         now: Duration,
         notices: &mut Vec<Notice>,
     ) {
-        let mut report = Report {
+        let mut report = HandlerNotices {
             vehicle: vehicle.id,
             now,
             notices,
@@ -147,7 +147,7 @@ impl Inbox {
     /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in their place, and drops
     /// a target that is no longer sent. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
-        let mut report = Report {
+        let mut report = HandlerNotices {
             vehicle: vehicle.id,
             now,
             notices,
@@ -161,7 +161,7 @@ impl Inbox {
     /// Handles a restart of the autopilot: its earlier state is void. A heartbeat gives its mode and whether it is
     /// armed.
     pub fn restarted(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
-        let mut report = Report {
+        let mut report = HandlerNotices {
             vehicle: vehicle.id,
             now,
             notices,
@@ -171,7 +171,12 @@ impl Inbox {
     }
 
     /// Calls the handler for the kind of message.
-    fn dispatch(&mut self, vehicle: &mut Vehicle, message: &MavMessage, report: &mut Report<'_>) {
+    fn dispatch(
+        &mut self,
+        vehicle: &mut Vehicle,
+        message: &MavMessage,
+        report: &mut HandlerNotices<'_>,
+    ) {
         use MavMessage as M;
         let now = report.now;
         match message {
@@ -221,12 +226,12 @@ impl Inbox {
         &mut self,
         vehicle: &mut Vehicle,
         text: &status_text::Joined,
-        report: &mut Report<'_>,
+        report: &mut HandlerNotices<'_>,
     ) {
         status_text::apply(vehicle, text, &mut self.reasons_at, report);
     }
 
-    fn note_clock(&mut self, vehicle: &mut Vehicle, boot_ms: u32, report: &mut Report<'_>) {
+    fn note_clock(&mut self, vehicle: &mut Vehicle, boot_ms: u32, report: &mut HandlerNotices<'_>) {
         match self.clock.note(vehicle.boot_ms, boot_ms, report.now) {
             clock::Step::Onward => {}
             clock::Step::Rebooted => self.forget(vehicle, report),
@@ -239,7 +244,7 @@ impl Inbox {
     }
 
     /// Drops state that a reboot makes stale; statistics of the link stay.
-    fn forget(&mut self, vehicle: &mut Vehicle, report: &mut Report<'_>) {
+    fn forget(&mut self, vehicle: &mut Vehicle, report: &mut HandlerNotices<'_>) {
         report.say(Severity::Warning, text!("heard-rebooted"));
         vehicle.link.reboots += 1;
         *vehicle = Vehicle {

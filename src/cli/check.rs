@@ -50,7 +50,7 @@ pub(super) struct CheckArguments {
 
 /// The intended kind of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum FileKind {
     Mission,
     Theme,
     Keymap,
@@ -175,9 +175,9 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
 
 /// The kind of a file: of the TOML kinds, the one with most of its first-level keys. If the keys do not decide, its
 /// name and its folder do; otherwise it is a mission.
-fn kind(path: &Path, text: &str) -> Kind {
+fn kind(path: &Path, text: &str) -> FileKind {
     if path.extension().is_some_and(|ending| ending == "pilot") {
-        return Kind::Script;
+        return FileKind::Script;
     }
     // The keys of a faulty file still show its kind.
     let (table, _) = DeTable::parse_recoverable(text);
@@ -193,14 +193,14 @@ fn kind(path: &Path, text: &str) -> Kind {
         .collect();
     let contexts: Vec<&str> = Place::all().map(Place::name).collect();
     let slots = PartSlot::ALL.map(PartSlot::key);
-    let kinds: [(Kind, &str, &[&str]); 5] = [
-        (Kind::Mission, "missions", MISSION_KEYS),
-        (Kind::Design, "designs", &slots),
-        (Kind::Theme, "themes", &["inherits", "roles"]),
-        (Kind::Keymap, "keymap", &contexts),
-        (Kind::Configuration, "config", &settings),
+    let kinds: [(FileKind, &str, &[&str]); 5] = [
+        (FileKind::Mission, "missions", MISSION_KEYS),
+        (FileKind::Design, "designs", &slots),
+        (FileKind::Theme, "themes", &["inherits", "roles"]),
+        (FileKind::Keymap, "keymap", &contexts),
+        (FileKind::Configuration, "config", &settings),
     ];
-    let likeness = |&(_, place, known): &(Kind, &str, &[&str])| {
+    let likeness = |&(_, place, known): &(FileKind, &str, &[&str])| {
         // A misspelt key still counts, with half the weight.
         let weight = |key: &&str| match nearest(key, known.iter().copied()) {
             Some(name) if name == *key => 2,
@@ -213,7 +213,7 @@ fn kind(path: &Path, text: &str) -> Kind {
         (count, hint)
     };
     let best = kinds.iter().rev().max_by_key(|kind| likeness(kind));
-    best.map_or(Kind::Mission, |&(kind, ..)| kind)
+    best.map_or(FileKind::Mission, |&(kind, ..)| kind)
 }
 
 /// The other files that a file may refer to.
@@ -225,14 +225,14 @@ struct OtherFiles<'a> {
 
 /// The faults of a file, and remarks that are not faults.
 fn examined(
-    kind: Kind,
+    kind: FileKind,
     path: &Path,
     source: &Source,
     others: &OtherFiles<'_>,
 ) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
     let faults = match kind {
-        Kind::Theme => {
+        FileKind::Theme => {
             let mut themes = settings::themes();
             let folder = path
                 .parent()
@@ -244,12 +244,12 @@ fn examined(
             );
             themes.read(source.stem(), text).err()
         }
-        Kind::Keymap => {
+        FileKind::Keymap => {
             let themes = settings::theme_names(&settings::themes());
             Keymap::default().overlay(text, &themes).err()
         }
-        Kind::Configuration => settings::faults_in(source, &settings::themes()),
-        Kind::Mission => match Mission::parse(text) {
+        FileKind::Configuration => settings::faults_in(source, &settings::themes()),
+        FileKind::Mission => match Mission::parse(text) {
             Ok(mission) => {
                 let mut faults = mission.check();
                 faults.extend(mission.unknown_missions(others.missions));
@@ -258,8 +258,8 @@ fn examined(
             }
             Err(faults) => Some(faults),
         },
-        Kind::Design => Design::from_toml(text).err(),
-        Kind::Script => script::faults(path, text, others.named),
+        FileKind::Design => Design::from_toml(text).err(),
+        FileKind::Script => script::faults(path, text, others.named),
     };
     (faults.unwrap_or_default(), Vec::new())
 }

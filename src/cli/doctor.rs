@@ -30,7 +30,7 @@ pub(super) struct DoctorArguments {
 /// The result of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-enum Verdict {
+enum CheckResult {
     Ok,
     /// It works, with a remark.
     Note,
@@ -43,7 +43,7 @@ enum Verdict {
 struct HostFinding {
     /// The subject of the check, such as a folder or a program.
     about: String,
-    verdict: Verdict,
+    verdict: CheckResult,
     /// The state found.
     found: String,
     /// The advice for the repair.
@@ -55,7 +55,7 @@ impl HostFinding {
     fn ok(about: &str, found: impl Into<String>) -> Self {
         Self {
             about: about.to_owned(),
-            verdict: Verdict::Ok,
+            verdict: CheckResult::Ok,
             found: found.into(),
             mend: None,
         }
@@ -63,7 +63,7 @@ impl HostFinding {
 
     fn note(about: &str, found: impl Into<String>, mend: impl Into<String>) -> Self {
         Self {
-            verdict: Verdict::Note,
+            verdict: CheckResult::Note,
             mend: Some(mend.into()),
             ..Self::ok(about, found)
         }
@@ -71,16 +71,16 @@ impl HostFinding {
 
     fn fault(about: &str, found: impl Into<String>, mend: impl Into<String>) -> Self {
         Self {
-            verdict: Verdict::Fault,
+            verdict: CheckResult::Fault,
             ..Self::note(about, found, mend)
         }
     }
 
     fn lines(&self) -> String {
         let verdict = match self.verdict {
-            Verdict::Ok => "ok   ",
-            Verdict::Note => "note ",
-            Verdict::Fault => "FAULT",
+            CheckResult::Ok => "ok   ",
+            CheckResult::Note => "note ",
+            CheckResult::Fault => "FAULT",
         };
         let mend = self
             .mend
@@ -111,6 +111,6 @@ pub(super) fn doctor(
             say!("{}", finding.lines())?;
         }
     }
-    let is_faulty = findings.iter().any(|it| it.verdict == Verdict::Fault);
+    let is_faulty = findings.iter().any(|it| it.verdict == CheckResult::Fault);
     Ok(ExitCode::from(u8::from(is_faulty)))
 }

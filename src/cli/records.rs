@@ -64,7 +64,7 @@ enum RecordsCommand {
         /// Write this format: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap, or md
         /// (the review).
         #[arg(long, value_enum)]
-        format: Format,
+        format: RecordFormat,
         /// Write to this file or folder, which must not exist yet.
         #[arg(long, value_name = "PATH")]
         output: PathBuf,
@@ -98,7 +98,7 @@ enum RecordsCommand {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+enum RecordFormat {
     Csv,
     Kml,
     Gpx,
@@ -107,7 +107,7 @@ enum Format {
     Md,
 }
 
-impl Format {
+impl RecordFormat {
     /// The export format; `None` for the review.
     fn of_recording(self) -> Option<ExportFormat> {
         match self {
@@ -371,7 +371,7 @@ impl RecordsCommands {
         Ok(())
     }
 
-    fn export(&self, named: &str, format: Format, output: &Path) -> Result<(), Failure> {
+    fn export(&self, named: &str, format: RecordFormat, output: &Path) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;
         let written = match format.of_recording() {

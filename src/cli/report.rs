@@ -24,7 +24,7 @@ use crate::text::Locale;
 pub(super) struct ReportArguments {
     /// Write the report in this format.
     #[arg(long, value_enum, default_value = "md")]
-    format: Format,
+    format: ReportFormat,
     /// Write this table, if the format is CSV.
     #[arg(long, value_enum, default_value = "runs")]
     table: Which,
@@ -34,7 +34,7 @@ pub(super) struct ReportArguments {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+enum ReportFormat {
     /// Markdown with tables.
     Md,
     /// Comma-separated values: one table.
@@ -75,8 +75,8 @@ pub(super) fn report(
     let runs = profiles.runs(&profile).map_err(refused)?;
     let progress = CareerProgress::of(&store::course(), &history, day_of(SystemTime::now()));
     let text = match options.format {
-        Format::Md => markdown(&profile, &progress, &runs, &locale),
-        Format::Csv => {
+        ReportFormat::Md => markdown(&profile, &progress, &runs, &locale),
+        ReportFormat::Csv => {
             let table = match options.table {
                 Which::Missions => progress::missions(&progress, &locale),
                 Which::Skills => progress::skills(&progress, &locale),
@@ -85,7 +85,7 @@ pub(super) fn report(
             let trainee = text!("progress-trainee");
             table.led_by(&trainee, &profile.name, &locale).csv()?
         }
-        Format::Json => {
+        ReportFormat::Json => {
             let document = ReportDocument {
                 profile: &profile.name,
                 since: &profile.since,

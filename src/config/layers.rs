@@ -81,7 +81,7 @@ impl Layers {
         let (table, errors) = DeTable::parse_recoverable(source);
         // Of several syntax errors, the later ones usually follow from the first.
         faults.extend(errors.first().map(Diagnostic::from_toml));
-        let mut reading = FileReading {
+        let mut reading = LayerReading {
             name,
             source,
             check,
@@ -213,7 +213,7 @@ fn found<'a>(table: &'a Table, setting: &Setting) -> Option<&'a Value> {
 }
 
 /// A file while it is being read.
-struct FileReading<'a> {
+struct LayerReading<'a> {
     name: &'a str,
     source: &'a str,
     check: WordCheck<'a>,
@@ -221,7 +221,7 @@ struct FileReading<'a> {
     faults: Vec<Diagnostic>,
 }
 
-impl FileReading<'_> {
+impl LayerReading<'_> {
     fn table(&mut self, section: &str, table: DeTable<'_>) {
         for (key, value) in table {
             let name = match section {

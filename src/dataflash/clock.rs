@@ -30,7 +30,7 @@ const EVERY_US: u64 = 200_000;
 
 /// One start of an autopilot, according to telemetry.
 #[derive(Debug, Clone, Default)]
-struct Boot {
+struct AutopilotStart {
     /// Pairs of microseconds since boot and microseconds from the beginning of the record.
     places: Vec<(u64, u64)>,
     /// When it booted, by its clock: microseconds since 1970 (UTC).
@@ -41,7 +41,7 @@ struct Boot {
 /// The data of a record on a vehicle's clock.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleClock {
-    boots: Vec<Boot>,
+    boots: Vec<AutopilotStart>,
     /// When it was armed, from the beginning of the record, in microseconds.
     armed_us: Vec<u64>,
     is_armed: Option<bool>,
@@ -160,9 +160,9 @@ impl VehicleClock {
                     boot.places.push((boot_us, at_us));
                 }
             }
-            _ => self.boots.push(Boot {
+            _ => self.boots.push(AutopilotStart {
                 places: vec![(boot_us, at_us)],
-                ..Boot::default()
+                ..AutopilotStart::default()
             }),
         }
     }
@@ -190,7 +190,7 @@ impl VehicleClock {
     }
 
     /// How well the log matches one boot.
-    fn fit(&self, boot: &Boot, flight: &LoggedFlight) -> Result<BootFit, Misfit> {
+    fn fit(&self, boot: &AutopilotStart, flight: &LoggedFlight) -> Result<BootFit, Misfit> {
         let mut alignment = boot.align(flight).ok_or(Misfit::NoCommonTime)?;
         let common_us = alignment.common_us(flight).ok_or(Misfit::NoCommonTime)?;
         let armed = self.armed_together(&alignment, flight);
@@ -259,7 +259,7 @@ impl VehicleClock {
     }
 }
 
-impl Boot {
+impl AutopilotStart {
     fn align(&self, flight: &LoggedFlight) -> Option<Alignment> {
         let by = match (self.booted_unix_us, flight.booted_unix_us) {
             (Some(ours), Some(theirs)) if ours.abs_diff(theirs) > SAME_BOOT_US => return None,
@@ -323,7 +323,7 @@ mod tests {
     fn clock(places: &[(u64, u64)], booted: Option<u64>, armed: &[u64]) -> VehicleClock {
         let seconds = |s: u64| s * 1_000_000;
         VehicleClock {
-            boots: vec![Boot {
+            boots: vec![AutopilotStart {
                 places: places
                     .iter()
                     .map(|(boot, at)| (seconds(*boot), seconds(*at)))

@@ -36,7 +36,7 @@ const ARMED: u8 = 10;
 
 /// The state while a log is read.
 #[derive(Debug, Default)]
-struct Reading {
+struct LogReading {
     flight: LoggedFlight,
     /// A time that is certain to be within the log.
     reference_us: u64,
@@ -58,9 +58,9 @@ impl LoggedFlight {
     /// A text if it is not a log.
     pub fn read(bytes: &[u8]) -> Result<Self, Text> {
         let mut records = Records::new(bytes);
-        let mut reading = Reading {
+        let mut reading = LogReading {
             reference_us: reference_us(bytes),
-            ..Reading::default()
+            ..LogReading::default()
         };
         for record in &mut records {
             reading.take_in(&record);
@@ -89,7 +89,7 @@ fn reference_us(bytes: &[u8]) -> u64 {
     times.get(times.len() / 2).copied().unwrap_or_default()
 }
 
-impl Reading {
+impl LogReading {
     fn take_in(&mut self, record: &Record<'_>) {
         let Some(now) = record.time_us() else {
             return;

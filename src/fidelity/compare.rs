@@ -90,7 +90,7 @@ pub fn compare(manoeuvres: &[Manoeuvre], real: &Observed, simulated: &Observed) 
     Comparison {
         manoeuvres: manoeuvres
             .iter()
-            .filter_map(|manoeuvre| Pair::new(manoeuvre, real, simulated)?.flight())
+            .filter_map(|manoeuvre| ManoeuvrePair::new(manoeuvre, real, simulated)?.flight())
             .collect(),
         answers: kinds
             .map(|(kind, real, simulated)| Answers::new(kind, from_s, real, simulated))
@@ -99,7 +99,7 @@ pub fn compare(manoeuvres: &[Manoeuvre], real: &Observed, simulated: &Observed) 
 }
 
 /// Both vehicles during one manoeuvre.
-struct Pair<'a> {
+struct ManoeuvrePair<'a> {
     manoeuvre: &'a Manoeuvre,
     real: &'a Observed,
     simulated: &'a Observed,
@@ -108,7 +108,7 @@ struct Pair<'a> {
     to_s: f64,
 }
 
-impl<'a> Pair<'a> {
+impl<'a> ManoeuvrePair<'a> {
     fn new(manoeuvre: &'a Manoeuvre, real: &'a Observed, simulated: &'a Observed) -> Option<Self> {
         let at = |observed: &Observed| observed.position_ned_m.at(manoeuvre.from_s);
         let mut pair = Self {
@@ -232,24 +232,25 @@ impl<'a> Pair<'a> {
     }
 
     /// The criterion for reaching the aim, for both vehicles.
-    fn goal(&self) -> Option<Goal> {
+    fn goal(&self) -> Option<ManoeuvreGoal> {
         let known_s = self.real.position_ned_m.last()?.0;
         let asked_s = self.manoeuvre.last_asked_s.min(known_s);
         Some(match self.manoeuvre.aim {
-            Aim::Height(height) => Goal::Height(height),
-            Aim::Place(place) => Goal::Place(place),
-            Aim::Heading => Goal::Heading(self.real.attitude_deg.at(asked_s)?[2]),
+            Aim::Height(height) => ManoeuvreGoal::Height(height),
+            Aim::Place(place) => ManoeuvreGoal::Place(place),
+            Aim::Heading => ManoeuvreGoal::Heading(self.real.attitude_deg.at(asked_s)?[2]),
             Aim::Velocity | Aim::Landed => {
                 let wanted = self.real.velocity_ned_m_s.at(asked_s)?;
                 let before = self.real.velocity_ned_m_s.at(self.manoeuvre.from_s)?;
                 let change = length(minus(wanted, before));
-                (change > CHANGE_M_S).then_some(Goal::Velocity(wanted, NEAR_SHARE * change))?
+                (change > CHANGE_M_S)
+                    .then_some(ManoeuvreGoal::Velocity(wanted, NEAR_SHARE * change))?
             }
         })
     }
 }
 
-enum Goal {
+enum ManoeuvreGoal {
     Height(f64),
     Place([f64; 3]),
     Heading(f64),
@@ -257,7 +258,7 @@ enum Goal {
     Velocity([f64; 3], f64),
 }
 
-impl Goal {
+impl ManoeuvreGoal {
     fn reached(&self, observed: &Observed, at_s: f64) -> Option<bool> {
         let position = observed.position_ned_m.at(at_s)?;
         Some(match *self {

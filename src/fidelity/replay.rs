@@ -39,7 +39,7 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     });
     let mut port = world.connect(0);
     let mut decoder = Decoder::new();
-    let mut ground = Ground {
+    let mut ground = RecordedStations {
         encoders: BTreeMap::new(),
         recorded: system_of(recording),
     };
@@ -76,13 +76,13 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
 }
 
 /// The ground stations of a recording, as the simulated vehicle hears them.
-struct Ground {
+struct RecordedStations {
     encoders: BTreeMap<(SystemId, ComponentId), Encoder>,
     /// The recorded vehicle's system id.
     recorded: SystemId,
 }
 
-impl Ground {
+impl RecordedStations {
     /// Encodes a message of the recording for the simulated vehicle.
     fn encode(&mut self, frame: &Frame, bytes: &mut Vec<u8>) {
         if let Some(outgoing) = readdressed(&frame.content, self.recorded) {

@@ -11,12 +11,12 @@ use tokio::time::Instant;
 #[derive(Debug, Clone)]
 pub struct FleetClock {
     start: Instant,
-    stand: Arc<watch::Sender<ClockReading>>,
+    stand: Arc<watch::Sender<ClockPauses>>,
 }
 
 /// The pauses of a clock.
 #[derive(Debug, Clone, Copy, Default)]
-struct ClockReading {
+struct ClockPauses {
     /// Since when it has been stopped, if it is.
     since: Option<Instant>,
     /// The duration of its earlier pauses, altogether.
@@ -28,7 +28,7 @@ impl FleetClock {
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
-            stand: Arc::new(watch::Sender::new(ClockReading::default())),
+            stand: Arc::new(watch::Sender::new(ClockPauses::default())),
         }
     }
 

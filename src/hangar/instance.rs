@@ -13,7 +13,7 @@ use super::process::{Belongs, Connection};
 use super::progress::StartProgress;
 use super::relay::{Passed, Relay};
 use super::restarts::Restarts;
-use super::{Instance, InstanceRequest, Shared, SitlStage};
+use super::{HangarShared, Instance, InstanceRequest, SitlStage};
 
 mod begin;
 mod ending;
@@ -43,7 +43,7 @@ struct InstanceTask {
     relay: Relay,
     output: ProcessOutput,
     requests: mpsc::Receiver<InstanceRequest>,
-    shared: Arc<Shared>,
+    shared: Arc<HangarShared>,
 }
 
 enum InstanceEvent {

@@ -43,10 +43,10 @@ pub struct OutputLine {
 
 /// The output of one instance, across restarts. Clones share it.
 #[derive(Debug, Clone)]
-pub struct ProcessOutput(Arc<Inner>);
+pub struct ProcessOutput(Arc<OutputInner>);
 
 #[derive(Debug)]
-struct Inner {
+struct OutputInner {
     kept: Mutex<VecDeque<OutputLine>>,
     /// The number of the last line.
     last: watch::Sender<u64>,
@@ -56,7 +56,7 @@ struct Inner {
 impl ProcessOutput {
     /// The output of a new instance, with its files in this folder.
     pub(super) fn new(folder: PathBuf) -> Self {
-        Self(Arc::new(Inner {
+        Self(Arc::new(OutputInner {
             kept: Mutex::default(),
             last: watch::Sender::new(0),
             file: Mutex::new(LogFile::new(folder)),

@@ -91,7 +91,7 @@ impl FrameWay {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Census {
     tallies: BTreeMap<TallyKey, MessageTally>,
-    sources: BTreeMap<FrameSource, Witness>,
+    sources: BTreeMap<FrameSource, SourceFacts>,
     peers: BTreeMap<u32, String>,
     unverified: usize,
     uncounted: u64,
@@ -102,7 +102,7 @@ pub struct Census {
 
 /// Facts about a source for which every frame counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Witness {
+struct SourceFacts {
     answered_at: Option<Duration>,
     heard_at: Duration,
     /// Since when frames have been received without a pause.
@@ -135,7 +135,7 @@ impl Census {
             .or_insert_with(|| MessageTally::new(is_verified, now));
         tally.note(bytes, is_verified, now);
         if is_verified {
-            let witness = self.sources.entry(source).or_insert(Witness {
+            let witness = self.sources.entry(source).or_insert(SourceFacts {
                 answered_at: None,
                 heard_at: now,
                 steady_since: now,

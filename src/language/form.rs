@@ -63,7 +63,7 @@ impl Expected {
 }
 
 /// The state of the matching.
-struct Reader<'a> {
+struct FormReader<'a> {
     form: &'static Form,
     context: &'a Context<'a>,
     filled: Vec<bool>,
@@ -71,7 +71,7 @@ struct Reader<'a> {
 }
 
 /// The result of one step.
-enum Step {
+enum FormStep {
     Took(usize),
     Unfinished(&'static Argument),
     Misfit(Misfit),
@@ -79,7 +79,7 @@ enum Step {
 
 /// Matches words with a form as far as possible.
 pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit {
-    let mut reader = Reader {
+    let mut reader = FormReader {
         form,
         context,
         filled: vec![false; form.arguments.len()],
@@ -88,11 +88,11 @@ pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit
     let mut at = 0;
     while at < words.len() {
         match reader.step(&words[at..]) {
-            Step::Took(count) => at += count,
-            Step::Unfinished(argument) => {
+            FormStep::Took(count) => at += count,
+            FormStep::Unfinished(argument) => {
                 return reader.end(vec![Expected::Value(argument)], false, None);
             }
-            Step::Misfit(mut misfit) => {
+            FormStep::Misfit(mut misfit) => {
                 misfit.word += at;
                 return reader.end(Vec::new(), false, Some(misfit));
             }
@@ -108,7 +108,7 @@ pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit
     reader.end(expected, complete, None)
 }
 
-impl Reader<'_> {
+impl FormReader<'_> {
     fn end(self, expected: Vec<Expected>, complete: bool, misfit: Option<Misfit>) -> Fit {
         Fit {
             arguments: self.arguments,
@@ -155,7 +155,7 @@ impl Reader<'_> {
             .collect()
     }
 
-    fn step(&mut self, words: &[Word]) -> Step {
+    fn step(&mut self, words: &[Word]) -> FormStep {
         let open = self.open();
         let arguments = self.form.arguments;
         let keyed = open.iter().copied().find(|&index| {
@@ -164,22 +164,22 @@ impl Reader<'_> {
         match keyed {
             Some(index) if arguments[index].kind == Kind::Flag => {
                 self.fill(index, Value::Flag, words, 1);
-                Step::Took(1)
+                FormStep::Took(1)
             }
             Some(index) => self.keyed(index, words),
             None => self.positional(&open, words),
         }
     }
 
-    fn keyed(&mut self, index: usize, words: &[Word]) -> Step {
+    fn keyed(&mut self, index: usize, words: &[Word]) -> FormStep {
         let argument = &self.form.arguments[index];
         match argument.kind.read(&words[1..], self.context) {
             Ok((value, count)) => {
                 self.fill(index, value, words, count + 1);
-                Step::Took(count + 1)
+                FormStep::Took(count + 1)
             }
-            Err(Misread::Incomplete) => Step::Unfinished(argument),
-            Err(Misread::Wrong { word, message, .. }) => Step::Misfit(Misfit {
+            Err(Misread::Incomplete) => FormStep::Unfinished(argument),
+            Err(Misread::Wrong { word, message, .. }) => FormStep::Misfit(Misfit {
                 word: word + 1,
                 specific: true,
                 message: Some(argument.about(message)),
@@ -188,7 +188,7 @@ impl Reader<'_> {
         }
     }
 
-    fn positional(&mut self, open: &[usize], words: &[Word]) -> Step {
+    fn positional(&mut self, open: &[usize], words: &[Word]) -> FormStep {
         let expected = self.expected();
         let mut misfit = Misfit {
             word: 0,
@@ -204,9 +204,9 @@ impl Reader<'_> {
             match argument.kind.read(words, self.context) {
                 Ok((value, count)) => {
                     self.fill(index, value, words, count);
-                    return Step::Took(count);
+                    return FormStep::Took(count);
                 }
-                Err(Misread::Incomplete) => return Step::Unfinished(argument),
+                Err(Misread::Incomplete) => return FormStep::Unfinished(argument),
                 Err(Misread::Wrong {
                     word,
                     specific,
@@ -220,7 +220,7 @@ impl Reader<'_> {
                 }
             }
         }
-        Step::Misfit(misfit)
+        FormStep::Misfit(misfit)
     }
 
     fn fill(&mut self, index: usize, value: Value, words: &[Word], count: usize) {

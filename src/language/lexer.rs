@@ -34,12 +34,12 @@ pub fn words(line: &str) -> Vec<Word<'_>> {
     let mut start = None;
     let mut last = None;
     for (at, c) in code.char_indices() {
-        let kind = Kind::of(c);
+        let kind = TokenKind::of(c);
         if last != Some(kind) {
             if let Some(start) = start.take() {
                 words.push(start..at);
             }
-            if kind != Kind::Blank {
+            if kind != TokenKind::Blank {
                 start = Some(at);
             }
         }
@@ -69,13 +69,13 @@ pub fn comment_start(line: &str) -> Option<usize> {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum TokenKind {
     Blank,
     Letter,
     Sign,
 }
 
-impl Kind {
+impl TokenKind {
     fn of(c: char) -> Self {
         match c {
             '<' | '>' | '=' => Self::Sign,

@@ -12,11 +12,11 @@ use crate::vehicle::VehicleId;
 /// A script without faults.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
-    steps: Vec<Step>,
+    steps: Vec<PilotStep>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct Step {
+struct PilotStep {
     /// Its line in the source, counted from 1.
     line: usize,
     statement: Statement,
@@ -58,7 +58,7 @@ impl Script {
     }
 }
 
-fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic> {
+fn step(line: &str, number: usize, context: &Context) -> Result<PilotStep, Diagnostic> {
     let statement = parse(line, context)?;
     let needs_no_vehicle =
         matches!(&statement.meaning, Meaning::Wait(wait) if !wait.until.is_of_vehicles());
@@ -75,7 +75,7 @@ fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic
                 .map_err(|reason| Diagnostic::new(span, reason))?,
         ),
     };
-    Ok(Step {
+    Ok(PilotStep {
         line: number,
         statement,
         vehicles,
@@ -166,7 +166,7 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
     matches!(wait.until, Until::Passed(time) if waited >= time)
 }
 
-impl Step {
+impl PilotStep {
     /// Whether the condition holds for all targets, of which there must be at least one.
     fn met(&self, wait: &Wait, seen: Seen<'_>) -> bool {
         let vehicles = seen.vehicles;

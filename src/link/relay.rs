@@ -58,12 +58,12 @@ struct RelayShared {
 struct RelayCore {
     router: Router,
     links: BTreeMap<LinkId, Outlet>,
-    forwards: BTreeMap<LinkId, Forward>,
+    forwards: BTreeMap<LinkId, RelayedForward>,
     news: mpsc::Sender<StationNews>,
 }
 
 #[derive(Debug)]
-struct Forward {
+struct RelayedForward {
     spec: ForwardSpec,
     outlet: Outlet,
     counts: ForwardCounts,
@@ -134,7 +134,7 @@ impl Relay {
     }
 
     pub(super) fn add_forward(&self, id: LinkId, spec: ForwardSpec, outlet: Outlet) {
-        let forward = Forward {
+        let forward = RelayedForward {
             spec,
             outlet,
             counts: ForwardCounts::default(),
@@ -315,7 +315,7 @@ impl RelayCore {
     }
 }
 
-impl Forward {
+impl RelayedForward {
     /// Passes a message for everyone on, unless the filters leave it out.
     fn pass(&mut self, to: To, facts: &FrameFacts, bytes: &Arc<[u8]>, now: Duration) {
         if self.spec.passes(facts.id) && self.is_due(facts, now) {

@@ -10,9 +10,9 @@ const MOST_WAITING: usize = 32 * 1024 * 1024;
 
 /// Collects frames as tlog entries, ordered by time. All clones share one sink.
 #[derive(Clone)]
-pub struct FrameSink(Arc<Inner>);
+pub struct FrameSink(Arc<SinkInner>);
 
-struct Inner {
+struct SinkInner {
     /// Microseconds since 1970 (UTC).
     clock: Box<dyn Fn() -> u64 + Send + Sync>,
     waiting: Mutex<WaitingFrames>,
@@ -40,7 +40,7 @@ impl fmt::Debug for FrameSink {
 impl FrameSink {
     /// A sink whose clock returns microseconds since 1970 (UTC).
     pub fn new(clock: impl Fn() -> u64 + Send + Sync + 'static) -> Self {
-        Self(Arc::new(Inner {
+        Self(Arc::new(SinkInner {
             clock: Box::new(clock),
             waiting: Mutex::default(),
         }))

@@ -2,13 +2,17 @@
 
 use mavlink::dialects::ardupilotmega::EKF_STATUS_REPORT_DATA;
 
-use super::Report;
+use super::HandlerNotices;
 use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{Ekf, EkfFlags, Severity, Vehicle};
 
 /// Applies `EKF_STATUS_REPORT`, with a notice when the filter loses or finds its global position.
-pub(super) fn apply(vehicle: &mut Vehicle, data: &EKF_STATUS_REPORT_DATA, report: &mut Report<'_>) {
+pub(super) fn apply(
+    vehicle: &mut Vehicle,
+    data: &EKF_STATUS_REPORT_DATA,
+    report: &mut HandlerNotices<'_>,
+) {
     let ekf = Ekf {
         flags: EkfFlags(data.flags.bits()),
         velocity_variance: data.velocity_variance,

@@ -2,14 +2,18 @@
 
 use mavlink::dialects::ardupilotmega::{FENCE_STATUS_DATA, FenceBreach};
 
-use super::Report;
+use super::HandlerNotices;
 use crate::alert::AlertKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Fence, Severity, Vehicle};
 
 /// Applies `FENCE_STATUS`, with a notice when the vehicle leaves the fence or returns.
-pub(super) fn apply(vehicle: &mut Vehicle, data: &FENCE_STATUS_DATA, report: &mut Report<'_>) {
+pub(super) fn apply(
+    vehicle: &mut Vehicle,
+    data: &FENCE_STATUS_DATA,
+    report: &mut HandlerNotices<'_>,
+) {
     let fence = Fence {
         breached: data.breach_status != 0,
         breaches: data.breach_count,

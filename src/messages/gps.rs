@@ -2,14 +2,18 @@
 
 use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
 
-use super::Report;
+use super::HandlerNotices;
 use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
 /// Applies `GPS_RAW_INT`, with a notice when the fix is lost or found. Its position is ignored: before the fix it is
 /// invented.
-pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut Report<'_>) {
+pub(super) fn apply(
+    vehicle: &mut Vehicle,
+    data: &GPS_RAW_INT_DATA,
+    report: &mut HandlerNotices<'_>,
+) {
     let gps = Gps {
         fix: FixType::from_wire(data.fix_type as u8),
         satellites: (data.satellites_visible != u8::MAX).then_some(data.satellites_visible),

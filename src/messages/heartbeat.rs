@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavModeFlag, MavType};
 
-use super::Report;
+use super::HandlerNotices;
 use crate::text;
 use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
 
@@ -64,7 +64,7 @@ impl Beat {
 }
 
 /// Applies a heartbeat of the vehicle's autopilot component; others are ignored.
-pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) {
+pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotices<'_>) {
     if !beat.is_autopilot() {
         return;
     }

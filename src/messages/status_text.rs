@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::STATUSTEXT_DATA;
 
-use super::Report;
+use super::HandlerNotices;
 use crate::alert::AlertKind;
 use crate::notice::sanitised;
 use crate::vehicle::{Severity, StatusText, TEXTS_KEPT, Vehicle};
@@ -60,11 +60,11 @@ pub(super) struct Joined {
 /// Texts with missing chunks, oldest first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Assembly {
-    unfinished: Vec<Unfinished>,
+    unfinished: Vec<UnfinishedText>,
 }
 
 #[derive(Debug, Clone)]
-struct Unfinished {
+struct UnfinishedText {
     component: ComponentId,
     id: u16,
     severity: Severity,
@@ -111,17 +111,20 @@ impl Assembly {
     pub(super) fn expire(&mut self, now: Duration) -> Vec<Joined> {
         self.unfinished
             .extract_if(.., |text| now.saturating_sub(text.at) >= REST_WITHIN)
-            .map(Unfinished::join)
+            .map(UnfinishedText::join)
             .collect()
     }
 
     /// All incomplete texts, since no further chunk will come.
     pub(super) fn drain(&mut self) -> Vec<Joined> {
-        self.unfinished.drain(..).map(Unfinished::join).collect()
+        self.unfinished
+            .drain(..)
+            .map(UnfinishedText::join)
+            .collect()
     }
 
     fn open(&mut self, chunk: &Chunk, now: Duration) -> usize {
-        self.unfinished.push(Unfinished {
+        self.unfinished.push(UnfinishedText {
             component: chunk.component,
             id: chunk.id,
             severity: chunk.severity,
@@ -133,7 +136,7 @@ impl Assembly {
     }
 }
 
-impl Unfinished {
+impl UnfinishedText {
     /// Whether the same chunk has been received before: a network may deliver it twice.
     fn has(&self, chunk: &Chunk) -> bool {
         self.severity == chunk.severity && self.chunks.get(&chunk.sequence) == Some(&chunk.bytes)
@@ -194,7 +197,7 @@ pub(super) fn apply(
     vehicle: &mut Vehicle,
     joined: &Joined,
     reasons_at: &mut Option<Duration>,
-    report: &mut Report<'_>,
+    report: &mut HandlerNotices<'_>,
 ) {
     let text = sanitised(&joined.text);
     if text.is_empty() {

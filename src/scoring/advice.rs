@@ -62,7 +62,7 @@ pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
     found
 }
 
-type Change<'a> = Box<dyn Fn(&mut Facts) + 'a>;
+type ScoreChange<'a> = Box<dyn Fn(&mut Facts) + 'a>;
 
 /// The subject of a remedy; remedies with the same subject are merged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,7 +86,7 @@ enum RemedyTopic {
 struct Remedy<'a> {
     topic: RemedyTopic,
     text: Text,
-    changes: Vec<Change<'a>>,
+    changes: Vec<ScoreChange<'a>>,
 }
 
 impl Remedy<'_> {
@@ -129,7 +129,7 @@ struct Remedies<'a> {
 impl<'a> Remedies<'a> {
     /// Adds a change, merging it with one on the same subject.
     fn mend(&mut self, topic: RemedyTopic, text: Text, change: impl Fn(&mut Facts) + 'a) {
-        let change: Change = Box::new(change);
+        let change: ScoreChange = Box::new(change);
         match self.list.iter_mut().find(|remedy| remedy.topic == topic) {
             Some(remedy) => remedy.changes.push(change),
             None => self.list.push(Remedy {
@@ -142,7 +142,7 @@ impl<'a> Remedies<'a> {
 
     fn reach_objectives(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
-            let (topic, text) = match Better::of(objective) {
+            let (topic, text) = match ProductAdvice::of(objective) {
                 // One piece of advice covers both.
                 Some(better) if better.is_measured => (RemedyTopic::Product(index), better.text),
                 _ => (RemedyTopic::Objective(index), objective.advice.clone()),
@@ -173,7 +173,7 @@ impl<'a> Remedies<'a> {
 
     fn improve_products(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
-            if let Some(better) = Better::of(objective) {
+            if let Some(better) = ProductAdvice::of(objective) {
                 self.mend(RemedyTopic::Product(index), better.text, move |facts| {
                     if let Some(product) = &mut facts.objectives[index].product {
                         product.quality = GOOD_QUALITY;
@@ -257,13 +257,13 @@ fn reach(objective: &mut ObjectiveFact) {
 }
 
 /// Advice on a product that could be improved.
-struct Better {
+struct ProductAdvice {
     text: Text,
     /// Whether the objective measures the product.
     is_measured: bool,
 }
 
-impl Better {
+impl ProductAdvice {
     /// `None` if there is no product, or if it is good.
     fn of(objective: &ObjectiveFact) -> Option<Self> {
         let product = objective

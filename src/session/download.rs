@@ -34,7 +34,7 @@ const RESTARTS: u8 = 3;
 
 /// What a download waits for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
+enum DownloadPhase {
     Idle,
     /// The first list is not requested yet.
     Asking,
@@ -47,7 +47,7 @@ enum Phase {
 /// The download of one vehicle's list.
 #[derive(Debug, Clone)]
 pub(super) struct Download {
-    phase: Phase,
+    phase: DownloadPhase,
     /// The time of the last new value, or of the last fruitless request.
     quiet_since: Duration,
     /// The number of values received at the last check.
@@ -73,7 +73,7 @@ impl Download {
     /// A download that has not started.
     pub fn new() -> Self {
         Self {
-            phase: Phase::Idle,
+            phase: DownloadPhase::Idle,
             quiet_since: Duration::ZERO,
             received: 0,
             passed: 0,
@@ -92,7 +92,7 @@ impl Download {
     pub fn begin(&mut self, inbox: &mut Inbox) {
         if !self.fetching().is_under_way() {
             *self = Self {
-                phase: Phase::Asking,
+                phase: DownloadPhase::Asking,
                 restarts: self.restarts,
                 ..Self::new()
             };
@@ -103,9 +103,9 @@ impl Download {
     /// Handles a reboot: the vehicle may have other values or other parameters. An earlier request is repeated.
     pub fn begin_anew(&mut self, inbox: &mut Inbox) {
         inbox.forget_parameters();
-        if self.phase != Phase::Idle {
+        if self.phase != DownloadPhase::Idle {
             *self = Self {
-                phase: Phase::Asking,
+                phase: DownloadPhase::Asking,
                 ..Self::new()
             };
         }
@@ -113,12 +113,14 @@ impl Download {
 
     pub fn fetching(&self) -> Fetching {
         match self.phase {
-            Phase::Idle => Fetching::NotAsked,
-            Phase::Asking | Phase::Listing | Phase::Filling => Fetching::UnderWay {
-                fruitless: self.fruitless,
-            },
-            Phase::Complete => Fetching::Complete,
-            Phase::Stalled => Fetching::Stalled,
+            DownloadPhase::Idle => Fetching::NotAsked,
+            DownloadPhase::Asking | DownloadPhase::Listing | DownloadPhase::Filling => {
+                Fetching::UnderWay {
+                    fruitless: self.fruitless,
+                }
+            }
+            DownloadPhase::Complete => Fetching::Complete,
+            DownloadPhase::Stalled => Fetching::Stalled,
         }
     }
 
@@ -128,8 +130,8 @@ impl Download {
         self.asked.clear();
         self.fruitless = 0;
         self.quiet_since = now;
-        if self.phase == Phase::Stalled {
-            self.phase = Phase::Filling;
+        if self.phase == DownloadPhase::Stalled {
+            self.phase = DownloadPhase::Filling;
         }
     }
 
@@ -143,13 +145,13 @@ impl Download {
         if !self.fetching().is_under_way() {
             return Vec::new();
         }
-        if self.phase == Phase::Asking {
+        if self.phase == DownloadPhase::Asking {
             self.quiet_since = now;
             return self.list(vehicle, now);
         }
         self.take_note(parameters, now);
         if parameters.is_complete() {
-            self.phase = Phase::Complete;
+            self.phase = DownloadPhase::Complete;
             return Vec::new();
         }
         let is_quiet = now >= self.quiet_since + self.wait(vehicle);
@@ -157,14 +159,14 @@ impl Download {
             self.note_silence(now);
         }
         if self.fruitless > FRUITLESS {
-            self.phase = Phase::Stalled;
+            self.phase = DownloadPhase::Stalled;
             Vec::new()
-        } else if self.phase == Phase::Listing && !is_quiet {
+        } else if self.phase == DownloadPhase::Listing && !is_quiet {
             Vec::new()
         } else if self.asked.is_empty() && self.is_better_listed(parameters) {
             self.list(vehicle, now)
         } else {
-            self.phase = Phase::Filling;
+            self.phase = DownloadPhase::Filling;
             self.fill(parameters, vehicle, now)
         }
     }
@@ -172,7 +174,7 @@ impl Download {
     /// Whether the list must be read again because the number of parameters has changed.
     fn is_to_restart(&self, parameters: &ParameterList) -> bool {
         let is_stale = parameters.is_outdated() || !parameters.is_complete();
-        self.phase == Phase::Complete && is_stale && self.restarts < RESTARTS
+        self.phase == DownloadPhase::Complete && is_stale && self.restarts < RESTARTS
     }
 
     fn take_note(&mut self, parameters: &ParameterList, now: Duration) {
@@ -183,7 +185,7 @@ impl Download {
         }
         let is_news = parameters.received() > self.received;
         // A repeated list starts with known values, which must not count as silence.
-        let is_coming = self.phase == Phase::Listing && parameters.passed() != self.passed;
+        let is_coming = self.phase == DownloadPhase::Listing && parameters.passed() != self.passed;
         if is_news || is_coming {
             self.quiet_since = now;
         }
@@ -195,7 +197,7 @@ impl Download {
     }
 
     fn note_silence(&mut self, now: Duration) {
-        if self.phase == Phase::Listing {
+        if self.phase == DownloadPhase::Listing {
             self.list_took = self.quiet_since.saturating_sub(self.listed_at);
             // A request for the list that was lost does not count.
             self.lists += u8::from(self.quiet_since > self.listed_at);
@@ -218,10 +220,12 @@ impl Download {
     /// How long to wait for a new value; longer after fruitless requests and on slow links.
     fn wait(&self, vehicle: &Vehicle) -> Duration {
         let silence = match self.phase {
-            Phase::Filling => PLACE_SILENCE,
-            Phase::Idle | Phase::Asking | Phase::Listing | Phase::Complete | Phase::Stalled => {
-                LIST_SILENCE
-            }
+            DownloadPhase::Filling => PLACE_SILENCE,
+            DownloadPhase::Idle
+            | DownloadPhase::Asking
+            | DownloadPhase::Listing
+            | DownloadPhase::Complete
+            | DownloadPhase::Stalled => LIST_SILENCE,
         };
         silence.max(round_trip(vehicle) * 3 / 2) * self.patience()
     }
@@ -237,7 +241,7 @@ impl Download {
     }
 
     fn list(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
-        self.phase = Phase::Listing;
+        self.phase = DownloadPhase::Listing;
         self.listed_at = now;
         let request = MavMessage::PARAM_REQUEST_LIST(PARAM_REQUEST_LIST_DATA {
             target_system: vehicle.system,

@@ -97,20 +97,20 @@ pub struct FtpStep {
 #[derive(Debug, Clone, Default)]
 pub struct FtpClient {
     waiting: VecDeque<(FtpTicket, FtpTask)>,
-    job: Option<Job>,
+    job: Option<FtpJob>,
     tickets: u32,
     sequence: FtpSequence,
 }
 
 /// The task that is carried out.
 #[derive(Debug, Clone)]
-struct Job {
+struct FtpJob {
     ticket: FtpTicket,
-    work: Work,
+    work: FtpWork,
 }
 
 #[derive(Debug, Clone)]
-enum Work {
+enum FtpWork {
     Listing {
         folder: String,
         listing: FolderListing,
@@ -185,15 +185,15 @@ impl FtpClient {
                 continue;
             }
             let work = self.work(task, session_at(now));
-            self.job = Some(Job { ticket, work });
+            self.job = Some(FtpJob { ticket, work });
         }
         true
     }
 
-    fn work(&mut self, task: FtpTask, session: u8) -> Work {
+    fn work(&mut self, task: FtpTask, session: u8) -> FtpWork {
         let sequence = &mut self.sequence;
         match task {
-            FtpTask::List { folder } => Work::Listing {
+            FtpTask::List { folder } => FtpWork::Listing {
                 exchange: Exchange::new(
                     FtpRequest::about(&folder, FtpOpcode::List, session, sequence),
                     PATIENCE,
@@ -204,15 +204,15 @@ impl FtpClient {
             FtpTask::Checksum { path, size } => {
                 let request = FtpRequest::about(&path, FtpOpcode::Checksum, session, sequence);
                 let reading = Duration::from_secs(u64::from(size / SLOWEST_CHECKSUM));
-                Work::Checking(Exchange::new(request, PATIENCE + reading))
+                FtpWork::Checking(Exchange::new(request, PATIENCE + reading))
             }
             FtpTask::Read { path, gaps } => {
                 let reading = FileReading::new(path, session, gaps, sequence);
-                Work::Reading(Box::new(reading))
+                FtpWork::Reading(Box::new(reading))
             }
             FtpTask::Write { path, bytes } => {
                 let writing = FileWriting::new(path, session, bytes, sequence);
-                Work::Writing(Box::new(writing))
+                FtpWork::Writing(Box::new(writing))
             }
         }
     }
@@ -223,7 +223,7 @@ impl FtpClient {
         };
         let ticket = job.ticket;
         let ending = match &mut job.work {
-            Work::Listing {
+            FtpWork::Listing {
                 folder,
                 listing,
                 exchange,
@@ -238,10 +238,10 @@ impl FtpClient {
                 Listed::All(entries) => Some(FtpEvent::Listed(entries)),
                 Listed::Fault(fault) => Some(FtpEvent::Failed(fault)),
             },
-            Work::Checking(exchange) if exchange.is_answered_by(answer) => {
+            FtpWork::Checking(exchange) if exchange.is_answered_by(answer) => {
                 Some(checksum_of(answer))
             }
-            Work::Reading(reading) => match reading.receive(answer, &mut self.sequence, now) {
+            FtpWork::Reading(reading) => match reading.receive(answer, &mut self.sequence, now) {
                 FileNews::Nothing => None,
                 FileNews::Bytes(bytes) => {
                     step.events.push((ticket, FtpEvent::Bytes(bytes)));
@@ -249,7 +249,7 @@ impl FtpClient {
                 }
                 FileNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
             },
-            Work::Writing(writing) => match writing.receive(answer, &mut self.sequence, now) {
+            FtpWork::Writing(writing) => match writing.receive(answer, &mut self.sequence, now) {
                 WritingNews::Nothing => None,
                 WritingNews::Wrote(bytes) => {
                     step.events.push((ticket, FtpEvent::Wrote(bytes)));
@@ -262,11 +262,11 @@ impl FtpClient {
                 }
                 WritingNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
             },
-            Work::Closing(exchange) if exchange.is_answered_by(answer) => {
+            FtpWork::Closing(exchange) if exchange.is_answered_by(answer) => {
                 self.job = None;
                 return;
             }
-            Work::Listing { .. } | Work::Checking(_) | Work::Closing(_) => None,
+            FtpWork::Listing { .. } | FtpWork::Checking(_) | FtpWork::Closing(_) => None,
         };
         self.end_with(ending, step);
     }
@@ -277,25 +277,25 @@ impl FtpClient {
             return false;
         };
         let due = match &mut job.work {
-            Work::Listing { exchange, .. } | Work::Checking(exchange) => {
+            FtpWork::Listing { exchange, .. } | FtpWork::Checking(exchange) => {
                 let request = exchange.poll(round_trip, now);
                 request.map(|it| it.cloned().into_iter().collect())
             }
-            Work::Closing(exchange) => {
+            FtpWork::Closing(exchange) => {
                 let Ok(request) = exchange.poll(round_trip, now) else {
                     self.job = None;
                     return false;
                 };
                 Ok(request.cloned().into_iter().collect())
             }
-            Work::Reading(reading) => {
+            FtpWork::Reading(reading) => {
                 if let Some(size) = reading.complete() {
                     self.end_with(Some(FtpEvent::Complete(size)), step);
                     return false;
                 }
                 reading.poll(&mut self.sequence, round_trip, now)
             }
-            Work::Writing(writing) => {
+            FtpWork::Writing(writing) => {
                 let request = writing.poll(&mut self.sequence, round_trip, now);
                 request.map(|it| it.into_iter().collect())
             }
@@ -324,14 +324,14 @@ impl FtpClient {
     }
 
     /// Closes the file of a task that is over, if it may have opened one.
-    fn close(&mut self, job: Job) {
+    fn close(&mut self, job: FtpJob) {
         let session = match job.work {
-            Work::Listing { .. } | Work::Checking(_) => return,
-            Work::Reading(reading) => reading.session(),
-            Work::Writing(writing) => writing.session(),
-            Work::Closing(exchange) => {
-                self.job = Some(Job {
-                    work: Work::Closing(exchange),
+            FtpWork::Listing { .. } | FtpWork::Checking(_) => return,
+            FtpWork::Reading(reading) => reading.session(),
+            FtpWork::Writing(writing) => writing.session(),
+            FtpWork::Closing(exchange) => {
+                self.job = Some(FtpJob {
+                    work: FtpWork::Closing(exchange),
                     ..job
                 });
                 return;
@@ -345,9 +345,9 @@ impl FtpClient {
             size: 0,
             data: Vec::new(),
         };
-        self.job = Some(Job {
+        self.job = Some(FtpJob {
             ticket: job.ticket,
-            work: Work::Closing(Exchange::new(request, CLOSING)),
+            work: FtpWork::Closing(Exchange::new(request, CLOSING)),
         });
     }
 }

@@ -40,17 +40,17 @@ const MOST_WAITING: usize = 8;
 pub(super) struct LogReader {
     keeper: Option<Arc<dyn LogKeeper>>,
     waiting: VecDeque<VehicleCommand>,
-    job: Option<Job>,
+    job: Option<LogsJob>,
     /// The order to end the others.
     stop: Option<VehicleCommand>,
 }
 
 /// The order that is carried out.
 #[derive(Debug, Clone)]
-struct Job {
+struct LogsJob {
     order: VehicleCommand,
     command: LogCommand,
-    phase: Phase,
+    phase: LogsPhase,
     /// The progress last reported, in percent.
     percent: Option<u8>,
     /// The logs that are complete.
@@ -58,7 +58,7 @@ struct Job {
 }
 
 #[derive(Debug, Clone)]
-enum Phase {
+enum LogsPhase {
     Listing(Listing),
     /// The list has been read; a vehicle that offers files is asked for those of its logs.
     Searching(Box<FileSearch>),
@@ -66,7 +66,7 @@ enum Phase {
 }
 
 /// The inputs and outputs of an order.
-struct Desk<'a> {
+struct LogsDesk<'a> {
     keeper: &'a dyn LogKeeper,
     vehicle: &'a Vehicle,
     ftp: &'a mut FtpClient,
@@ -124,7 +124,7 @@ impl LogReader {
             output.row(order.unsent(vehicle.id, RowState::Superseded, reason.clone(), now));
         }
         if let Some(mut job) = self.job.take() {
-            if let (Phase::Reading(reading), Some(keeper)) = (&mut job.phase, &self.keeper) {
+            if let (LogsPhase::Reading(reading), Some(keeper)) = (&mut job.phase, &self.keeper) {
                 // If this cannot be written, nothing more can be done.
                 drop(reading.write(keeper.as_ref(), now));
             }
@@ -147,9 +147,9 @@ impl LogReader {
             return;
         }
         match self.job.as_ref().map(|job| &job.phase) {
-            Some(Phase::Reading(reading)) => reading.leave(ftp),
-            Some(Phase::Searching(search)) => ftp.cancel(search.ticket()),
-            Some(Phase::Listing(_)) | None => {}
+            Some(LogsPhase::Reading(reading)) => reading.leave(ftp),
+            Some(LogsPhase::Searching(search)) => ftp.cancel(search.ticket()),
+            Some(LogsPhase::Listing(_)) | None => {}
         }
         self.clear(&Text::verbatim("logs stop"), vehicle, now, output);
         output.messages.push(request_end(vehicle));
@@ -163,8 +163,10 @@ impl LogReader {
             return;
         };
         match (&mut job.phase, message) {
-            (Phase::Listing(listing), MavMessage::LOG_ENTRY(entry)) => listing.receive(entry, now),
-            (Phase::Reading(reading), MavMessage::LOG_DATA(data)) => {
+            (LogsPhase::Listing(listing), MavMessage::LOG_ENTRY(entry)) => {
+                listing.receive(entry, now)
+            }
+            (LogsPhase::Reading(reading), MavMessage::LOG_DATA(data)) => {
                 let received = reading.transfer().receive(data, now);
                 reading.note(received);
             }
@@ -181,11 +183,11 @@ impl LogReader {
         now: Duration,
     ) {
         match self.job.as_mut().map(|job| &mut job.phase) {
-            Some(Phase::Searching(search)) if search.ticket() == ticket => {
+            Some(LogsPhase::Searching(search)) if search.ticket() == ticket => {
                 search.receive(event, ftp);
             }
-            Some(Phase::Reading(reading)) => reading.hear(ticket, event, ftp, now),
-            Some(Phase::Searching(_) | Phase::Listing(_)) | None => {}
+            Some(LogsPhase::Reading(reading)) => reading.hear(ticket, event, ftp, now),
+            Some(LogsPhase::Searching(_) | LogsPhase::Listing(_)) | None => {}
         }
     }
 
@@ -201,7 +203,7 @@ impl LogReader {
             self.stop(&stop, vehicle, ftp, now, output);
         }
         if self.job.is_none() {
-            self.job = self.waiting.pop_front().and_then(Job::new);
+            self.job = self.waiting.pop_front().and_then(LogsJob::new);
             if let Some(job) = &self.job {
                 job.report(RowState::Sent, None, vehicle, now, output);
             }
@@ -211,7 +213,7 @@ impl LogReader {
         };
         let advanced = match self.keeper.as_deref() {
             None => job.list(vehicle, now, output),
-            Some(keeper) => job.advance(&mut Desk {
+            Some(keeper) => job.advance(&mut LogsDesk {
                 keeper,
                 vehicle,
                 ftp,
@@ -230,7 +232,7 @@ impl LogReader {
     }
 }
 
-impl Job {
+impl LogsJob {
     fn new(order: VehicleCommand) -> Option<Self> {
         let Command::Log(command) = order.command.clone() else {
             return None;
@@ -238,7 +240,7 @@ impl Job {
         Some(Self {
             order,
             command,
-            phase: Phase::Listing(Listing::new()),
+            phase: LogsPhase::Listing(Listing::new()),
             percent: None,
             whole: Vec::new(),
         })
@@ -263,7 +265,7 @@ impl Job {
     }
 
     fn tell_progress(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
-        let Phase::Reading(reading) = &self.phase else {
+        let LogsPhase::Reading(reading) = &self.phase else {
             return;
         };
         let percent = reading.percent(&self.whole);
@@ -274,13 +276,13 @@ impl Job {
     }
 
     /// Does what is due. The end of the order is returned as an error.
-    fn advance(&mut self, desk: &mut Desk<'_>) -> Result<(), Ending> {
+    fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<(), Ending> {
         match &mut self.phase {
-            Phase::Listing(listing) => match listing.complete() {
+            LogsPhase::Listing(listing) => match listing.complete() {
                 Some(logs) => self.listed(logs, desk),
                 None => self.list(desk.vehicle, desk.now, desk.output),
             },
-            Phase::Searching(search) => {
+            LogsPhase::Searching(search) => {
                 if desk.vehicle.armed() {
                     desk.ftp.cancel(search.ticket());
                     return Err((RowState::Refused, text!("refused-logs-armed")));
@@ -290,7 +292,7 @@ impl Job {
                     None => Ok(()),
                 }
             }
-            Phase::Reading(reading) => {
+            LogsPhase::Reading(reading) => {
                 let Some(whole) = reading.advance(desk)? else {
                     return Ok(());
                 };
@@ -310,7 +312,7 @@ impl Job {
         now: Duration,
         output: &mut Output,
     ) -> Result<(), Ending> {
-        let Phase::Listing(listing) = &mut self.phase else {
+        let LogsPhase::Listing(listing) = &mut self.phase else {
             return Ok(());
         };
         if let (Some(logs), LogCommand::List) = (listing.complete(), &self.command) {
@@ -328,14 +330,14 @@ impl Job {
     }
 
     /// Handles the list of logs.
-    fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut Desk<'_>) -> Result<(), Ending> {
+    fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut LogsDesk<'_>) -> Result<(), Ending> {
         if self.command == LogCommand::List {
             return Err((RowState::Done, list(&logs)));
         }
         if logs.is_empty() || !hands_out_files(desk.vehicle) {
             return self.choose(logs, LogFiles::default(), desk);
         }
-        self.phase = Phase::Searching(Box::new(FileSearch::new(logs, desk.ftp)));
+        self.phase = LogsPhase::Searching(Box::new(FileSearch::new(logs, desk.ftp)));
         Ok(())
     }
 
@@ -344,7 +346,7 @@ impl Job {
         &mut self,
         logs: Vec<ListedLog>,
         files: LogFiles,
-        desk: &mut Desk<'_>,
+        desk: &mut LogsDesk<'_>,
     ) -> Result<(), Ending> {
         let LogCommand::Download { which, folder } = &self.command else {
             return Err((RowState::Done, list(&logs)));
@@ -374,7 +376,7 @@ impl Job {
             folder: folder.clone(),
         };
         let reading = Reading::begin(first, chosen, files, desk).map_err(failed)?;
-        self.phase = Phase::Reading(Box::new(reading));
+        self.phase = LogsPhase::Reading(Box::new(reading));
         Ok(())
     }
 }

@@ -35,7 +35,7 @@ pub enum Want {
 }
 
 #[derive(Debug, Clone)]
-struct Setting {
+struct AskedSetting {
     value: f64,
     holds: bool,
     tries: u32,
@@ -48,7 +48,7 @@ struct Setting {
 pub(super) struct Settings {
     /// Whether the vehicle was ever heard: before that, sending is pointless.
     is_there: bool,
-    wanted: BTreeMap<&'static str, Setting>,
+    wanted: BTreeMap<&'static str, AskedSetting>,
     /// Whether the vehicle uses the other firmware's name.
     renamed: BTreeMap<&'static str, bool>,
 }
@@ -56,7 +56,7 @@ pub(super) struct Settings {
 impl Settings {
     /// Sets the value that a parameter must have.
     pub fn want(&mut self, name: &'static str, value: f64) {
-        let setting = Setting {
+        let setting = AskedSetting {
             value,
             holds: false,
             tries: 0,

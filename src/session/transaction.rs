@@ -28,7 +28,7 @@ pub(super) enum Progress {
 
 /// The phase of a transaction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum TransactionPhase {
     /// Sent, awaiting the answer.
     AwaitingAnswer {
         deadline: Duration,
@@ -59,7 +59,7 @@ pub(super) struct Transaction {
     pub(super) order: VehicleCommand,
     vehicle: VehicleId,
     given: Duration,
-    phase: Phase,
+    phase: TransactionPhase,
     tries: u8,
     first_sent: Duration,
     last_sent: Duration,
@@ -100,11 +100,11 @@ impl Transaction {
         };
         let effect = order.command.effect(vehicle);
         let phase = match request.answer {
-            Answer::None => Phase::AwaitingEffect {
+            Answer::None => TransactionPhase::AwaitingEffect {
                 since: now,
                 repeated: 0,
             },
-            Answer::Ack(_) | Answer::Parameter(_) => Phase::AwaitingAnswer {
+            Answer::Ack(_) | Answer::Parameter(_) => TransactionPhase::AwaitingAnswer {
                 deadline,
                 in_progress: false,
                 rejected: false,
@@ -152,7 +152,7 @@ impl Transaction {
 
     /// Whether it was carried out.
     pub fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        self.phase == TransactionPhase::Done
     }
 
     /// Whether a newer movement supersedes it.
@@ -163,7 +163,9 @@ impl Transaction {
     /// The command with acknowledgements that may still arrive unawaited, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
-            (Answer::Ack(command), Phase::AwaitingAnswer { .. }) => Some((*command, self.tries)),
+            (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. }) => {
+                Some((*command, self.tries))
+            }
             _ => None,
         }
     }
@@ -197,24 +199,26 @@ impl Transaction {
     /// Advances time and reports changes.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Progress {
         match self.phase {
-            Phase::AwaitingAnswer { .. } => self.await_answer(vehicle, now, output),
-            Phase::AwaitingReason { result, until } if now >= until => {
+            TransactionPhase::AwaitingAnswer { .. } => self.await_answer(vehicle, now, output),
+            TransactionPhase::AwaitingReason { result, until } if now >= until => {
                 self.refuse(result, vehicle, now, output);
             }
-            Phase::AwaitingReason { .. } | Phase::Done | Phase::Over => {}
-            Phase::AwaitingEffect { since, .. } => match self.order.command.repeat() {
+            TransactionPhase::AwaitingReason { .. }
+            | TransactionPhase::Done
+            | TransactionPhase::Over => {}
+            TransactionPhase::AwaitingEffect { since, .. } => match self.order.command.repeat() {
                 Some(repeat) => self.keep_up(repeat, vehicle, now, output),
                 None => self.await_effect(since, vehicle, now, output),
             },
         }
         match self.phase {
-            Phase::Done | Phase::Over => Progress::Ended,
-            Phase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
+            TransactionPhase::Done | TransactionPhase::Over => Progress::Ended,
+            TransactionPhase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
                 Progress::Watching
             }
-            Phase::AwaitingAnswer { .. }
-            | Phase::AwaitingReason { .. }
-            | Phase::AwaitingEffect { .. } => Progress::Waiting,
+            TransactionPhase::AwaitingAnswer { .. }
+            | TransactionPhase::AwaitingReason { .. }
+            | TransactionPhase::AwaitingEffect { .. } => Progress::Waiting,
         }
     }
 
@@ -248,9 +252,9 @@ impl Transaction {
         output: &mut Output,
     ) {
         self.phase = if state == RowState::Done {
-            Phase::Done
+            TransactionPhase::Done
         } else {
-            Phase::Over
+            TransactionPhase::Over
         };
         self.report(state, explanation, now, output);
     }

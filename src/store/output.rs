@@ -107,21 +107,21 @@ fn append(path: &Path, text: &str) -> io::Result<()> {
 
 fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
     let target = fs::canonicalize(path)?;
-    let part = Part::write(&target, text, PartMode::Of(found))?;
+    let part = TemporaryFile::write(&target, text, PartMode::Of(found))?;
     fs::rename(&part.path, &target)
 }
 
 /// Writes a new file; one that has appeared in the meantime is replaced.
 fn put_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
-    let part = Part::write(&target, text, PartMode::New(mode))?;
+    let part = TemporaryFile::write(&target, text, PartMode::New(mode))?;
     fs::rename(&part.path, &target)
 }
 
 /// Writes a new file; one that has appeared in the meantime stays.
 fn create_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
-    let part = Part::write(&target, text, PartMode::New(mode))?;
+    let part = TemporaryFile::write(&target, text, PartMode::New(mode))?;
     give_new_name(&part.path, &target)
 }
 
@@ -147,11 +147,11 @@ enum PartMode<'a> {
 }
 
 /// A temporary file beside the target, removed when it is no longer needed.
-struct Part {
+struct TemporaryFile {
     path: PathBuf,
 }
 
-impl Part {
+impl TemporaryFile {
     /// Writes the text to a new file beside the target.
     fn write(target: &Path, text: &str, mode: PartMode<'_>) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
@@ -171,7 +171,7 @@ impl Part {
     }
 }
 
-impl Drop for Part {
+impl Drop for TemporaryFile {
     /// Removes the part, unless it has become the file.
     fn drop(&mut self) {
         drop(fs::remove_file(&self.path));

@@ -34,7 +34,7 @@ pub struct Parser {
 }
 
 /// The result of parsing the first bytes.
-enum Found {
+enum ParsedInput {
     /// An input, or bytes to ignore, with their length.
     Whole(Option<Input>, usize),
     /// The start of a paste, with its length.
@@ -56,12 +56,12 @@ impl Parser {
                 return self.pasted();
             }
             match find(&self.bytes) {
-                Found::Partial => return None,
-                Found::Paste(length) => {
+                ParsedInput::Partial => return None,
+                ParsedInput::Paste(length) => {
                     self.bytes.drain(..length);
                     self.paste = Some(Vec::new());
                 }
-                Found::Whole(input, length) => {
+                ParsedInput::Whole(input, length) => {
                     self.bytes.drain(..length);
                     if input.is_some() {
                         return input;
@@ -105,29 +105,29 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
     Input::Key(KeyEvent::new(code, modifiers))
 }
 
-fn find(bytes: &[u8]) -> Found {
+fn find(bytes: &[u8]) -> ParsedInput {
     match bytes {
-        [] | [0x1b] | [0x1b, b'O'] => Found::Partial,
-        [0x1b, 0x1b, ..] => Found::Whole(Some(key(KeyCode::Esc, KeyModifiers::NONE)), 1),
+        [] | [0x1b] | [0x1b, b'O'] => ParsedInput::Partial,
+        [0x1b, 0x1b, ..] => ParsedInput::Whole(Some(key(KeyCode::Esc, KeyModifiers::NONE)), 1),
         [0x1b, b'[', ..] => sequence(bytes),
         [0x1b, b'O', letter, ..] => {
             let found = letter_key(*letter).map(|code| key(code, KeyModifiers::NONE));
-            Found::Whole(found, 3)
+            ParsedInput::Whole(found, 3)
         }
         [0x1b, rest @ ..] => match character(rest) {
-            Found::Whole(Some(Input::Key(pressed)), length) => {
+            ParsedInput::Whole(Some(Input::Key(pressed)), length) => {
                 let modifiers = pressed.modifiers | KeyModifiers::ALT;
-                Found::Whole(Some(key(pressed.code, modifiers)), length + 1)
+                ParsedInput::Whole(Some(key(pressed.code, modifiers)), length + 1)
             }
-            Found::Whole(other, length) => Found::Whole(other, length + 1),
-            other @ (Found::Paste(_) | Found::Partial) => other,
+            ParsedInput::Whole(other, length) => ParsedInput::Whole(other, length + 1),
+            other @ (ParsedInput::Paste(_) | ParsedInput::Partial) => other,
         },
         _ => character(bytes),
     }
 }
 
 /// A control character, or a character in UTF-8.
-fn character(bytes: &[u8]) -> Found {
+fn character(bytes: &[u8]) -> ParsedInput {
     let none = KeyModifiers::NONE;
     let control = |c: u8| key(KeyCode::Char(c.into()), KeyModifiers::CONTROL);
     let found = match bytes[0] {
@@ -139,16 +139,16 @@ fn character(bytes: &[u8]) -> Found {
         c @ 0x1c..=0x1f => control(c - 0x1c + b'4'),
         first => return utf8(bytes, first),
     };
-    Found::Whole(Some(found), 1)
+    ParsedInput::Whole(Some(found), 1)
 }
 
-fn utf8(bytes: &[u8], first: u8) -> Found {
+fn utf8(bytes: &[u8], first: u8) -> ParsedInput {
     let length = match first {
         0..=0x7f => 1,
         0xc0..=0xdf => 2,
         0xe0..=0xef => 3,
         0xf0..=0xf7 => 4,
-        _ => return Found::Whole(None, 1),
+        _ => return ParsedInput::Whole(None, 1),
     };
     let whole = bytes.get(..length);
     let known = whole.unwrap_or(bytes);
@@ -159,45 +159,45 @@ fn utf8(bytes: &[u8], first: u8) -> Found {
             } else {
                 KeyModifiers::NONE
             };
-            Found::Whole(Some(key(KeyCode::Char(c), modifiers)), length)
+            ParsedInput::Whole(Some(key(KeyCode::Char(c), modifiers)), length)
         }
-        Err(error) if whole.is_none() && error.error_len().is_none() => Found::Partial,
-        _ => Found::Whole(None, 1),
+        Err(error) if whole.is_none() && error.error_len().is_none() => ParsedInput::Partial,
+        _ => ParsedInput::Whole(None, 1),
     }
 }
 
 /// A control sequence: `ESC [`, parameters, a letter.
-fn sequence(bytes: &[u8]) -> Found {
+fn sequence(bytes: &[u8]) -> ParsedInput {
     // The Linux console's first function keys: `ESC [ [ A`.
     if bytes.get(2) == Some(&b'[') {
         return match bytes.get(3) {
-            None => Found::Partial,
+            None => ParsedInput::Partial,
             Some(letter @ b'A'..=b'E') => {
                 let number = letter - b'A' + 1;
-                Found::Whole(Some(key(KeyCode::F(number), KeyModifiers::NONE)), 4)
+                ParsedInput::Whole(Some(key(KeyCode::F(number), KeyModifiers::NONE)), 4)
             }
-            Some(_) => Found::Whole(None, 3),
+            Some(_) => ParsedInput::Whole(None, 3),
         };
     }
     let inner = &bytes[2..];
     let Some(end) = inner.iter().position(|byte| !matches!(byte, 0x20..=0x3f)) else {
         let length = bytes.len();
         return if length > LONGEST_SEQUENCE {
-            Found::Whole(None, length)
+            ParsedInput::Whole(None, length)
         } else {
-            Found::Partial
+            ParsedInput::Partial
         };
     };
     let last = inner[end];
     if !matches!(last, 0x40..=0x7e) {
         // An interrupted sequence: the character that interrupts it is read separately.
-        return Found::Whole(None, 2 + end);
+        return ParsedInput::Whole(None, 2 + end);
     }
     let parameters = std::str::from_utf8(&inner[..end]).unwrap_or_default();
     if (parameters, last) == ("200", b'~') {
-        return Found::Paste(2 + end + 1);
+        return ParsedInput::Paste(2 + end + 1);
     }
-    Found::Whole(meaning(parameters, last), 2 + end + 1)
+    ParsedInput::Whole(meaning(parameters, last), 2 + end + 1)
 }
 
 fn meaning(parameters: &str, last: u8) -> Option<Input> {

@@ -35,8 +35,8 @@ const STALLED: Duration = Duration::from_secs(5);
 pub struct Pace {
     interval: Duration,
     drawn_at: Option<Duration>,
-    question: Option<Question>,
-    hearing: Hearing,
+    question: Option<TerminalQuery>,
+    hearing: QueryHearing,
     /// How long the last answer took.
     delay: Duration,
     /// When the line was last slow, and its bytes per second.
@@ -53,7 +53,7 @@ pub struct Pace {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Question {
+struct TerminalQuery {
     at: Duration,
     /// The time of the first unanswered query.
     unanswered_since: Duration,
@@ -63,7 +63,7 @@ struct Question {
 
 /// Whether the terminal answers queries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Hearing {
+enum QueryHearing {
     Unknown,
     Answers,
     Deaf,
@@ -76,7 +76,7 @@ impl Pace {
             interval: Duration::from_secs(1) / u32::from(frames_per_s.max(1)),
             drawn_at: None,
             question: None,
-            hearing: Hearing::Unknown,
+            hearing: QueryHearing::Unknown,
             delay: Duration::ZERO,
             slow: None,
             rest_until: Duration::ZERO,
@@ -96,7 +96,7 @@ impl Pace {
     pub fn unread() -> Self {
         Self {
             interval: Duration::ZERO,
-            hearing: Hearing::Deaf,
+            hearing: QueryHearing::Deaf,
             ..Self::new(1)
         }
     }
@@ -123,8 +123,10 @@ impl Pace {
     /// Whether the next frame should end with a query.
     pub fn asks(&self, now: Duration) -> bool {
         match (self.question, self.hearing) {
-            (None, hearing) => hearing != Hearing::Deaf,
-            (Some(question), Hearing::Answers) => now.saturating_sub(question.at) >= REPEAT_AFTER,
+            (None, hearing) => hearing != QueryHearing::Deaf,
+            (Some(question), QueryHearing::Answers) => {
+                now.saturating_sub(question.at) >= REPEAT_AFTER
+            }
             (Some(_), _) => false,
         }
     }
@@ -138,21 +140,21 @@ impl Pace {
         if asked {
             let bytes = std::mem::take(&mut self.unasked_bytes);
             let unanswered_since = self.question.map_or(now, |known| known.unanswered_since);
-            self.question = Some(Question {
+            self.question = Some(TerminalQuery {
                 at: now,
                 unanswered_since,
                 bytes,
             });
         }
-        if self.hearing == Hearing::Unknown && self.overdue(now) >= DEAF_AFTER {
-            self.hearing = Hearing::Deaf;
+        if self.hearing == QueryHearing::Unknown && self.overdue(now) >= DEAF_AFTER {
+            self.hearing = QueryHearing::Deaf;
             self.question = None;
         }
     }
 
     /// Notes an answer of the terminal.
     pub fn answered(&mut self, now: Duration) {
-        self.hearing = Hearing::Answers;
+        self.hearing = QueryHearing::Answers;
         let Some(question) = self.question.take() else {
             return;
         };
@@ -171,7 +173,7 @@ impl Pace {
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {
-            if self.hearing == Hearing::Deaf {
+            if self.hearing == QueryHearing::Deaf {
                 self.recover(now);
             }
             return;
@@ -190,7 +192,7 @@ impl Pace {
 
     /// Whether an answer is outstanding that will probably arrive.
     pub fn expects_answer(&self) -> bool {
-        self.question.is_some() && self.hearing == Hearing::Answers
+        self.question.is_some() && self.hearing == QueryHearing::Answers
     }
 
     /// Notes that the line has kept up; it is reported as slow for a while longer, because large frames are rare.
@@ -207,13 +209,15 @@ impl Pace {
         let overdue = self.overdue(now);
         let slow = self.question.is_some() && self.delay >= PATIENCE;
         match self.hearing {
-            Hearing::Answers if overdue >= PATIENCE || slow => REPEAT_AFTER,
-            Hearing::Unknown if self.question.is_some() && self.unasked_bytes >= TRIAL_BYTES => {
+            QueryHearing::Answers if overdue >= PATIENCE || slow => REPEAT_AFTER,
+            QueryHearing::Unknown
+                if self.question.is_some() && self.unasked_bytes >= TRIAL_BYTES =>
+            {
                 DEAF_AFTER
             }
-            Hearing::Unknown if overdue >= PATIENCE => TRIAL_INTERVAL.max(self.interval),
+            QueryHearing::Unknown if overdue >= PATIENCE => TRIAL_INTERVAL.max(self.interval),
             _ if self.has_key => self.interval.min(KEY_INTERVAL),
-            Hearing::Unknown | Hearing::Answers | Hearing::Deaf => self.interval,
+            QueryHearing::Unknown | QueryHearing::Answers | QueryHearing::Deaf => self.interval,
         }
     }
 

@@ -12,7 +12,7 @@ use super::colours;
 /// The output to the terminal.
 #[derive(Debug, Default)]
 pub struct Traffic {
-    state: Mutex<Writing>,
+    state: Mutex<PendingWrite>,
     /// Signalled when everything has been written.
     written: Condvar,
     /// Bytes written so far.
@@ -20,7 +20,7 @@ pub struct Traffic {
 }
 
 #[derive(Debug, Default)]
-struct Writing {
+struct PendingWrite {
     /// Pieces of frames that the thread has not written yet.
     waiting: usize,
     /// Writes completed since the last call.
@@ -36,7 +36,7 @@ pub struct Written {
 }
 
 impl Traffic {
-    fn state(&self) -> MutexGuard<'_, Writing> {
+    fn state(&self) -> MutexGuard<'_, PendingWrite> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

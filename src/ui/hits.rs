@@ -8,10 +8,10 @@ use crate::app::action::Action;
 
 /// Parts of the screen with their actions, filled again in every frame.
 #[derive(Debug, Clone, Default)]
-pub struct Hits(Arc<Mutex<Vec<Hit>>>);
+pub struct Hits(Arc<Mutex<Vec<HitArea>>>);
 
 #[derive(Debug, Clone, Copy)]
-struct Hit {
+struct HitArea {
     place: Rect,
     action: Action,
 }
@@ -24,7 +24,7 @@ impl Hits {
 
     /// Adds an area with its action.
     pub fn add(&self, place: Rect, action: Action) {
-        self.all().push(Hit { place, action });
+        self.all().push(HitArea { place, action });
     }
 
     /// The action at a cell; the area drawn last is on top.
@@ -35,7 +35,7 @@ impl Hits {
         hit.map(|hit| hit.action)
     }
 
-    fn all(&self) -> MutexGuard<'_, Vec<Hit>> {
+    fn all(&self) -> MutexGuard<'_, Vec<HitArea>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

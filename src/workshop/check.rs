@@ -96,7 +96,7 @@ impl Design {
 
     /// All problems of the design, with figures computed before.
     pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
-        let mut found = Found::default();
+        let mut found = PackFindings::default();
         for slot in PartSlot::ALL {
             if slot.is_required() && self.in_slot(slot).is_empty() {
                 found.add(
@@ -127,9 +127,9 @@ impl Design {
 }
 
 #[derive(Default)]
-struct Found(Vec<DesignFinding>);
+struct PackFindings(Vec<DesignFinding>);
 
-impl Found {
+impl PackFindings {
     fn add(&mut self, kind: FindingKind, slot: PartSlot, text: Text) {
         self.0.push(DesignFinding { kind, slot, text });
     }

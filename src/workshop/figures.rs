@@ -120,7 +120,7 @@ impl Design {
     /// The design's figures in given air; `None` while parts of the drive are missing.
     pub fn figures(&self, air: Air) -> Option<Figures> {
         let drive = self.drive()?;
-        let bench = Bench::new(self, &drive, air);
+        let bench = FigureInputs::new(self, &drive, air);
         Some(bench.figures(self))
     }
 
@@ -130,7 +130,7 @@ impl Design {
         let Some(drive) = self.drive() else {
             return Vec::new();
         };
-        let bench = Bench::new(self, &drive, air);
+        let bench = FigureInputs::new(self, &drive, air);
         let top = bench.top_speed_m_s();
         speeds()
             .take_while(|speed| *speed <= top)
@@ -143,7 +143,7 @@ impl Design {
         let Some(drive) = self.drive() else {
             return Vec::new();
         };
-        let bench = Bench::new(self, &drive, air);
+        let bench = FigureInputs::new(self, &drive, air);
         let most_kg =
             bench.max_thrust_n(MIDDLE_CHARGE) / (LEAST_THRUST * GRAVITY_M_S2) - bench.mass_kg();
         let steps = 20;
@@ -162,13 +162,13 @@ impl Design {
 }
 
 /// The inputs of all figures, computed once.
-struct Bench<'a> {
+struct FigureInputs<'a> {
     drive: &'a Drive<'a>,
     pack: Pack,
     forward: Forward<'a>,
 }
 
-impl<'a> Bench<'a> {
+impl<'a> FigureInputs<'a> {
     fn new(design: &Design, drive: &'a Drive<'a>, air: Air) -> Self {
         let density = air.density();
         let mass_kg = design.mass_kg();

@@ -96,14 +96,14 @@ pub(super) struct Geofence {
 /// A vehicle's position for the fences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
-struct Spot {
+struct FencePosition {
     /// North and east from the start.
     here_m: DVec2,
     from_home_m: DVec2,
     above_home_m: f64,
 }
 
-impl Spot {
+impl FencePosition {
     fn new(point_m: DVec3, home_m: DVec3) -> Self {
         Self {
             here_m: point_m.truncate(),
@@ -122,7 +122,7 @@ impl Geofence {
     }
 
     /// Checks every fence; returns the kinds just broken.
-    fn check(&mut self, rules: &FenceRules, spot: Spot, now: Duration) -> u8 {
+    fn check(&mut self, rules: &FenceRules, spot: FencePosition, now: Duration) -> u8 {
         self.broken &= rules.kinds;
         if rules.active() == 0 {
             return 0;
@@ -195,7 +195,7 @@ impl Geofence {
         if active == 0 {
             return true;
         }
-        let spot = Spot::new(point_m, home_m);
+        let spot = FencePosition::new(point_m, home_m);
         let outside = (active & CEILING != 0 && spot.above_home_m > rules.ceiling_m)
             || (active & FLOOR != 0 && spot.above_home_m < rules.floor_m)
             || (active & CIRCLE != 0 && spot.from_home_m.length() > rules.radius_m)

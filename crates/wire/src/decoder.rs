@@ -51,7 +51,7 @@ pub struct Decoder {
 }
 
 /// The position of a frame in the buffer, from its header.
-struct Layout {
+struct FrameLayout {
     version: MavlinkVersion,
     header_len: usize,
     payload_len: usize,
@@ -59,14 +59,14 @@ struct Layout {
     id: u32,
 }
 
-impl Layout {
+impl FrameLayout {
     fn end(&self) -> usize {
         self.header_len + self.payload_len + 2 + if self.signed { SIGNATURE_LEN } else { 0 }
     }
 }
 
-enum Candidate {
-    Frame(Layout),
+enum FrameCandidate {
+    Frame(FrameLayout),
     Incomplete,
     NotAFrame,
 }
@@ -104,9 +104,9 @@ impl Decoder {
         loop {
             self.seek_start();
             match self.candidate() {
-                Candidate::Incomplete => return None,
-                Candidate::NotAFrame => self.skip(1),
-                Candidate::Frame(layout) => {
+                FrameCandidate::Incomplete => return None,
+                FrameCandidate::NotAFrame => self.skip(1),
+                FrameCandidate::Frame(layout) => {
                     if let Some(frame) = self.accept(&layout) {
                         return Some(frame);
                     }
@@ -151,34 +151,36 @@ impl Decoder {
         self.position = to;
     }
 
-    fn candidate(&self) -> Candidate {
+    fn candidate(&self) -> FrameCandidate {
         let rest = &self.buffer[self.position..];
         let layout = match *rest {
-            [STX_V1, len, _, _, _, id, ..] => Layout {
+            [STX_V1, len, _, _, _, id, ..] => FrameLayout {
                 version: MavlinkVersion::V1,
                 header_len: 6,
                 payload_len: usize::from(len),
                 signed: false,
                 id: u32::from(id),
             },
-            [STX_V2, _, flags, ..] if flags & !FLAG_SIGNED != 0 => return Candidate::NotAFrame,
-            [STX_V2, len, flags, _, _, _, _, id0, id1, id2, ..] => Layout {
+            [STX_V2, _, flags, ..] if flags & !FLAG_SIGNED != 0 => {
+                return FrameCandidate::NotAFrame;
+            }
+            [STX_V2, len, flags, _, _, _, _, id0, id1, id2, ..] => FrameLayout {
                 version: MavlinkVersion::V2,
                 header_len: 10,
                 payload_len: usize::from(len),
                 signed: flags & FLAG_SIGNED != 0,
                 id: u32::from_le_bytes([id0, id1, id2, 0]),
             },
-            _ => return Candidate::Incomplete,
+            _ => return FrameCandidate::Incomplete,
         };
         if rest.len() < layout.end() {
-            return Candidate::Incomplete;
+            return FrameCandidate::Incomplete;
         }
-        Candidate::Frame(layout)
+        FrameCandidate::Frame(layout)
     }
 
     /// Checks a complete candidate and skips it, or only its first byte if it turns out to be no frame.
-    fn accept(&mut self, layout: &Layout) -> Option<Frame> {
+    fn accept(&mut self, layout: &FrameLayout) -> Option<Frame> {
         let end = layout.end();
         let bytes = &self.buffer[self.position..self.position + end];
         let crc_at = layout.header_len + layout.payload_len;
@@ -211,7 +213,7 @@ impl Decoder {
         Some(frame)
     }
 
-    fn parse(&mut self, layout: &Layout) -> Frame {
+    fn parse(&mut self, layout: &FrameLayout) -> Frame {
         let bytes = &self.buffer[self.position..];
         let payload = &bytes[layout.header_len..layout.header_len + layout.payload_len];
         let content = match MavMessage::parse(layout.version, layout.id, payload) {
@@ -234,12 +236,12 @@ impl Decoder {
         self.frame(layout, content)
     }
 
-    fn unknown(&mut self, layout: &Layout) -> Frame {
+    fn unknown(&mut self, layout: &FrameLayout) -> Frame {
         self.counters.unknown_messages += 1;
         self.frame(layout, Content::Unknown { id: layout.id })
     }
 
-    fn frame(&self, layout: &Layout, content: Content) -> Frame {
+    fn frame(&self, layout: &FrameLayout, content: Content) -> Frame {
         let bytes = &self.buffer[self.position..];
         let sender = match layout.version {
             MavlinkVersion::V1 => &bytes[2..5],

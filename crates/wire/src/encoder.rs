@@ -125,7 +125,7 @@ impl Encoder {
     ) -> usize {
         let seal = self.seal.take().filter(|_| version == MavlinkVersion::V2);
         let start = bytes.len();
-        let head = Head {
+        let head = HeaderFields {
             version,
             id,
             signed: seal.is_some(),
@@ -144,7 +144,7 @@ impl Encoder {
         bytes.len() - start
     }
 
-    fn head(&self, head: Head, bytes: &mut Vec<u8>) {
+    fn head(&self, head: HeaderFields, bytes: &mut Vec<u8>) {
         let len = head.length;
         let sender = [self.sequence, self.system, self.component];
         let [id0, id1, id2, _] = head.id.to_le_bytes();
@@ -166,7 +166,7 @@ impl Encoder {
 
 /// The fields of a frame's header, except the sender.
 #[derive(Debug, Clone, Copy)]
-struct Head {
+struct HeaderFields {
     version: MavlinkVersion,
     /// The message id.
     id: u32,

@@ -30,7 +30,7 @@ const OPEN_END: &str = " ...";
 
 /// A row of a file: the meaning of a key in a context; `None` disables the key.
 #[derive(Debug)]
-struct Row {
+struct KeyRow {
     press: Press,
     place: Place,
     meaning: Option<Meaning>,
@@ -45,7 +45,7 @@ impl Keymap {
     /// # Errors
     /// Every fault, with its position.
     pub fn overlay(&mut self, source: &str, themes: &[String]) -> Result<(), Vec<Diagnostic>> {
-        let mut reading = Reading {
+        let mut reading = KeymapReading {
             source,
             themes,
             rows: Vec::new(),
@@ -57,7 +57,7 @@ impl Keymap {
         reading.faults.extend(first);
         reading.contexts(table.into_inner());
         reading.shadows();
-        let Reading {
+        let KeymapReading {
             rows, mut faults, ..
         } = reading;
         faults.sort_by_key(|fault| fault.span.start);
@@ -69,14 +69,14 @@ impl Keymap {
         }
     }
 
-    fn lay(&mut self, rows: Vec<Row>) {
+    fn lay(&mut self, rows: Vec<KeyRow>) {
         let replaced = |binding: &Binding| {
             let mut rows = rows.iter();
             rows.any(|row| row.press == binding.press && row.place == binding.place)
         };
         let others = self.bindings.drain(..).filter(|binding| !replaced(binding));
         let kept: Vec<Binding> = others.collect();
-        for Row {
+        for KeyRow {
             press,
             place,
             meaning,
@@ -105,14 +105,14 @@ pub(super) fn contexts() -> impl Iterator<Item = &'static str> {
 }
 
 /// A file while it is being read.
-struct Reading<'a> {
+struct KeymapReading<'a> {
     source: &'a str,
     themes: &'a [String],
-    rows: Vec<Row>,
+    rows: Vec<KeyRow>,
     faults: Vec<Diagnostic>,
 }
 
-impl Reading<'_> {
+impl KeymapReading<'_> {
     fn contexts(&mut self, table: DeTable<'_>) {
         for (name, value) in table {
             let place = Place::all().find(|place| place.name() == name.get_ref());
@@ -153,7 +153,7 @@ impl Reading<'_> {
         place: Place,
         key: Spanned<String>,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<Row, Diagnostic> {
+    ) -> Result<KeyRow, Diagnostic> {
         let fault = |text| Diagnostic::new(key.span(), text);
         let press = Press::read(key.get_ref()).map_err(fault)?;
         let mut rows = self.rows.iter();
@@ -176,7 +176,7 @@ impl Reading<'_> {
             let name = key.get_ref().as_str();
             return Err(fault(text!("keymap-is-text", key = name)));
         }
-        Ok(Row {
+        Ok(KeyRow {
             press,
             place,
             meaning,
@@ -186,7 +186,7 @@ impl Reading<'_> {
 
     /// Reports a room's key with another meaning under `anywhere` in the same file; disabling it is allowed.
     fn shadows(&mut self) {
-        let general = |row: &&Row| row.place == Place::Anywhere && row.meaning.is_some();
+        let general = |row: &&KeyRow| row.place == Place::Anywhere && row.meaning.is_some();
         for row in &self.rows {
             if !matches!(row.place, Place::In(_)) || row.meaning.is_none() {
                 continue;

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{Alarms, Alert, Choice, CommandLog, Connections, Hangar, Histories, Task, Timing};
+use super::{
+    Alarms, Alert, Choice, Connections, FlownMission, Hangar, Histories, SessionLedger, Timing,
+};
 use crate::app::room_list::Room;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
@@ -35,11 +37,11 @@ pub struct FlightView {
     /// The places that commands may name.
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     pub(in crate::app) choice: Choice,
-    pub(in crate::app) commands: CommandLog,
+    pub(in crate::app) commands: SessionLedger,
     pub(in crate::app) connections: Connections,
     /// The processes that simulate the vehicles, if any.
     pub(in crate::app) hangar: Option<Hangar>,
-    pub(in crate::app) task: Task,
+    pub(in crate::app) task: FlownMission,
     pub(in crate::app) timing: Timing,
 }
 

@@ -227,7 +227,7 @@ pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Verdict;
+    use super::super::CheckResult;
     use super::*;
 
     #[test]
@@ -242,14 +242,14 @@ mod tests {
         let data = tempfile::tempdir().expect("a temporary folder");
         let mounts = "22 1 0:35 / / rw - nfs4 server:/ rw\n";
         let far = on_network(mounts, data.path(), data.path()).expect("noticed");
-        assert_eq!(far.verdict, Verdict::Note);
+        assert_eq!(far.verdict, CheckResult::Note);
         assert!(far.found.ends_with("is on a network folder (nfs4)"));
         assert_eq!(on_network("", data.path(), data.path()), None);
         assert_eq!(open_to_others(data.path()), None);
         let open = fs::Permissions::from_mode(0o777);
         fs::set_permissions(data.path(), open).expect("ours");
         let found = open_to_others(data.path()).expect("noticed");
-        assert_eq!(found.verdict, Verdict::Fault);
+        assert_eq!(found.verdict, CheckResult::Fault);
     }
 
     #[test]
@@ -257,13 +257,13 @@ mod tests {
         let home = tempfile::tempdir().expect("a temporary folder");
         let within = home.path().join("a/b");
         let finding = folder("state", &within);
-        assert_ne!(finding.verdict, Verdict::Fault);
+        assert_ne!(finding.verdict, CheckResult::Fault);
         assert!(
             finding.found.contains("created when needed"),
             "{}",
             finding.found
         );
         fs::write(home.path().join("a"), "").expect("it is written");
-        assert_eq!(folder("state", &within).verdict, Verdict::Fault);
+        assert_eq!(folder("state", &within).verdict, CheckResult::Fault);
     }
 }

@@ -96,23 +96,23 @@ fn locale(found: Option<String>) -> HostFinding {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Verdict;
+    use super::super::CheckResult;
     use super::*;
 
     #[test]
     fn what_a_terminal_lacks_is_told() {
         let cases = [
-            (kind(Some("xterm")), Verdict::Ok),
-            (kind(Some("dumb")), Verdict::Note),
-            (kind(None), Verdict::Note),
-            (room(Some((80, 24))), Verdict::Ok),
-            (room(Some((79, 24))), Verdict::Note),
-            (room(None), Verdict::Ok),
-            (colours(Some("xterm-256color"), None), Verdict::Ok),
-            (colours(Some("vt100"), None), Verdict::Note),
-            (locale(Some("uk_UA.UTF-8".to_owned())), Verdict::Ok),
-            (locale(Some("C".to_owned())), Verdict::Note),
-            (locale(None), Verdict::Note),
+            (kind(Some("xterm")), CheckResult::Ok),
+            (kind(Some("dumb")), CheckResult::Note),
+            (kind(None), CheckResult::Note),
+            (room(Some((80, 24))), CheckResult::Ok),
+            (room(Some((79, 24))), CheckResult::Note),
+            (room(None), CheckResult::Ok),
+            (colours(Some("xterm-256color"), None), CheckResult::Ok),
+            (colours(Some("vt100"), None), CheckResult::Note),
+            (locale(Some("uk_UA.UTF-8".to_owned())), CheckResult::Ok),
+            (locale(Some("C".to_owned())), CheckResult::Note),
+            (locale(None), CheckResult::Note),
         ];
         for (finding, expected) in cases {
             assert_eq!(finding.verdict, expected, "{}", finding.found);

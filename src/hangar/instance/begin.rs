@@ -16,7 +16,7 @@ use crate::hangar::output::ProcessOutput;
 use crate::hangar::relay::Relay;
 use crate::hangar::restarts::Restarts;
 use crate::hangar::roster::Taken;
-use crate::hangar::{HangarRefusal, Instance, InstanceRequest, Launch, Shared, SitlStage};
+use crate::hangar::{HangarRefusal, HangarShared, Instance, InstanceRequest, Launch, SitlStage};
 use crate::sitl::{Recipe, SerialEndpoint};
 
 /// The speed-up until an instance is ready: a real boot takes 42 s.
@@ -33,7 +33,7 @@ pub(in crate::hangar) async fn begin(
     taken: Taken,
     program: PathBuf,
     requests: mpsc::Receiver<InstanceRequest>,
-    shared: Arc<Shared>,
+    shared: Arc<HangarShared>,
 ) -> Result<(), HangarRefusal> {
     let id = taken.id;
     let refuse = |what: String| move |source: io::Error| HangarRefusal::Host { id, what, source };

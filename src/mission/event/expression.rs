@@ -42,11 +42,11 @@ enum ExpressionNode {
     Ask(ask::Question),
     Not(Box<ExpressionNode>),
     Negative(Box<ExpressionNode>),
-    Both(Operator, Box<ExpressionNode>, Box<ExpressionNode>),
+    Both(ExpressionOperator, Box<ExpressionNode>, Box<ExpressionNode>),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Operator {
+enum ExpressionOperator {
     Or,
     And,
     Less,
@@ -63,7 +63,7 @@ enum Operator {
 
 /// The value of a part at one moment.
 #[derive(Debug, Clone, PartialEq)]
-enum Value {
+enum PartValue {
     Number(f64),
     Bool(bool),
     Text(String),
@@ -100,19 +100,19 @@ impl Expression {
     }
 
     pub fn holds(&self, scope: &Scope<'_>) -> bool {
-        self.0.value(scope) == Value::Bool(true)
+        self.0.value(scope) == PartValue::Bool(true)
     }
 }
 
 impl ExpressionNode {
-    fn value(&self, scope: &Scope<'_>) -> Value {
+    fn value(&self, scope: &Scope<'_>) -> PartValue {
         match self {
-            Self::Number(number) => Value::Number(*number),
-            Self::Bool(is) => Value::Bool(*is),
-            Self::Text(text) => Value::Text(text.clone()),
+            Self::Number(number) => PartValue::Number(*number),
+            Self::Bool(is) => PartValue::Bool(*is),
+            Self::Text(text) => PartValue::Text(text.clone()),
             Self::Ask(question) => question.answer(scope),
-            Self::Not(part) => Value::Bool(part.value(scope) != Value::Bool(true)),
-            Self::Negative(part) => Value::Number(-part.number(scope)),
+            Self::Not(part) => PartValue::Bool(part.value(scope) != PartValue::Bool(true)),
+            Self::Negative(part) => PartValue::Number(-part.number(scope)),
             Self::Both(operator, left, right) => operator.apply(left, right, scope),
         }
     }
@@ -120,33 +120,33 @@ impl ExpressionNode {
     /// Its value as a number; the parser has checked that the part has one.
     fn number(&self, scope: &Scope<'_>) -> f64 {
         match self.value(scope) {
-            Value::Number(number) => number,
-            Value::Bool(_) | Value::Text(_) => f64::NAN,
+            PartValue::Number(number) => number,
+            PartValue::Bool(_) | PartValue::Text(_) => f64::NAN,
         }
     }
 }
 
-impl Operator {
-    fn apply(self, left: &ExpressionNode, right: &ExpressionNode, scope: &Scope<'_>) -> Value {
-        let is = |node: &ExpressionNode| node.value(scope) == Value::Bool(true);
+impl ExpressionOperator {
+    fn apply(self, left: &ExpressionNode, right: &ExpressionNode, scope: &Scope<'_>) -> PartValue {
+        let is = |node: &ExpressionNode| node.value(scope) == PartValue::Bool(true);
         let numbers = || (left.number(scope), right.number(scope));
         let compare = |holds: fn(f64, f64) -> bool| {
             let (left, right) = numbers();
-            Value::Bool(holds(left, right))
+            PartValue::Bool(holds(left, right))
         };
         let reckon = |of: fn(f64, f64) -> f64| {
             let (left, right) = numbers();
-            Value::Number(of(left, right))
+            PartValue::Number(of(left, right))
         };
         match self {
-            Self::Or => Value::Bool(is(left) || is(right)),
-            Self::And => Value::Bool(is(left) && is(right)),
+            Self::Or => PartValue::Bool(is(left) || is(right)),
+            Self::And => PartValue::Bool(is(left) && is(right)),
             Self::Less => compare(|a, b| a < b),
             Self::AtMost => compare(|a, b| a <= b),
             Self::Greater => compare(|a, b| a > b),
             Self::AtLeast => compare(|a, b| a >= b),
-            Self::Equal => Value::Bool(left.value(scope) == right.value(scope)),
-            Self::Unequal => Value::Bool(left.value(scope) != right.value(scope)),
+            Self::Equal => PartValue::Bool(left.value(scope) == right.value(scope)),
+            Self::Unequal => PartValue::Bool(left.value(scope) != right.value(scope)),
             Self::Plus => reckon(|a, b| a + b),
             Self::Minus => reckon(|a, b| a - b),
             Self::Times => reckon(|a, b| a * b),

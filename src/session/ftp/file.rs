@@ -22,14 +22,14 @@ pub(super) struct FileReading {
     session: u8,
     /// The missing parts of a file of known size; `None` until a file of unknown size is opened.
     known: Option<GapMap>,
-    stage: Stage,
+    stage: FileStage,
     refusals: u8,
     losses: u8,
     is_estimate: bool,
 }
 
 #[derive(Debug, Clone)]
-enum Stage {
+enum FileStage {
     Opening(Exchange),
     /// Ends sessions that were left open.
     Resetting(Exchange),
@@ -72,8 +72,8 @@ impl FileReading {
     /// The size of the file, once all of it is there.
     pub fn complete(&self) -> Option<u32> {
         match &self.stage {
-            Stage::Flowing(flow) => flow.gaps().is_complete().then(|| flow.gaps().size()),
-            Stage::Opening(_) | Stage::Resetting(_) | Stage::Resting(_) => None,
+            FileStage::Flowing(flow) => flow.gaps().is_complete().then(|| flow.gaps().size()),
+            FileStage::Opening(_) | FileStage::Resetting(_) | FileStage::Resting(_) => None,
         }
     }
 
@@ -84,15 +84,15 @@ impl FileReading {
         now: Duration,
     ) -> FileNews {
         match &mut self.stage {
-            Stage::Opening(exchange) if exchange.is_answered_by(answer) => {
+            FileStage::Opening(exchange) if exchange.is_answered_by(answer) => {
                 let request = exchange.request().clone();
                 self.opened(&request, answer, sequence, now)
             }
-            Stage::Resetting(exchange) if exchange.is_answered_by(answer) => {
+            FileStage::Resetting(exchange) if exchange.is_answered_by(answer) => {
                 self.stage = opening(&self.path, self.session, sequence);
                 FileNews::Nothing
             }
-            Stage::Flowing(flow) => match flow.receive(answer, sequence, now) {
+            FileStage::Flowing(flow) => match flow.receive(answer, sequence, now) {
                 Heard::Nothing => FileNews::Nothing,
                 Heard::Bytes(bytes) => {
                     self.losses = 0;
@@ -101,7 +101,9 @@ impl FileReading {
                 Heard::Lost(nak) => self.lost(nak, sequence),
                 Heard::Fault(fault) => FileNews::Fault(fault),
             },
-            Stage::Opening(_) | Stage::Resetting(_) | Stage::Resting(_) => FileNews::Nothing,
+            FileStage::Opening(_) | FileStage::Resetting(_) | FileStage::Resting(_) => {
+                FileNews::Nothing
+            }
         }
     }
 
@@ -126,7 +128,7 @@ impl FileReading {
             return FileNews::Fault(FtpFault::OtherSize(size));
         }
         let flow = FileFlow::new(request, self.session, gaps, now);
-        self.stage = Stage::Flowing(if self.is_estimate {
+        self.stage = FileStage::Flowing(if self.is_estimate {
             flow.estimated()
         } else {
             flow
@@ -150,9 +152,9 @@ impl FileReading {
                 size: 0,
                 data: Vec::new(),
             };
-            Stage::Resetting(Exchange::new(request, PATIENCE))
+            FileStage::Resetting(Exchange::new(request, PATIENCE))
         } else {
-            Stage::Resting(now + UNTIL_IDLE)
+            FileStage::Resting(now + UNTIL_IDLE)
         };
         FileNews::Nothing
     }
@@ -163,7 +165,7 @@ impl FileReading {
         if self.losses > MOST_LOSSES {
             return FileNews::Fault(FtpFault::Refused(nak));
         }
-        if let Stage::Flowing(flow) = &self.stage {
+        if let FileStage::Flowing(flow) = &self.stage {
             // An estimated size may have shrunk in the meantime; then the whole file is read again.
             self.known = (!self.is_estimate).then(|| flow.gaps().clone());
         }
@@ -181,23 +183,23 @@ impl FileReading {
         round_trip: Duration,
         now: Duration,
     ) -> Result<Vec<FtpRequest>, FtpFault> {
-        if let Stage::Resting(until) = self.stage
+        if let FileStage::Resting(until) = self.stage
             && now >= until
         {
             self.stage = opening(&self.path, self.session, sequence);
         }
         match &mut self.stage {
-            Stage::Opening(exchange) | Stage::Resetting(exchange) => {
+            FileStage::Opening(exchange) | FileStage::Resetting(exchange) => {
                 let request = exchange.poll(round_trip, now)?;
                 Ok(request.cloned().into_iter().collect())
             }
-            Stage::Resting(_) => Ok(Vec::new()),
-            Stage::Flowing(flow) => flow.poll(sequence, round_trip, now),
+            FileStage::Resting(_) => Ok(Vec::new()),
+            FileStage::Flowing(flow) => flow.poll(sequence, round_trip, now),
         }
     }
 }
 
-fn opening(path: &str, session: u8, sequence: &mut FtpSequence) -> Stage {
+fn opening(path: &str, session: u8, sequence: &mut FtpSequence) -> FileStage {
     let request = FtpRequest::about(path, FtpOpcode::OpenToRead, session, sequence);
-    Stage::Opening(Exchange::new(request, PATIENCE))
+    FileStage::Opening(Exchange::new(request, PATIENCE))
 }

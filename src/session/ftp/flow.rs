@@ -29,7 +29,7 @@ const WINDOW: u32 = 4096;
 
 /// A burst that has been requested.
 #[derive(Debug, Clone)]
-struct Burst {
+struct RequestedBurst {
     sequence: u32,
     at: u32,
     begun: Duration,
@@ -57,7 +57,7 @@ pub(super) struct FileFlow {
     gaps: GapMap,
     /// Whether the file must have the size that it was opened with.
     is_exact: bool,
-    burst: Option<Burst>,
+    burst: Option<RequestedBurst>,
     bursts: Bursts,
     /// Requested pieces, by the number of the request: the range, and the time.
     pieces: BTreeMap<u32, (Range<u32>, Duration)>,
@@ -285,7 +285,7 @@ impl FileFlow {
         let request = self.request(FtpOpcode::Burst, sequence.next(), at, PIECE as u8);
         sequence.pass_over_burst();
         self.newest = request.sequence;
-        self.burst = Some(Burst {
+        self.burst = Some(RequestedBurst {
             sequence: request.sequence,
             at,
             begun: now,

@@ -20,11 +20,11 @@ pub(super) struct FileWriting {
     bytes: Vec<u8>,
     written: usize,
     refusals: u8,
-    stage: Stage,
+    stage: WritingStage,
 }
 
 #[derive(Debug, Clone)]
-enum Stage {
+enum WritingStage {
     Opening(Exchange),
     /// Waits until this time for another session to end.
     Resting(Duration),
@@ -67,8 +67,9 @@ impl FileWriting {
         sequence: &mut FtpSequence,
         now: Duration,
     ) -> WritingNews {
-        let (Stage::Opening(exchange) | Stage::Writing(exchange, _) | Stage::Closing(exchange)) =
-            &self.stage
+        let (WritingStage::Opening(exchange)
+        | WritingStage::Writing(exchange, _)
+        | WritingStage::Closing(exchange)) = &self.stage
         else {
             return WritingNews::Nothing;
         };
@@ -80,10 +81,10 @@ impl FileWriting {
         }
         match &self.stage {
             // PX4 assigns the session number.
-            Stage::Opening(_) => self.session = answer.session,
-            Stage::Writing(_, size) => self.written += size,
-            Stage::Closing(_) => return WritingNews::Written,
-            Stage::Resting(_) => return WritingNews::Nothing,
+            WritingStage::Opening(_) => self.session = answer.session,
+            WritingStage::Writing(_, size) => self.written += size,
+            WritingStage::Closing(_) => return WritingNews::Written,
+            WritingStage::Resting(_) => return WritingNews::Nothing,
         }
         self.stage = self.next(sequence);
         // A file is shorter than 4 GiB.
@@ -91,7 +92,7 @@ impl FileWriting {
     }
 
     /// Writes the next packet, or closes the file after the last.
-    fn next(&self, sequence: &mut FtpSequence) -> Stage {
+    fn next(&self, sequence: &mut FtpSequence) -> WritingStage {
         let rest = &self.bytes[self.written..];
         let data = rest[..rest.len().min(MOST_DATA)].to_vec();
         let size = data.len();
@@ -109,18 +110,18 @@ impl FileWriting {
         };
         let exchange = Exchange::new(request, PATIENCE);
         match size {
-            0 => Stage::Closing(exchange),
-            _ => Stage::Writing(exchange, size),
+            0 => WritingStage::Closing(exchange),
+            _ => WritingStage::Writing(exchange, size),
         }
     }
 
     fn refused(&mut self, nak: FtpNak, now: Duration) -> WritingNews {
         self.refusals += 1;
-        let is_opening = matches!(self.stage, Stage::Opening(_));
+        let is_opening = matches!(self.stage, WritingStage::Opening(_));
         if !is_opening || !nak.is_of_busy_server() || self.refusals >= MOST_REFUSALS {
             return WritingNews::Fault(FtpFault::Refused(nak));
         }
-        self.stage = Stage::Resting(now + UNTIL_IDLE);
+        self.stage = WritingStage::Resting(now + UNTIL_IDLE);
         WritingNews::Nothing
     }
 
@@ -134,21 +135,21 @@ impl FileWriting {
         round_trip: Duration,
         now: Duration,
     ) -> Result<Option<FtpRequest>, FtpFault> {
-        if let Stage::Resting(until) = self.stage
+        if let WritingStage::Resting(until) = self.stage
             && now >= until
         {
             self.stage = opening(&self.path, self.session, sequence);
         }
         match &mut self.stage {
-            Stage::Opening(exchange) | Stage::Writing(exchange, _) | Stage::Closing(exchange) => {
-                Ok(exchange.poll(round_trip, now)?.cloned())
-            }
-            Stage::Resting(_) => Ok(None),
+            WritingStage::Opening(exchange)
+            | WritingStage::Writing(exchange, _)
+            | WritingStage::Closing(exchange) => Ok(exchange.poll(round_trip, now)?.cloned()),
+            WritingStage::Resting(_) => Ok(None),
         }
     }
 }
 
-fn opening(path: &str, session: u8, sequence: &mut FtpSequence) -> Stage {
+fn opening(path: &str, session: u8, sequence: &mut FtpSequence) -> WritingStage {
     let request = FtpRequest::about(path, FtpOpcode::Create, session, sequence);
-    Stage::Opening(Exchange::new(request, PATIENCE))
+    WritingStage::Opening(Exchange::new(request, PATIENCE))
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::files::LogFiles;
 use super::transfer::{Received, Transfer};
 use super::words::{FileCheck, LogCarrier, LogWay, WholeLog};
-use super::{Desk, Ending, ListedLog, LogKeeper, VehicleLog, failed};
+use super::{Ending, ListedLog, LogKeeper, LogsDesk, VehicleLog, failed};
 use crate::ledger::RowState;
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::gaps::{FileBytes, GapMap};
@@ -27,7 +27,7 @@ pub(super) struct Reading {
     bytes: u64,
     files: LogFiles,
     transfer: Transfer,
-    route: Route,
+    route: LogRoute,
     carrier: LogCarrier,
     /// Whether the log is being read for the second time because the checksum differed.
     is_again: bool,
@@ -40,7 +40,7 @@ pub(super) struct Reading {
 
 /// How the bytes arrive, and the steps that follow.
 #[derive(Debug, Clone)]
-enum Route {
+enum LogRoute {
     /// By log messages, which `ArduPilot` sends much faster than files.
     Messages,
     /// As a file, because log messages have stopped; with the task under way.
@@ -64,14 +64,14 @@ impl Reading {
         first: VehicleLog,
         later: VecDeque<ListedLog>,
         files: LogFiles,
-        desk: &mut Desk<'_>,
+        desk: &mut LogsDesk<'_>,
     ) -> Result<Self, Text> {
         let known = desk.keeper.find(&first)?;
         let log = &first.log;
         let transfer = Transfer::new(log.number, known.gaps, known.samples, desk.now);
         let bytes = later.iter().map(|it| u64::from(it.size)).sum::<u64>() + u64::from(log.size);
         Ok(Self {
-            route: Route::Messages,
+            route: LogRoute::Messages,
             carrier: LogCarrier::Messages,
             is_again: false,
             transfer,
@@ -86,7 +86,7 @@ impl Reading {
     }
 
     /// Continues with the next log; returns whether there is one.
-    pub fn turn_to_next(&mut self, desk: &mut Desk<'_>) -> Result<bool, Text> {
+    pub fn turn_to_next(&mut self, desk: &mut LogsDesk<'_>) -> Result<bool, Text> {
         let Some(next) = self.later.pop_front() else {
             return Ok(false);
         };
@@ -133,14 +133,14 @@ impl Reading {
     /// Handles an event of the client for files.
     pub fn hear(&mut self, ticket: FtpTicket, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
         match &self.route {
-            Route::File(path, asked) if *asked == ticket => {
+            LogRoute::File(path, asked) if *asked == ticket => {
                 let path = path.clone();
                 self.hear_file(path, event, ftp, now);
             }
-            Route::Checking(path, asked) if *asked == ticket => {
+            LogRoute::Checking(path, asked) if *asked == ticket => {
                 self.route = match event {
-                    FtpEvent::Checksum(sum) => Route::Summed(path.clone(), sum),
-                    FtpEvent::Failed(fault) => Route::Checked(self.unchecked(fault)),
+                    FtpEvent::Checksum(sum) => LogRoute::Summed(path.clone(), sum),
+                    FtpEvent::Failed(fault) => LogRoute::Checked(self.unchecked(fault)),
                     FtpEvent::Listed(_)
                     | FtpEvent::Bytes(_)
                     | FtpEvent::Complete(_)
@@ -148,8 +148,8 @@ impl Reading {
                     | FtpEvent::Written => return,
                 };
             }
-            Route::Measuring(asked) if *asked == ticket => {
-                self.route = Route::Checked(match event {
+            LogRoute::Measuring(asked) if *asked == ticket => {
+                self.route = LogRoute::Checked(match event {
                     FtpEvent::Complete(_) => FileCheck::Other,
                     FtpEvent::Failed(FtpFault::OtherSize(_)) => FileCheck::Grown,
                     FtpEvent::Failed(fault) => self.unchecked(fault),
@@ -160,12 +160,12 @@ impl Reading {
                     | FtpEvent::Written => return,
                 });
             }
-            Route::File(..)
-            | Route::Checking(..)
-            | Route::Summed(..)
-            | Route::Measuring(_)
-            | Route::Checked(_)
-            | Route::Messages => {}
+            LogRoute::File(..)
+            | LogRoute::Checking(..)
+            | LogRoute::Summed(..)
+            | LogRoute::Measuring(_)
+            | LogRoute::Checked(_)
+            | LogRoute::Messages => {}
         }
     }
 
@@ -187,7 +187,7 @@ impl Reading {
                 self.note(received);
                 if is_other {
                     self.leave(ftp);
-                    self.route = Route::file(path, self.transfer.gaps(), ftp);
+                    self.route = LogRoute::file(path, self.transfer.gaps(), ftp);
                 }
             }
             FtpEvent::Complete(_) => {
@@ -197,7 +197,7 @@ impl Reading {
             FtpEvent::Failed(fault) => {
                 // No way is left to read this log unless log messages arrive again.
                 self.files = LogFiles::none(fault.into());
-                self.route = Route::Messages;
+                self.route = LogRoute::Messages;
                 self.transfer.resume(now);
             }
             FtpEvent::Listed(_)
@@ -210,10 +210,12 @@ impl Reading {
     /// Cancels the task of the client for files.
     pub fn leave(&self, ftp: &mut FtpClient) {
         match &self.route {
-            Route::File(_, ticket) | Route::Checking(_, ticket) | Route::Measuring(ticket) => {
+            LogRoute::File(_, ticket)
+            | LogRoute::Checking(_, ticket)
+            | LogRoute::Measuring(ticket) => {
                 ftp.cancel(*ticket);
             }
-            Route::Summed(..) | Route::Checked(_) | Route::Messages => {}
+            LogRoute::Summed(..) | LogRoute::Checked(_) | LogRoute::Messages => {}
         }
     }
 
@@ -228,16 +230,16 @@ impl Reading {
     }
 
     /// Does what is due; returns the log once it is complete.
-    pub fn advance(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Ending> {
+    pub fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, Ending> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();
-        let by_messages = matches!(self.route, Route::Messages);
+        let by_messages = matches!(self.route, LogRoute::Messages);
         let mut is_stalled = by_messages && self.transfer.is_stalled(desk.now);
         if is_stalled
             && !is_whole
             && let Ok(path) = self.files.path(self.log.log.number)
         {
-            self.route = Route::file(path.to_owned(), self.transfer.gaps(), desk.ftp);
+            self.route = LogRoute::file(path.to_owned(), self.transfer.gaps(), desk.ftp);
             is_stalled = false;
         }
         let ends = is_whole || desk.vehicle.armed() || is_stalled;
@@ -267,34 +269,36 @@ impl Reading {
     }
 
     /// With all bytes received, compares the checksums and gives the file its final name.
-    fn finish(&mut self, desk: &mut Desk<'_>) -> Result<Option<WholeLog>, Text> {
+    fn finish(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, Text> {
         if let Some(file) = self.file.take() {
             self.leave(desk.ftp);
             return Ok(Some(self.whole(file, None)));
         }
         let check = match &self.route {
-            Route::File(..) | Route::Checking(..) | Route::Measuring(_) => return Ok(None),
-            Route::Messages => {
+            LogRoute::File(..) | LogRoute::Checking(..) | LogRoute::Measuring(_) => {
+                return Ok(None);
+            }
+            LogRoute::Messages => {
                 self.route = match self.files.path(self.log.log.number) {
                     Ok(path) => self.checking(path.to_owned(), desk.ftp),
-                    Err(reason) => Route::Checked(FileCheck::Unknown(reason)),
+                    Err(reason) => LogRoute::Checked(FileCheck::Unknown(reason)),
                 };
                 return Ok(None);
             }
-            Route::Summed(path, sum) => {
+            LogRoute::Summed(path, sum) => {
                 let is_same = desk.keeper.checksum(&self.log)? == *sum;
                 self.route = if is_same {
-                    Route::Checked(FileCheck::Same)
+                    LogRoute::Checked(FileCheck::Same)
                 } else {
-                    Route::measuring(path.clone(), self.transfer.gaps(), desk.ftp)
+                    LogRoute::measuring(path.clone(), self.transfer.gaps(), desk.ftp)
                 };
                 return Ok(None);
             }
-            Route::Checked(FileCheck::Other) if !self.is_again => {
+            LogRoute::Checked(FileCheck::Other) if !self.is_again => {
                 self.begin_anew(desk)?;
                 return Ok(None);
             }
-            Route::Checked(check) => check.clone(),
+            LogRoute::Checked(check) => check.clone(),
         };
         let file = desk.keeper.finish(&self.log)?;
         let carrier = self.carrier;
@@ -302,12 +306,12 @@ impl Reading {
     }
 
     /// Requests the checksum of the vehicle's file.
-    fn checking(&self, path: String, ftp: &mut FtpClient) -> Route {
+    fn checking(&self, path: String, ftp: &mut FtpClient) -> LogRoute {
         let task = FtpTask::Checksum {
             path: path.clone(),
             size: self.log.log.size,
         };
-        Route::Checking(path, ftp.ask(task))
+        LogRoute::Checking(path, ftp.ask(task))
     }
 
     fn whole(&self, file: String, way: Option<LogWay>) -> WholeLog {
@@ -316,17 +320,17 @@ impl Reading {
     }
 
     /// Reads the whole log again, by log messages.
-    fn begin_anew(&mut self, desk: &Desk<'_>) -> Result<(), Text> {
+    fn begin_anew(&mut self, desk: &LogsDesk<'_>) -> Result<(), Text> {
         let gaps = GapMap::new(self.log.log.size);
         desk.keeper.keep(&self.log, &[], &gaps)?;
         self.transfer = Transfer::new(self.log.log.number, gaps, Vec::new(), desk.now);
-        (self.route, self.carrier) = (Route::Messages, LogCarrier::Messages);
+        (self.route, self.carrier) = (LogRoute::Messages, LogCarrier::Messages);
         self.is_again = true;
         Ok(())
     }
 }
 
-impl Route {
+impl LogRoute {
     fn file(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
         let ticket = ask_for(path.clone(), gaps, ftp);
         Self::File(path, ticket)

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use super::{Phase, Transaction};
+use super::{Transaction, TransactionPhase};
 use crate::commands::{AckResult, Answer, explain};
 use crate::ledger::RowState;
 use crate::session::Output;
@@ -24,7 +24,7 @@ const PROGRESS_UNKNOWN: u8 = 255;
 impl Transaction {
     /// Looks for the answer in a frame of the vehicle's autopilot.
     pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
-        if !matches!(self.phase, Phase::AwaitingAnswer { .. }) {
+        if !matches!(self.phase, TransactionPhase::AwaitingAnswer { .. }) {
             return;
         }
         match (&self.request.answer, &frame.content) {
@@ -50,7 +50,7 @@ impl Transaction {
 
     /// Advances time while the answer is awaited: retries, or gives up.
     pub(super) fn await_answer(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
-        let Phase::AwaitingAnswer {
+        let TransactionPhase::AwaitingAnswer {
             deadline,
             in_progress,
             rejected,
@@ -105,18 +105,18 @@ impl Transaction {
                     PROGRESS_UNKNOWN => 0,
                     percent => percent.min(100),
                 };
-                self.phase = Phase::AwaitingAnswer {
+                self.phase = TransactionPhase::AwaitingAnswer {
                     deadline: now + PROGRESS_PATIENCE,
                     in_progress: true,
                     rejected: false,
                 };
                 self.report(RowState::InProgress(percent), None, now, output);
             }
-            (AckResult::TemporarilyRejected, Phase::AwaitingAnswer { rejected, .. }) => {
+            (AckResult::TemporarilyRejected, TransactionPhase::AwaitingAnswer { rejected, .. }) => {
                 *rejected = true;
             }
             (result, _) => {
-                self.phase = Phase::AwaitingReason {
+                self.phase = TransactionPhase::AwaitingReason {
                     result,
                     until: now + REASON_PATIENCE,
                 };
@@ -126,7 +126,7 @@ impl Transaction {
 
     fn accept(&mut self, remark: Option<Text>, now: Duration, output: &mut Output) {
         self.is_accepted = true;
-        self.phase = Phase::AwaitingEffect {
+        self.phase = TransactionPhase::AwaitingEffect {
             since: now,
             repeated: 0,
         };

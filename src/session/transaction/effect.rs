@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Phase, Transaction};
+use super::{Transaction, TransactionPhase};
 use crate::commands::{Answer, Repeat};
 use crate::ledger::RowState;
 use crate::session::Output;
@@ -46,7 +46,7 @@ impl Transaction {
 
     /// Repeats a setpoint, which has no acknowledgement, in case it was lost. That does not count as a new attempt.
     fn repeat_setpoint(&mut self, now: Duration, output: &mut Output) {
-        let Phase::AwaitingEffect { repeated, .. } = &mut self.phase else {
+        let TransactionPhase::AwaitingEffect { repeated, .. } = &mut self.phase else {
             return;
         };
         let retry = self.order.verb.retry;
@@ -95,11 +95,11 @@ impl Transaction {
                 .is_some_and(|heartbeat| heartbeat.at > self.first_sent);
         let is_proof = match self.phase {
             // Without an answer, only a change proves that the command arrived.
-            Phase::AwaitingAnswer { .. } => !self.effect_was_there,
-            Phase::AwaitingReason { .. }
-            | Phase::AwaitingEffect { .. }
-            | Phase::Done
-            | Phase::Over => is_news,
+            TransactionPhase::AwaitingAnswer { .. } => !self.effect_was_there,
+            TransactionPhase::AwaitingReason { .. }
+            | TransactionPhase::AwaitingEffect { .. }
+            | TransactionPhase::Done
+            | TransactionPhase::Over => is_news,
         };
         Some(seen && is_proof)
     }

@@ -23,7 +23,7 @@ mod wealth;
 const WEALTH_ROWS: u16 = 12;
 
 /// The subject of the drawing, with the look.
-struct Subject<'a> {
+struct StandingSubject<'a> {
     state: &'a State,
     career: &'a Career,
     look: &'a Look,
@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = state.training().career() else {
         return draw_nobody(state, panel, buffer);
     };
-    let subject = Subject {
+    let subject = StandingSubject {
         state,
         career,
         look: panel.look,
@@ -77,7 +77,7 @@ fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// Name, level, credits, licence and level of automatic advice.
-fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_summary(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let standing = &subject.career.standing;
     let (experience, level, needed) = standing.experience();
@@ -113,7 +113,7 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, 1, &aids);
 }
 
-impl Subject<'_> {
+impl StandingSubject<'_> {
     /// Draws a pane's rule with its title; the rule is heavy for the pane with the cursor.
     fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
         Panel::new(self.look, area).focused(title, self.has_cursor(pane), buffer)

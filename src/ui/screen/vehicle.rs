@@ -43,7 +43,7 @@ const ATTITUDE_COLUMNS: u16 = 33;
 const TAPE_ROWS: u16 = 3;
 
 /// The data that the panes are drawn from.
-struct Subject<'a> {
+struct VehicleSubject<'a> {
     vehicle: &'a Vehicle,
     state: &'a State,
     look: &'a Look,
@@ -56,7 +56,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         put(buffer, below(panel.area, 1), 0, &line);
         return;
     };
-    let subject = Subject {
+    let subject = VehicleSubject {
         vehicle,
         state,
         look: panel.look,
@@ -81,7 +81,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// Draws the vehicle's name and the room's keys.
-fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mut Buffer) {
+fn draw_name(subject: &VehicleSubject<'_>, page: Option<usize>, area: Rect, buffer: &mut Buffer) {
     let (session, look) = (subject.state.session(), subject.look);
     let place = look.text(&text!(
         "vehicle-place",
@@ -125,7 +125,7 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
 }
 
 /// Three columns and three rows of panes.
-fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_whole(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let left = area.width * 3 / 10;
     let middle = area.width * 35 / 100;
     let thirds = |area: Rect| {
@@ -158,7 +158,7 @@ fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// First page: attitude and motion.
-fn draw_flight(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_flight(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let single = curves::height(subject, 1);
     let curves = if area.height >= single + 28 {
         curves::height(subject, 2)
@@ -173,7 +173,7 @@ fn draw_flight(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Second page: its sensors' quality, its plan, its outputs.
-fn draw_condition(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_condition(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let top = upper(area, area.height.saturating_sub(OUTPUTS_ROWS));
     let half = area.width / 2;
     estimate::draw(subject, columns(top, 0, half), buffer);
@@ -182,13 +182,13 @@ fn draw_condition(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Third page: its reports.
-fn draw_reports(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_reports(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     sensors::draw(subject, upper(area, SENSORS_ROWS), buffer);
     texts::draw(subject, below(area, SENSORS_ROWS), buffer);
 }
 
 /// The horizon above the heading tape.
-fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_attitude(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-attitude"), buffer);
     let Some(attitude) = &subject.vehicle.attitude else {

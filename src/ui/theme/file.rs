@@ -17,7 +17,7 @@ type Styles = BTreeMap<Role, Style>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Document {
+struct ThemeDocument {
     inherits: Option<Spanned<String>>,
     #[serde(default)]
     roles: BTreeMap<Spanned<String>, StyleEntry>,
@@ -108,7 +108,7 @@ impl<'a> Lineage<'a> {
             if is_passed {
                 return Some(names.join(" -> "));
             }
-            let document: Document = toml::from_str(&file.text).ok()?;
+            let document: ThemeDocument = toml::from_str(&file.text).ok()?;
             next = document.inherits?.into_inner();
         }
     }
@@ -120,7 +120,7 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     if !faults.is_empty() {
         return Err(faults);
     }
-    let file: Document =
+    let file: ThemeDocument =
         toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut faults = Vec::new();
     let mut styles = match &file.inherits {

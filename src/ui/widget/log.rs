@@ -39,7 +39,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
         usize::from(inner.width),
         panel.look,
     );
-    let window = Window::around(cursor - near.start, blocks, rows);
+    let window = LogWindow::around(cursor - near.start, blocks, rows);
     window.draw(panel.at(inner), buffer);
     // Only the lines near the cursor were created.
     let above = near.start + window.first;
@@ -71,14 +71,14 @@ fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
 }
 
 /// The lines near the cursor, and which of them are shown.
-struct Window<'a> {
+struct LogWindow<'a> {
     lines: Vec<Line<'a>>,
     /// The lines of the entry under the cursor.
     marked: Range<usize>,
     first: usize,
 }
 
-impl<'a> Window<'a> {
+impl<'a> LogWindow<'a> {
     /// The entry under the cursor stays in the centre while the list scrolls.
     fn around(cursor: usize, blocks: Vec<Vec<Line<'a>>>, rows: usize) -> Self {
         let above: usize = blocks.iter().take(cursor).map(Vec::len).sum();

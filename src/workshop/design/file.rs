@@ -22,7 +22,7 @@ pub type DesignError = Vec<Diagnostic>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct DesignFile {
     schema: Spanned<i64>,
     name: Spanned<String>,
     frame: Option<Spanned<String>>,
@@ -39,7 +39,7 @@ struct File {
     payload: Vec<Spanned<String>>,
 }
 
-impl File {
+impl DesignFile {
     fn slots(self) -> [(PartSlot, Vec<Spanned<String>>); 10] {
         let one = |part: Option<Spanned<String>>| part.into_iter().collect();
         [
@@ -64,7 +64,7 @@ impl Design {
     /// Every fault with its position: a syntax error, an unknown schema, a part that does not exist or belongs in
     /// another slot, more parts than a slot takes.
     pub fn from_toml(source: &str) -> Result<Self, DesignError> {
-        let file: File =
+        let file: DesignFile =
             toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
         let mut faults = Vec::new();
         if *file.schema.get_ref() != SCHEMA {

@@ -74,7 +74,7 @@ const fn number(
 
 /// Reads the figures of a file, with warnings.
 pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), AirframeError> {
-    let file = File::parse(text)?;
+    let file = AirframeFile::parse(text)?;
     let mut figures = Figures::default();
     for number in NUMBERS {
         if let Some(value) = file.number(number.name, number.least..=number.most)? {
@@ -117,13 +117,13 @@ pub(super) fn json(text: &str) -> Result<Value, AirframeError> {
     })
 }
 
-struct File {
+struct AirframeFile {
     /// The text with its comments blanked, so that positions do not change.
     text: String,
     fields: Map<String, Value>,
 }
 
-impl File {
+impl AirframeFile {
     fn parse(text: &str) -> Result<Self, AirframeError> {
         let Value::Object(fields) = json(text)? else {
             return Err(AirframeError {

@@ -70,11 +70,11 @@ struct Solid {
     number: usize,
     foot_m: DVec3,
     height_m: f64,
-    outline: Outline,
+    outline: ObstacleOutline,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Outline {
+enum ObstacleOutline {
     /// Half the length and the width, and the direction of the length.
     Box(DVec2, DVec2),
     Cylinder(f64),
@@ -129,8 +129,8 @@ impl Obstacles {
     fn add(&mut self, solid: Solid, reach_m: f64) {
         let around_m = reach_m
             + match solid.outline {
-                Outline::Box(half, _) => half.length(),
-                Outline::Cylinder(radius_m) => radius_m,
+                ObstacleOutline::Box(half, _) => half.length(),
+                ObstacleOutline::Cylinder(radius_m) => radius_m,
             };
         let place = self.solids.len();
         self.solids.push(solid);
@@ -156,14 +156,18 @@ impl Solid {
         }
         // In the solid's own frame: along, across and up from the middle of the foot.
         let along = match self.outline {
-            Outline::Box(_, along) => along,
-            Outline::Cylinder(_) => DVec2::X,
+            ObstacleOutline::Box(_, along) => along,
+            ObstacleOutline::Cylinder(_) => DVec2::X,
         };
         let flat = offset.truncate();
         let own = DVec2::new(flat.dot(along), along.perp_dot(flat));
         let (level, top) = match self.outline {
-            Outline::Box(half, _) => (own.clamp(-half, half), up_m.clamp(0.0, self.height_m)),
-            Outline::Cylinder(most) => (own.clamp_length_max(most), up_m.clamp(0.0, self.height_m)),
+            ObstacleOutline::Box(half, _) => {
+                (own.clamp(-half, half), up_m.clamp(0.0, self.height_m))
+            }
+            ObstacleOutline::Cylinder(most) => {
+                (own.clamp_length_max(most), up_m.clamp(0.0, self.height_m))
+            }
         };
         let out = (own - level).extend(up_m - top);
         let distance_m = out.length();
@@ -183,11 +187,11 @@ impl Solid {
     /// The shortest way out from inside, and its length. Never downwards.
     fn way_out(&self, own: DVec2, up_m: f64) -> (DVec3, f64) {
         let side = match self.outline {
-            Outline::Cylinder(radius_m) => {
+            ObstacleOutline::Cylinder(radius_m) => {
                 let outwards = own.try_normalize().unwrap_or(DVec2::X);
                 (outwards.extend(0.0), radius_m - own.length())
             }
-            Outline::Box(half, _) => {
+            ObstacleOutline::Box(half, _) => {
                 let left = half - own.abs();
                 if left.x < left.y {
                     (DVec3::X * own.x.signum(), left.x)
@@ -225,9 +229,11 @@ fn solid(number: usize, obstacle: &Obstacle, origin: Start) -> Option<Solid> {
             if !along.is_finite() {
                 return None;
             }
-            (Outline::Box(half, along), half)
+            (ObstacleOutline::Box(half, along), half)
         }
-        Shape::Cylinder { radius_m } => (Outline::Cylinder(radius_m), DVec2::splat(radius_m)),
+        Shape::Cylinder { radius_m } => {
+            (ObstacleOutline::Cylinder(radius_m), DVec2::splat(radius_m))
+        }
     };
     let sizes = sizes.extend(obstacle.height_m);
     let sound = foot_m.is_finite() && sizes.is_finite() && sizes.min_element() > 0.0;

@@ -10,7 +10,7 @@ use crate::reaction::{FailsafeAction, Reaction};
 
 /// A battery level: its voltage and charge (0 for none), and the action.
 #[derive(Debug, Clone, PartialEq)]
-struct Level {
+struct BatteryLevel {
     voltage_v: f64,
     remaining_mah: f64,
     action: i32,
@@ -19,8 +19,8 @@ struct Level {
 /// The rules from the `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BatteryRules {
-    low: Level,
-    critical: Level,
+    low: BatteryLevel,
+    critical: BatteryLevel,
     /// How long the voltage must be low; zero to ignore voltages.
     delay: Duration,
     arm_voltage_v: f64,
@@ -65,7 +65,7 @@ impl BatteryWatch {
     }
 }
 
-impl Level {
+impl BatteryLevel {
     fn read(all: &Parameters, volts: &str, charge: &str, action: &str) -> Self {
         Self {
             voltage_v: all.value(volts),
@@ -87,8 +87,8 @@ impl BatteryRules {
     pub(super) fn read(all: &Parameters) -> Self {
         let delay_s = all.value("BATT_LOW_TIMER").clamp(0.0, 1e6);
         Self {
-            low: Level::read(all, "BATT_LOW_VOLT", "BATT_LOW_MAH", "BATT_FS_LOW_ACT"),
-            critical: Level::read(all, "BATT_CRT_VOLT", "BATT_CRT_MAH", "BATT_FS_CRT_ACT"),
+            low: BatteryLevel::read(all, "BATT_LOW_VOLT", "BATT_LOW_MAH", "BATT_FS_LOW_ACT"),
+            critical: BatteryLevel::read(all, "BATT_CRT_VOLT", "BATT_CRT_MAH", "BATT_FS_CRT_ACT"),
             delay: Duration::from_secs_f64(delay_s),
             arm_voltage_v: all.value("BATT_ARM_VOLT"),
             arm_mah: all.value("BATT_ARM_MAH"),
@@ -174,7 +174,7 @@ impl BatteryWatch {
     fn fall(
         &mut self,
         fallen: Fallen,
-        level: &Level,
+        level: &BatteryLevel,
         inputs: &FailsafeInputs<'_>,
     ) -> Vec<Reaction> {
         self.fallen = fallen;

@@ -409,7 +409,7 @@ fn a_limit_is_broken_anew_20_m_further_out_and_the_vehicle_gives_up_100_m_outsid
     let mut fence = Geofence::default();
     let mut check = |distance_m: f64, seconds: u64| {
         let point = DVec3::new(distance_m, 0.0, -10.0);
-        let spot = Spot::new(point, DVec3::ZERO);
+        let spot = FencePosition::new(point, DVec3::ZERO);
         let fresh = fence.check(&rules, spot, Duration::from_secs(seconds));
         (fresh, fence.breaches, fence.farthest_m(fresh))
     };

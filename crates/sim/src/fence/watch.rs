@@ -6,7 +6,9 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{FenceBreach, FenceMitigate};
 
 use super::avoidance::Edges;
-use super::{AREAS, CEILING, CIRCLE, FLOOR, Fence, FenceError, FenceRules, Geofence, Spot};
+use super::{
+    AREAS, CEILING, CIRCLE, FLOOR, Fence, FenceError, FencePosition, FenceRules, Geofence,
+};
 use crate::control::Limits;
 use crate::mode;
 use crate::plan::Item;
@@ -86,7 +88,7 @@ impl Geofence {
             return None;
         }
         let was_broken = self.broken != 0;
-        let kinds = self.check(rules, Spot::new(here_m, home_m), now);
+        let kinds = self.check(rules, FencePosition::new(here_m, home_m), now);
         if kinds == 0 {
             return None;
         }
@@ -179,7 +181,7 @@ impl Geofence {
         if active == 0 {
             return wanted_m_s;
         }
-        let spot = Spot::new(here_m, home_m);
+        let spot = FencePosition::new(here_m, home_m);
         let edges = Edges {
             rules: &rules.avoidance,
             margin_m: rules.margin_m.max(0.0),

@@ -127,7 +127,7 @@ impl RecordedLog {
 
     /// Its file: formats, parameters, then the records in order of time.
     pub(crate) fn file(&self) -> Vec<u8> {
-        let mut file = LogFile(Vec::with_capacity(self.len()));
+        let mut file = FlashFile(Vec::with_capacity(self.len()));
         for (kind, length, name, format, columns) in FORMATS {
             let record = file.begin(FORMAT).bytes(&[*kind, *length]);
             record.text(name, 4).text(format, 16).text(columns, 64);
@@ -181,9 +181,9 @@ fn record_len(kind: u8) -> usize {
 }
 
 /// A file that is being written.
-struct LogFile(Vec<u8>);
+struct FlashFile(Vec<u8>);
 
-impl LogFile {
+impl FlashFile {
     fn begin(&mut self, kind: u8) -> &mut Self {
         self.bytes(&HEAD).bytes(&[kind])
     }

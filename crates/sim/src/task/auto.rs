@@ -64,7 +64,7 @@ impl AutoRules {
 
 /// One straight leg and how far along it the path is.
 #[derive(Debug, Clone, PartialEq)]
-struct Track {
+struct LegTrack {
     to_m: DVec3,
     direction: DVec3,
     length_m: f64,
@@ -73,7 +73,7 @@ struct Track {
     time_s: f64,
 }
 
-impl Track {
+impl LegTrack {
     fn plan(from_m: DVec3, to_m: DVec3, limits: &Limits, rules: &AutoRules) -> Self {
         let way = to_m - from_m;
         let direction = way.normalize_or_zero();
@@ -145,9 +145,9 @@ fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Route {
     from_m: DVec3,
-    before: Option<Track>,
-    this: Track,
-    after: Option<Track>,
+    before: Option<LegTrack>,
+    this: LegTrack,
+    after: Option<LegTrack>,
     /// Whether the waypoint has been reached: a corner at its apex, any other within `WPNAV_RADIUS`.
     pub(crate) reached: bool,
     planned_for: Limits,
@@ -172,7 +172,7 @@ impl Route {
         Self {
             from_m,
             before: None,
-            this: Track::plan(from_m, from_m, &cockpit.limits, &cockpit.tuning.auto),
+            this: LegTrack::plan(from_m, from_m, &cockpit.limits, &cockpit.tuning.auto),
             after: None,
             reached: true,
             planned_for: cockpit.limits,
@@ -194,7 +194,7 @@ impl Route {
         }
         let next = match self.after.take() {
             Some(begun) if begun.to_m.distance_squared(goal_m) < 1e-6 && !begun.is_over() => begun,
-            _ => Track::plan(
+            _ => LegTrack::plan(
                 self.this.to_m,
                 goal_m,
                 &cockpit.limits,
@@ -209,7 +209,7 @@ impl Route {
     /// Continues to a further point without stopping at the goal.
     pub(crate) fn then_to(&mut self, further_m: DVec3, cockpit: &Cockpit<'_>) {
         let rules = &cockpit.tuning.auto;
-        self.after = Some(Track::plan(
+        self.after = Some(LegTrack::plan(
             self.this.to_m,
             further_m,
             &cockpit.limits,
@@ -330,7 +330,7 @@ impl Route {
 
 /// Whether the next leg may begin now: at the apex the vehicle then passes near enough to the corner, no faster than
 /// either leg allows and without leaning too far.
-fn may_turn(this: &Track, next: &Track, rules: &AutoRules) -> bool {
+fn may_turn(this: &LegTrack, next: &LegTrack, rules: &AutoRules) -> bool {
     let early = this.time_s < this.curve.brake_s - next.curve.turn_in_s;
     let [way, ..] = this.at(this.time_s);
     let near_start = way.length() < CORNER_FROM_SHARE * this.length_m;

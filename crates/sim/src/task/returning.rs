@@ -23,7 +23,7 @@ const CONE_SLOPE_MIN: f64 = 0.5;
 const ABOVE_FIRST_M: f64 = 2.0;
 
 #[derive(Debug, Clone, PartialEq)]
-enum Stage {
+enum ReturnStage {
     Climb {
         standing_since: Option<Duration>,
     },
@@ -42,7 +42,7 @@ enum Stage {
 /// A return under way.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Returning {
-    stage: Stage,
+    stage: ReturnStage,
     /// The destination, in metres north and east.
     goal_m: DVec2,
     /// The height to fly at, as metres down from the start.
@@ -73,7 +73,7 @@ impl Returning {
             height_m = height_m.min(highest_m);
         }
         Self {
-            stage: Stage::Climb {
+            stage: ReturnStage::Climb {
                 standing_since: None,
             },
             goal_m: goal.truncate(),
@@ -90,60 +90,60 @@ impl Returning {
             goal_m: route.goal_m().truncate(),
             down_m: route.goal_m().z,
             over_m: None,
-            stage: Stage::Retrace(Box::new(route)),
+            stage: ReturnStage::Retrace(Box::new(route)),
         }
     }
 
     /// The landing of the return, once it has begun.
     pub(crate) fn landing(&self) -> Option<&Landing> {
         match &self.stage {
-            Stage::Land(landing) => Some(landing),
-            Stage::Climb { .. }
-            | Stage::Fly(_)
-            | Stage::Wait { .. }
-            | Stage::Hold { .. }
-            | Stage::Retrace(_) => None,
+            ReturnStage::Land(landing) => Some(landing),
+            ReturnStage::Climb { .. }
+            | ReturnStage::Fly(_)
+            | ReturnStage::Wait { .. }
+            | ReturnStage::Hold { .. }
+            | ReturnStage::Retrace(_) => None,
         }
     }
 
     pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
         let limits = cockpit.limits;
         match &mut self.stage {
-            Stage::Climb { .. } => self.climb(cockpit),
-            Stage::Fly(route) => {
+            ReturnStage::Climb { .. } => self.climb(cockpit),
+            ReturnStage::Fly(route) => {
                 cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
                 let act = route.step(cockpit);
                 if !route.reached {
                     return act;
                 }
-                self.stage = Stage::Wait {
+                self.stage = ReturnStage::Wait {
                     until: cockpit.now + cockpit.tuning.return_loiter,
                 };
             }
-            Stage::Wait { until } => {
+            ReturnStage::Wait { until } => {
                 let over = self.goal_m.extend(self.down_m);
                 cockpit.control.towards(over, &limits);
                 if cockpit.now >= *until {
                     self.stage = Self::end(cockpit);
                 }
             }
-            Stage::Hold { down_m } => {
+            ReturnStage::Hold { down_m } => {
                 let over = self.goal_m.extend(*down_m);
                 cockpit.control.towards(over, &limits);
             }
-            Stage::Land(landing) => return landing.step(cockpit),
-            Stage::Retrace(_) => return self.retrace(cockpit),
+            ReturnStage::Land(landing) => return landing.step(cockpit),
+            ReturnStage::Retrace(_) => return self.retrace(cockpit),
         }
         Act::Fly
     }
 
     /// Flies from one breadcrumb to the next, and lands at the first one of the flight.
     fn retrace(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
-        let Stage::Retrace(route) = &mut self.stage else {
+        let ReturnStage::Retrace(route) = &mut self.stage else {
             return Act::Fly;
         };
         if cockpit.body.on_ground {
-            self.stage = Stage::Land(Landing::default());
+            self.stage = ReturnStage::Land(Landing::default());
             return Act::Fly;
         }
         if route.reached {
@@ -164,7 +164,7 @@ impl Returning {
     /// Climbs over the stopping point, and plans the leg to the destination.
     fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
         if cockpit.body.on_ground {
-            self.stage = Stage::Land(Landing::default());
+            self.stage = ReturnStage::Land(Landing::default());
             return;
         }
         let limits = cockpit.limits;
@@ -176,7 +176,7 @@ impl Returning {
         cockpit.control.along(&still, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
         let near = cockpit.body.position_m.truncate().distance(over) < HOME_REACHED_M;
-        if let Stage::Climb { standing_since } = &mut self.stage
+        if let ReturnStage::Climb { standing_since } = &mut self.stage
             && high
             && near
         {
@@ -188,22 +188,22 @@ impl Returning {
     }
 
     /// The stage over home: landing, or a descent to `RTL_ALT_FINAL` and a stay there.
-    fn end(cockpit: &Cockpit<'_>) -> Stage {
+    fn end(cockpit: &Cockpit<'_>) -> ReturnStage {
         let stay_m = cockpit.tuning.return_final_altitude_m;
         if stay_m > 0.0 {
-            Stage::Hold {
+            ReturnStage::Hold {
                 down_m: cockpit.home_m.z - stay_m,
             }
         } else {
-            Stage::Land(Landing::default())
+            ReturnStage::Land(Landing::default())
         }
     }
 
-    fn leg_home(&self, from_m: DVec2, cockpit: &mut Cockpit<'_>) -> Stage {
+    fn leg_home(&self, from_m: DVec2, cockpit: &mut Cockpit<'_>) -> ReturnStage {
         cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
         let mut route = Route::waiting_at(from_m.extend(self.down_m), cockpit);
         route.go_to(self.goal_m.extend(self.down_m), cockpit);
-        Stage::Fly(Box::new(route))
+        ReturnStage::Fly(Box::new(route))
     }
 }
 

@@ -33,7 +33,7 @@ const BURST_PER_STEP: usize = 2;
 
 /// A burst of messages that is being sent.
 #[derive(Debug, Clone)]
-struct Burst {
+struct SentBurst {
     request: FtpRequest,
     sent: usize,
     reply: Reply,
@@ -46,7 +46,7 @@ pub(super) struct Files {
     /// The last answer, to be repeated if its request arrives again.
     last: Option<Reply>,
     waiting: VecDeque<FtpRequest>,
-    burst: Option<Box<Burst>>,
+    burst: Option<Box<SentBurst>>,
     sent_at: Duration,
 }
 
@@ -347,7 +347,7 @@ impl Talk<'_> {
     }
 
     fn begin_burst(&mut self, request: FtpRequest, reply: Reply) {
-        let burst = Burst {
+        let burst = SentBurst {
             request,
             sent: 0,
             reply,

@@ -38,7 +38,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     let width = usize::from(width);
     let two = width >= usize::from(TWO_COLUMNS);
     let room = if two { (width - 5) / 2 } else { width - 2 };
-    let page = || Page {
+    let page = || MissionPage {
         state,
         mission,
         text: TextPage::new(locale, room.min(WIDEST)),
@@ -66,7 +66,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
 
 /// The objectives, rules and scoring of a mission, in lines of at most `width` columns.
 pub fn tasks(state: &State, mission: &Listing, locale: &Locale, width: u16) -> Vec<PageLine> {
-    let mut page = Page {
+    let mut page = MissionPage {
         state,
         mission,
         text: TextPage::new(locale, usize::from(width).min(WIDEST)),
@@ -75,13 +75,13 @@ pub fn tasks(state: &State, mission: &Listing, locale: &Locale, width: u16) -> V
     page.text.finish()
 }
 
-struct Page<'a> {
+struct MissionPage<'a> {
     state: &'a State,
     mission: &'a Listing,
     text: TextPage<'a>,
 }
 
-impl Page<'_> {
+impl MissionPage<'_> {
     fn brief(&mut self) {
         self.text.title(&self.mission.title.clone());
         let brief = reflow(&self.text.locale.text(&self.mission.brief));
@@ -133,7 +133,7 @@ impl Page<'_> {
     fn objectives(&mut self) {
         self.text.title(&text!("mission-objectives"));
         let required = self.text.locale.say("mission-required");
-        let rows: Vec<Row> = (0..self.mission.objectives.len())
+        let rows: Vec<ObjectiveRow> = (0..self.mission.objectives.len())
             .map(|at| self.row(at))
             .collect();
         let widest = rows.iter().map(|row| row.detail.width()).max();
@@ -159,7 +159,7 @@ impl Page<'_> {
     }
 
     /// An objective with its state; before the flight, its target.
-    fn row(&self, at: usize) -> Row {
+    fn row(&self, at: usize) -> ObjectiveRow {
         let objective = &self.mission.objectives[at];
         let progress = self.state.session.task.progress.as_ref();
         let now = progress.and_then(|progress| progress.objectives.get(at));
@@ -170,7 +170,7 @@ impl Page<'_> {
         };
         let detail = now.map(|now| &now.detail).filter(|now| !now.is_empty());
         let value = objective.value;
-        Row {
+        ObjectiveRow {
             mark,
             tone,
             title: self.text.locale.text(&objective.title),
@@ -309,7 +309,7 @@ impl Page<'_> {
 }
 
 /// One objective as text.
-struct Row {
+struct ObjectiveRow {
     mark: &'static str,
     tone: Tone,
     title: String,

@@ -105,15 +105,15 @@ pub(super) fn compare_or_choose(state: &mut State) {
 }
 
 /// A design of the list.
-struct Listed {
+struct ListedDesign {
     design: Design,
     is_own: bool,
 }
 
-fn under_cursor(state: &State) -> Option<Listed> {
+fn under_cursor(state: &State) -> Option<ListedDesign> {
     let all = stored(state);
     let at = state.rooms.workshop.shelf.min(all.len().saturating_sub(1));
-    all.get(at).map(|it| Listed {
+    all.get(at).map(|it| ListedDesign {
         design: it.design.clone(),
         is_own: it.is_own,
     })
@@ -140,7 +140,7 @@ pub(super) fn ask_copy(state: &mut State) {
 
 pub(super) fn ask_rename(state: &mut State) {
     match under_cursor(state) {
-        Some(Listed {
+        Some(ListedDesign {
             design,
             is_own: true,
         }) => super::files::ask_rename(state, Some(design)),
@@ -151,7 +151,7 @@ pub(super) fn ask_rename(state: &mut State) {
 
 pub(super) fn ask_take_out(state: &mut State) {
     match under_cursor(state) {
-        Some(Listed {
+        Some(ListedDesign {
             design,
             is_own: true,
         }) => ask_drop(state, &design),

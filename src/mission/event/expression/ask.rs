@@ -7,7 +7,7 @@ use super::argument::{Argument, Given};
 use super::field::{FIELDS, Field};
 use super::parse::Reader;
 use super::token::ExpressionToken;
-use super::{Type, Value};
+use super::{PartValue, Type};
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::{Scope, Spot};
 use crate::scoring::AlertLevel;
@@ -205,43 +205,49 @@ pub(super) fn read(
 }
 
 impl Question {
-    pub(super) fn answer(&self, scope: &Scope<'_>) -> Value {
+    pub(super) fn answer(&self, scope: &Scope<'_>) -> PartValue {
         match self {
-            Self::Time => Value::Number(scope.sight.now.as_secs_f64()),
+            Self::Time => PartValue::Number(scope.sight.now.as_secs_f64()),
             Self::Measure(objective) => {
-                Value::Number(scope.standing(*objective).map_or(0.0, |s| s.measure))
+                PartValue::Number(scope.standing(*objective).map_or(0.0, |s| s.measure))
             }
             Self::Progress(objective) => {
-                Value::Number(scope.standing(*objective).map_or(0.0, |s| s.fraction))
+                PartValue::Number(scope.standing(*objective).map_or(0.0, |s| s.fraction))
             }
-            Self::Met(objective) => Value::Bool(scope.standing(*objective).is_some_and(|s| s.met)),
-            Self::Found(hazard) => Value::Number(scope.found(*hazard)),
-            Self::Contacts => Value::Number(scope.sight.contacts.len() as f64),
-            Self::Marks => Value::Number(scope.sight.marks.len() as f64),
-            Self::LowestHeight => Value::Number(scope.lowest_height_m()),
-            Self::Speed(sensor) => Value::Number(scope.speed_m_s(sensor)),
+            Self::Met(objective) => {
+                PartValue::Bool(scope.standing(*objective).is_some_and(|s| s.met))
+            }
+            Self::Found(hazard) => PartValue::Number(scope.found(*hazard)),
+            Self::Contacts => PartValue::Number(scope.sight.contacts.len() as f64),
+            Self::Marks => PartValue::Number(scope.sight.marks.len() as f64),
+            Self::LowestHeight => PartValue::Number(scope.lowest_height_m()),
+            Self::Speed(sensor) => PartValue::Number(scope.speed_m_s(sensor)),
             Self::Vehicle(vehicle, field) => field.answer(*vehicle, scope),
-            Self::Airborne => Value::Number(scope.flying().count() as f64),
+            Self::Airborne => PartValue::Number(scope.flying().count() as f64),
             Self::Lost => {
                 let lost = scope.sight.crafts.iter().filter(|craft| craft.lost);
-                Value::Number(lost.count() as f64)
+                PartValue::Number(lost.count() as f64)
             }
-            Self::LowestBattery => Value::Number(scope.lowest_battery_percent()),
-            Self::Separation => Value::Number(scope.separation_m()),
-            Self::Outside(zone) => Value::Bool(scope.inside(*zone) == 0),
-            Self::Inside(zone) => Value::Number(scope.inside(*zone) as f64),
-            Self::Active(zone) => Value::Bool(scope.is_active(*zone)),
-            Self::NoCommand(time) => Value::Bool(scope.since_command() >= *time),
-            Self::Refused => Value::Number(f64::from(scope.sight.refused)),
-            Self::AnyMode(modes) => Value::Bool(scope.modes().any(|mode| is_among(mode, modes))),
-            Self::AllModes(modes) => Value::Bool(scope.modes().all(|mode| is_among(mode, modes))),
+            Self::LowestBattery => PartValue::Number(scope.lowest_battery_percent()),
+            Self::Separation => PartValue::Number(scope.separation_m()),
+            Self::Outside(zone) => PartValue::Bool(scope.inside(*zone) == 0),
+            Self::Inside(zone) => PartValue::Number(scope.inside(*zone) as f64),
+            Self::Active(zone) => PartValue::Bool(scope.is_active(*zone)),
+            Self::NoCommand(time) => PartValue::Bool(scope.since_command() >= *time),
+            Self::Refused => PartValue::Number(f64::from(scope.sight.refused)),
+            Self::AnyMode(modes) => {
+                PartValue::Bool(scope.modes().any(|mode| is_among(mode, modes)))
+            }
+            Self::AllModes(modes) => {
+                PartValue::Bool(scope.modes().all(|mode| is_among(mode, modes)))
+            }
             Self::PausedOrClear(spot, metres) => {
-                Value::Bool(scope.is_paused_or_clear(spot, *metres))
+                PartValue::Bool(scope.is_paused_or_clear(spot, *metres))
             }
-            Self::AlertOpen(level) => Value::Bool(scope.alerts.contains(level)),
-            Self::Fired(event) => Value::Bool(scope.fired.get(*event) == Some(&true)),
-            Self::Wind => Value::Number(scope.wind_m_s),
-            Self::Chance(share) => Value::Bool(scope.draw() < *share),
+            Self::AlertOpen(level) => PartValue::Bool(scope.alerts.contains(level)),
+            Self::Fired(event) => PartValue::Bool(scope.fired.get(*event) == Some(&true)),
+            Self::Wind => PartValue::Number(scope.wind_m_s),
+            Self::Chance(share) => PartValue::Bool(scope.draw() < *share),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The fields of one vehicle in expressions.
 
-use super::{Type, Value};
+use super::{PartValue, Type};
 use crate::mission::craft::Craft;
 use crate::mission::event::scope::Scope;
 
@@ -41,10 +41,10 @@ pub(super) const FIELDS: [(&str, Field, Type); 11] = [
 ];
 
 impl Field {
-    pub fn answer(self, vehicle: usize, scope: &Scope<'_>) -> Value {
+    pub fn answer(self, vehicle: usize, scope: &Scope<'_>) -> PartValue {
         let craft = scope.sight.crafts.get(vehicle);
-        let is = |of: fn(&Craft) -> bool| Value::Bool(craft.is_some_and(of));
-        let number = |value: Option<f64>| Value::Number(value.unwrap_or(f64::NAN));
+        let is = |of: fn(&Craft) -> bool| PartValue::Bool(craft.is_some_and(of));
+        let number = |value: Option<f64>| PartValue::Number(value.unwrap_or(f64::NAN));
         match self {
             Self::Airborne => is(|craft| craft.airborne),
             Self::Armed => is(|craft| craft.armed),
@@ -52,7 +52,7 @@ impl Field {
             Self::Heard => is(|craft| craft.heard),
             Self::Mode => {
                 let mode = craft.and_then(|craft| scope.mode(craft.id));
-                Value::Text(mode.unwrap_or_default().to_owned())
+                PartValue::Text(mode.unwrap_or_default().to_owned())
             }
             Self::Battery => number(craft.and_then(|craft| craft.battery_percent)),
             Self::Link => number(craft.map(|craft| scope.margin_db(craft.id))),

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::argument::ExpressionNames;
 use super::ask::{self, Question};
 use super::token::{ExpressionToken, Placed, tokens};
-use super::{ExpressionNode, Operator, Type};
+use super::{ExpressionNode, ExpressionOperator, Type};
 use crate::diagnostic::Diagnostic;
 
 /// The greatest nesting depth of parentheses and signs.
@@ -21,31 +21,37 @@ pub(super) struct Part {
 type Read = Result<Part, Diagnostic>;
 
 /// Operators of equal precedence, the type of their operands, and that of the result.
-type Level = (&'static [(&'static str, Operator)], Type, Type);
+type Level = (&'static [(&'static str, ExpressionOperator)], Type, Type);
 
 /// Operators by precedence, the loosest first; each with the types of its operands and of its result.
 const LEVELS: [Level; 5] = [
-    (&[("or", Operator::Or)], Type::Bool, Type::Bool),
-    (&[("and", Operator::And)], Type::Bool, Type::Bool),
+    (&[("or", ExpressionOperator::Or)], Type::Bool, Type::Bool),
+    (&[("and", ExpressionOperator::And)], Type::Bool, Type::Bool),
     (
         &[
-            ("<", Operator::Less),
-            ("<=", Operator::AtMost),
-            (">", Operator::Greater),
-            (">=", Operator::AtLeast),
-            ("==", Operator::Equal),
-            ("!=", Operator::Unequal),
+            ("<", ExpressionOperator::Less),
+            ("<=", ExpressionOperator::AtMost),
+            (">", ExpressionOperator::Greater),
+            (">=", ExpressionOperator::AtLeast),
+            ("==", ExpressionOperator::Equal),
+            ("!=", ExpressionOperator::Unequal),
         ],
         Type::Number,
         Type::Bool,
     ),
     (
-        &[("+", Operator::Plus), ("-", Operator::Minus)],
+        &[
+            ("+", ExpressionOperator::Plus),
+            ("-", ExpressionOperator::Minus),
+        ],
         Type::Number,
         Type::Number,
     ),
     (
-        &[("*", Operator::Times), ("/", Operator::Over)],
+        &[
+            ("*", ExpressionOperator::Times),
+            ("/", ExpressionOperator::Over),
+        ],
         Type::Number,
         Type::Number,
     ),
@@ -111,7 +117,10 @@ impl Reader<'_> {
         while let Some(operator) = self.operator(operators) {
             let right = self.level(level + 1)?;
             // Texts and conditions can be compared for equality only.
-            let same = matches!(operator, Operator::Equal | Operator::Unequal);
+            let same = matches!(
+                operator,
+                ExpressionOperator::Equal | ExpressionOperator::Unequal
+            );
             let operand = if same { left.is } else { operand };
             need(&left, operand)?;
             need(&right, operand)?;
@@ -127,7 +136,7 @@ impl Reader<'_> {
         Ok(left)
     }
 
-    fn operator(&mut self, among: &[(&str, Operator)]) -> Option<Operator> {
+    fn operator(&mut self, among: &[(&str, ExpressionOperator)]) -> Option<ExpressionOperator> {
         let (token, _) = self.tokens.get(self.at)?;
         let written = match token {
             ExpressionToken::Sign(sign) => *sign,

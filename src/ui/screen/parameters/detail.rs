@@ -30,10 +30,10 @@ pub fn lines(
     if !vehicles.contains(&vehicle) {
         vehicles.insert(0, vehicle);
     }
-    let mut groups: Vec<(Standing, Vec<VehicleId>)> = Vec::new();
+    let mut groups: Vec<(ParameterState, Vec<VehicleId>)> = Vec::new();
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for id in vehicles {
-        let standing = Standing::of(state, id, row.name);
+        let standing = ParameterState::of(state, id, row.name);
         let key = standing.key();
         let at = *places.entry(key).or_insert(groups.len());
         match groups.get_mut(at) {
@@ -59,13 +59,13 @@ pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut 
 }
 
 /// The state of a parameter on a vehicle.
-struct Standing {
+struct ParameterState {
     value: Option<String>,
     before: Option<String>,
     asked: Option<(Text, Role, Option<Text>)>,
 }
 
-impl Standing {
+impl ParameterState {
     fn of(state: &State, vehicle: VehicleId, name: &str) -> Self {
         let room = state.rooms().parameters();
         let known = room.get(vehicle, name);

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use super::{Subject, days};
+use super::{StandingSubject, days};
 use crate::app::room::standing::{Pane, flown};
 use crate::campaign::{Offer, Stake, Try};
 use crate::mission::Listing;
@@ -24,7 +24,7 @@ const FIGURES: usize = 36;
 const PERFECT: f64 = 1000.0;
 
 /// Draws the list, and below it the chart.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let flown = flown(subject.career);
     let list = upper(area, area.height.saturating_sub(CHART).max(4));
@@ -54,7 +54,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// A mission with its attempts, its best and its last score.
-fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
+fn line(subject: &StandingSubject<'_>, offer: &Offer, room: usize) -> String {
     let look = subject.look;
     let tries = subject.career.growth.tries(&offer.id);
     let best = subject.career.standing.best(&offer.id);
@@ -77,7 +77,7 @@ fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
     format!("{title} {figures}")
 }
 
-fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {
+fn draw_chart(subject: &StandingSubject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-chart", mission = offer.title.clone());
     let inner = Panel::new(look, area).titled(&look.text(&title), buffer);

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::{Subject, days};
+use super::{StandingSubject, days};
 use crate::app::room::standing::Pane;
 use crate::campaign::{Lack, Mastery, Skill, SkillMove};
 use crate::text;
@@ -21,7 +21,7 @@ const MASTERY: usize = 16;
 const REST: usize = 54;
 
 /// Draws the list, and below it the changes of the skill under the cursor.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
     let cursor = subject.state.rooms().standing().skill();
@@ -47,7 +47,12 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     );
 }
 
-fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) -> Line<'static> {
+fn line(
+    subject: &StandingSubject<'_>,
+    skill: Skill,
+    under_cursor: bool,
+    name: usize,
+) -> Line<'static> {
     let (look, day) = (subject.look, subject.career.day);
     let known = subject.career.standing.skill(skill);
     let chance = known.chance(day);
@@ -96,7 +101,7 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) ->
 }
 
 /// Draws the changes of a skill, newest first.
-fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
+fn draw_moves(subject: &StandingSubject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-why", skill = skill.title());
     let framed = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
@@ -133,7 +138,7 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
 }
 
 /// The requirements that a skill still lacks for mastery, as text.
-fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
+fn lacks(subject: &StandingSubject<'_>, skill: Skill) -> Option<Text> {
     let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
     let lacks = known.lacks(day).into_iter().map(Lack::text).collect();
     let needs = text!("standing-lacks", lacks = Text::joined(", ", lacks));
@@ -141,7 +146,7 @@ fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
 }
 
 /// A change as a line, such as ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
-fn moved_line(subject: &Subject<'_>, moved: &SkillMove, room: usize) -> Line<'static> {
+fn moved_line(subject: &StandingSubject<'_>, moved: &SkillMove, room: usize) -> Line<'static> {
     let look = subject.look;
     let percent = |share: f64| (share * 100.0).round() as i64;
     let (before, after) = (percent(moved.before), percent(moved.after));

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use super::Subject;
+use super::StandingSubject;
 use crate::app::room::standing::Pane;
 use crate::campaign::Wealth;
 use crate::text;
@@ -19,7 +19,7 @@ const FIGURES: u16 = 10;
 const WIDE: u16 = 120;
 
 /// Draws both curves, one below the other or side by side.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let wealth = subject.career.growth.wealth();
     let credits: Vec<f64> = wealth.iter().map(|it| f64::from(it.credits)).collect();
@@ -60,7 +60,7 @@ fn experience(wealth: &Wealth) -> f64 {
 }
 
 fn draw_curve(
-    subject: &Subject<'_>,
+    subject: &StandingSubject<'_>,
     title: &'static str,
     values: &[f64],
     area: Rect,

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::{filled, number};
 use super::spark::{self, Merge, Spark};
 use crate::app::state::{Channel, ReplayView};
@@ -63,7 +63,7 @@ impl Axis {
 }
 
 /// One curve, with the reading shown beside it.
-struct Curve {
+struct LabelledCurve {
     axis: Axis,
     now: Option<f32>,
     /// The readings up to now, oldest first, one per sample.
@@ -73,7 +73,7 @@ struct Curve {
     merge: Merge,
 }
 
-impl Curve {
+impl LabelledCurve {
     /// The lowest and the highest known reading.
     fn range(&self) -> Option<(f32, f32)> {
         let known = self.readings.iter().copied().flatten();
@@ -85,23 +85,23 @@ impl Curve {
 }
 
 /// Rows of all curves at this many rows each, with the title.
-pub(super) fn height(subject: &Subject<'_>, rows: u16) -> u16 {
+pub(super) fn height(subject: &VehicleSubject<'_>, rows: u16) -> u16 {
     let of_log = log(subject).map_or(0, |(_, log)| log.channels().count());
     rows * (Channel::ALL.len() + of_log) as u16 + 1
 }
 
 /// In a replay, the log that was joined to the recording for this vehicle.
-fn log<'a>(subject: &Subject<'a>) -> Option<(&'a ReplayView, &'a LogCurves)> {
+fn log<'a>(subject: &VehicleSubject<'a>) -> Option<(&'a ReplayView, &'a LogCurves)> {
     let replay = subject.state.replay()?;
     Some((replay, replay.log_curves.get(&subject.vehicle.id)?))
 }
 
 /// The curves of the telemetry, then those of the vehicle's log.
-fn curves(subject: &Subject<'_>) -> Vec<Curve> {
+fn curves(subject: &VehicleSubject<'_>) -> Vec<LabelledCurve> {
     let state = subject.state;
     let window = state.rooms().vehicle().window();
     let history = state.session().histories().of(subject.vehicle.id);
-    let heard = Channel::ALL.map(|channel| Curve {
+    let heard = Channel::ALL.map(|channel| LabelledCurve {
         axis: Axis::of(channel),
         now: channel.reading(subject.vehicle),
         readings: history.map_or_else(Vec::new, |it| it.readings(channel, window).collect()),
@@ -111,7 +111,7 @@ fn curves(subject: &Subject<'_>) -> Vec<Curve> {
     let logged = log(subject).into_iter().flat_map(|(replay, log)| {
         log.channels().map(move |channel| {
             let readings = log.readings(channel, replay.position.at, window.seconds());
-            Curve {
+            LabelledCurve {
                 axis: Axis::of_log(channel),
                 now: readings.last().copied().flatten(),
                 readings,
@@ -128,7 +128,7 @@ fn curves(subject: &Subject<'_>) -> Vec<Curve> {
 }
 
 /// Draws every channel with its current value, its curve, and its extremes within the span.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let window = state.rooms().vehicle().window();
     let title = text!("vehicle-curves", seconds = window.seconds());
@@ -154,7 +154,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn draw_curve(curve: &Curve, panel: Panel<'_>, buffer: &mut Buffer) {
+fn draw_curve(curve: &LabelledCurve, panel: Panel<'_>, buffer: &mut Buffer) {
     let (look, area, axis) = (panel.look, panel.area, curve.axis);
     let now = number(curve.now, axis.decimals);
     let line = Line::from(vec![

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::{UNKNOWN, bar, filled, grade_word, labelled, number};
 use crate::text;
 use crate::ui::look::Look;
@@ -23,7 +23,7 @@ const FULL_VARIANCE: f32 = 1.0;
 const FULL_VIBRATION: f32 = 75.0;
 
 /// Draws the readings with their grades.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-estimate"), buffer);
     let rows = gps(subject)
@@ -35,14 +35,19 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn graded(subject: &Subject<'_>, label: &str, value: &str, grade: Option<Grade>) -> Line<'static> {
+fn graded(
+    subject: &VehicleSubject<'_>,
+    label: &str,
+    value: &str,
+    grade: Option<Grade>,
+) -> Line<'static> {
     let mut spans = vec![Span::raw(format!("{} ", filled(value, VALUE)))];
     let is_old = subject.vehicle.link.lost;
     spans.extend(grade.map(|grade| grade_word(subject.look, grade, is_old)));
     labelled(subject.look, label, spans)
 }
 
-fn gps(subject: &Subject<'_>) -> [Line<'static>; 2] {
+fn gps(subject: &VehicleSubject<'_>) -> [Line<'static>; 2] {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let fix = vehicle.gps.map_or(UNKNOWN.to_owned(), |gps| {
         let satellites = gps
@@ -78,7 +83,7 @@ fn gps(subject: &Subject<'_>) -> [Line<'static>; 2] {
     ]
 }
 
-fn filter(subject: &Subject<'_>) -> Vec<Line<'static>> {
+fn filter(subject: &VehicleSubject<'_>) -> Vec<Line<'static>> {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let ekf = vehicle.ekf;
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
@@ -113,7 +118,7 @@ fn filter(subject: &Subject<'_>) -> Vec<Line<'static>> {
     lines
 }
 
-fn vibration(subject: &Subject<'_>) -> Vec<Line<'static>> {
+fn vibration(subject: &VehicleSubject<'_>) -> Vec<Line<'static>> {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let vibration = vehicle.vibration;
     let axes = ["x", "y", "z"].into_iter().enumerate();

@@ -19,7 +19,7 @@ const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20
 
 /// What is visible at a point of the indicator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Seen {
+enum HorizonCell {
     Sky,
     Ground,
     Horizon,
@@ -27,7 +27,7 @@ enum Seen {
 }
 
 /// The view out of the vehicle. Distances are in rows of the terminal; a column is half as wide as a row is high.
-struct View {
+struct HorizonView {
     /// Sine and cosine of the roll angle.
     roll: (f64, f64),
     pitch_deg: f64,
@@ -35,7 +35,7 @@ struct View {
     half_height: f64,
 }
 
-impl View {
+impl HorizonView {
     fn new(attitude: &Attitude, rows: u16) -> Self {
         let half_height = f64::from(rows) / 2.0;
         Self {
@@ -50,29 +50,29 @@ impl View {
     ///
     /// When the vehicle rolls to the right, it turns clockwise, so the view turns counterclockwise: up points to the
     /// left of the indicator, and the horizon rises to the right.
-    fn at(&self, right: f64, up: f64, dot: f64) -> Seen {
+    fn at(&self, right: f64, up: f64, dot: f64) -> HorizonCell {
         let (sine, cosine) = self.roll;
         let elevation_deg = self.pitch_deg + self.degrees_per_row * (cosine * up - sine * right);
         let along = cosine * right + sine * up;
         let half_line_deg = self.degrees_per_row * dot * 0.5;
         if elevation_deg.abs() <= half_line_deg {
-            return Seen::Horizon;
+            return HorizonCell::Horizon;
         }
         let to_rung_deg = elevation_deg - (elevation_deg / RUNG_EVERY_DEG).round() * RUNG_EVERY_DEG;
         let is_short = along.abs() <= self.half_height * RUNG_HALF_WIDTH;
         if is_short && to_rung_deg.abs() <= half_line_deg && elevation_deg.abs() > 5.0 {
-            Seen::Rung
+            HorizonCell::Rung
         } else if elevation_deg < 0.0 {
-            Seen::Ground
+            HorizonCell::Ground
         } else {
-            Seen::Sky
+            HorizonCell::Sky
         }
     }
 }
 
 /// Draws the horizon over the whole area, with the vehicle in the centre.
 pub fn draw(attitude: &Attitude, panel: Panel<'_>, buffer: &mut Buffer) {
-    let view = View::new(attitude, panel.area.height);
+    let view = HorizonView::new(attitude, panel.area.height);
     for y in 0..panel.area.height {
         for x in 0..panel.area.width {
             let (symbol, role) = cell(&view, panel.look.symbols, Position { x, y }, panel.area);
@@ -102,14 +102,14 @@ fn draw_vehicle(panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// The content of a cell.
-fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Role) {
+fn cell(view: &HorizonView, symbols: Symbols, place: Position, area: Rect) -> (char, Role) {
     let (columns, rows) = match symbols {
         Symbols::Braille => (2, 4),
         Symbols::Block => (1, 2),
         Symbols::Ascii => (1, 1),
     };
     let dot = 1.0 / rows as f64;
-    let mut seen = [[Seen::Sky; 4]; 2];
+    let mut seen = [[HorizonCell::Sky; 4]; 2];
     for (column, dots) in seen.iter_mut().enumerate().take(columns) {
         for (row, dot_seen) in dots.iter_mut().enumerate().take(rows) {
             let across = f64::from(place.x) + (column as f64 + 0.5) / columns as f64;
@@ -118,10 +118,10 @@ fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Ro
             *dot_seen = view.at(right, view.half_height - down, dot);
         }
     }
-    let has = |wanted: Seen| seen.iter().flatten().any(|dot| *dot == wanted);
-    let role = if has(Seen::Horizon) {
+    let has = |wanted: HorizonCell| seen.iter().flatten().any(|dot| *dot == wanted);
+    let role = if has(HorizonCell::Horizon) {
         Role::Accent
-    } else if has(Seen::Rung) {
+    } else if has(HorizonCell::Rung) {
         Role::Text
     } else {
         Role::Muted
@@ -136,14 +136,14 @@ fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Ro
 
 /// A cell in braille. Lines are drawn in full; the ground has every fourth dot, which distinguishes it from the sky
 /// without colour.
-fn braille(seen: [[Seen; 4]; 2]) -> char {
+fn braille(seen: [[HorizonCell; 4]; 2]) -> char {
     let mut bits = 0;
     for (column, dots) in seen.iter().enumerate() {
         for (row, dot) in dots.iter().enumerate() {
             let is_set = match dot {
-                Seen::Horizon | Seen::Rung => true,
-                Seen::Ground => column == 0 && row % 2 == 1,
-                Seen::Sky => false,
+                HorizonCell::Horizon | HorizonCell::Rung => true,
+                HorizonCell::Ground => column == 0 && row % 2 == 1,
+                HorizonCell::Sky => false,
             };
             if is_set {
                 bits |= BRAILLE_DOTS[column][row];
@@ -156,23 +156,23 @@ fn braille(seen: [[Seen; 4]; 2]) -> char {
     }
 }
 
-fn block(upper: Seen, lower: Seen) -> char {
-    let is_line = |seen| matches!(seen, Seen::Horizon | Seen::Rung);
+fn block(upper: HorizonCell, lower: HorizonCell) -> char {
+    let is_line = |seen| matches!(seen, HorizonCell::Horizon | HorizonCell::Rung);
     match (is_line(upper), is_line(lower)) {
         (true, true) => '█',
         (true, false) => '▀',
         (false, true) => '▄',
-        (false, false) if lower == Seen::Ground => '░',
+        (false, false) if lower == HorizonCell::Ground => '░',
         (false, false) => ' ',
     }
 }
 
-fn ascii(seen: Seen) -> char {
+fn ascii(seen: HorizonCell) -> char {
     match seen {
-        Seen::Sky => ' ',
-        Seen::Ground => '.',
-        Seen::Horizon => '=',
-        Seen::Rung => '-',
+        HorizonCell::Sky => ' ',
+        HorizonCell::Ground => '.',
+        HorizonCell::Horizon => '=',
+        HorizonCell::Rung => '-',
     }
 }
 
@@ -182,32 +182,32 @@ mod tests {
 
     use super::*;
 
-    fn view(roll_deg: f32, pitch_deg: f32) -> View {
+    fn view(roll_deg: f32, pitch_deg: f32) -> HorizonView {
         let attitude = Attitude {
             roll_deg,
             pitch_deg,
             yaw_deg: 0.0,
             at: Duration::ZERO,
         };
-        View::new(&attitude, 10)
+        HorizonView::new(&attitude, 10)
     }
 
     #[test]
     fn the_ground_is_where_it_belongs() {
         // Each row: roll, pitch, and a point to the right of and above the centre.
         for ((roll, pitch), (right, up), expected) in [
-            ((0.0, 0.0), (0.0, -1.0), Seen::Ground),
-            ((0.0, 0.0), (3.0, 0.7), Seen::Sky),
-            ((0.0, 0.0), (3.0, 0.0), Seen::Horizon),
+            ((0.0, 0.0), (0.0, -1.0), HorizonCell::Ground),
+            ((0.0, 0.0), (3.0, 0.7), HorizonCell::Sky),
+            ((0.0, 0.0), (3.0, 0.0), HorizonCell::Horizon),
             // Nose up: the horizon sinks.
-            ((0.0, 12.0), (4.0, -1.5), Seen::Horizon),
-            ((0.0, -12.0), (4.0, 1.5), Seen::Horizon),
+            ((0.0, 12.0), (4.0, -1.5), HorizonCell::Horizon),
+            ((0.0, -12.0), (4.0, 1.5), HorizonCell::Horizon),
             // Right wing down: the ground is on the right.
-            ((30.0, 0.0), (4.0, 0.0), Seen::Ground),
-            ((30.0, 0.0), (-4.0, 0.0), Seen::Sky),
+            ((30.0, 0.0), (4.0, 0.0), HorizonCell::Ground),
+            ((30.0, 0.0), (-4.0, 0.0), HorizonCell::Sky),
             // Upside down: the ground is above.
-            ((180.0, 0.0), (3.0, 1.0), Seen::Ground),
-            ((0.0, 0.0), (0.0, 2.5), Seen::Rung),
+            ((180.0, 0.0), (3.0, 1.0), HorizonCell::Ground),
+            ((0.0, 0.0), (0.0, 2.5), HorizonCell::Rung),
         ] {
             let seen = view(roll, pitch).at(right, up, 0.25);
             assert_eq!(seen, expected, "{roll} {pitch} {right} {up}");

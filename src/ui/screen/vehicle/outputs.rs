@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::bar;
 use crate::text;
 use crate::ui::panel::Panel;
@@ -18,7 +18,7 @@ const LONGEST_US: f32 = 2000.0;
 const FIGURES: usize = 9;
 
 /// Draws the outputs on the left and the channels of the radio control on the right.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let half = area.width / 2;
     let left = columns(area, 0, half);
@@ -36,7 +36,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Channels in use, down one column and, if wide enough, down the next.
-fn draw_pulses(subject: &Subject<'_>, pulses_us: &[u16], area: Rect, buffer: &mut Buffer) {
+fn draw_pulses(subject: &VehicleSubject<'_>, pulses_us: &[u16], area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let used: Vec<(usize, u16)> = pulses_us
         .iter()

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::{filled, labelled};
 use crate::commands::command_name;
 use crate::geo::LatLon;
@@ -24,7 +24,7 @@ const NAME: usize = 16;
 const HEIGHT: usize = 8;
 
 /// Draws as many items as fit, the current one among them.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let stored = &vehicle.plans.plan;
     let title = match stored.content.as_deref() {
@@ -55,7 +55,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Fence and rally points in a row each.
-fn draw_others(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+fn draw_others(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let rows = [
         ("vehicle-fence", fence(vehicle)),
@@ -103,7 +103,7 @@ fn rally(vehicle: &Vehicle) -> Text {
     standing(stored.transfer, stored.content.is_some(), content)
 }
 
-fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffer) {
+fn draw_items(subject: &VehicleSubject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffer) {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let items = plan.flown();
     let skipped = plan.items.len() - items.len();

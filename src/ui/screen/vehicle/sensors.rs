@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::filled;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -59,7 +59,7 @@ enum Condition {
 }
 
 /// Draws the fitted sensors, faulty ones first.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-sensors"), buffer);
     let Some(health) = subject.vehicle.health else {

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
-use super::Subject;
+use super::VehicleSubject;
 use super::row::{LABEL, UNKNOWN, arrow, labelled, number};
 use super::tape::shown_deg;
 use crate::alert::AlertKind;
@@ -28,7 +28,7 @@ const WARNING_ROWS: usize = 2;
 type Entry = (&'static str, String, Role);
 
 /// Draws as many rows as fit.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-state"), buffer);
     let width = usize::from(inner.width).saturating_sub(LABEL);
@@ -50,7 +50,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn entries(subject: &Subject<'_>) -> Vec<Entry> {
+fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let mut entries = vec![mode(vehicle, look), ready(subject)];
     entries.extend([
@@ -95,7 +95,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
 }
 
 /// The alert, or whether it can be armed.
-fn ready(subject: &Subject<'_>) -> Entry {
+fn ready(subject: &VehicleSubject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
     if let Some(alert) = subject.state.session().alert(vehicle, subject.state.now()) {
         // If the alert is about arming, it lists all reasons.
@@ -208,7 +208,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
 }
 
 /// How long it has been armed, or was armed in its last flight.
-fn flight(subject: &Subject<'_>) -> Entry {
+fn flight(subject: &VehicleSubject<'_>) -> Entry {
     let history = subject.state.session().histories().of(subject.vehicle.id);
     let time = history.map(History::armed_for).filter(|it| !it.is_zero());
     match time.map(clock) {
@@ -227,7 +227,7 @@ fn flight(subject: &Subject<'_>) -> Entry {
     }
 }
 
-fn link(subject: &Subject<'_>) -> Entry {
+fn link(subject: &VehicleSubject<'_>) -> Entry {
     const ID: &str = "vehicle-link";
     let (link, look) = (&subject.vehicle.link, subject.look);
     if link.lost {

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::Subject;
+use super::VehicleSubject;
 use crate::notice::sanitised;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -15,7 +15,7 @@ use crate::vehicle::Severity;
 const TIME: usize = 6;
 
 /// Draws the last texts, the newest at the bottom.
-pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let inner = Panel::new(look, area).titled(&look.say("vehicle-texts"), buffer);
     let width = usize::from(inner.width).saturating_sub(TIME);

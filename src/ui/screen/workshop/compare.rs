@@ -26,7 +26,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         return;
     };
     let column = usize::from(inner.width).saturating_sub(NAME + CHANGE + 3) / 2;
-    let table = Table {
+    let table = FigureTable {
         look: panel.look,
         column: column.min(WIDEST),
     };
@@ -61,12 +61,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-struct Table<'a> {
+struct FigureTable<'a> {
     look: &'a Look,
     column: usize,
 }
 
-impl Table<'_> {
+impl FigureTable<'_> {
     fn line(
         &self,
         name: &str,

@@ -29,7 +29,7 @@ const DETAIL: u16 = 5;
 /// Draws the list, and below it the details of the part under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
-    let layout = Layout::new(state, panel.look, panel.area.width);
+    let layout = PartColumns::new(state, panel.look, panel.area.width);
     let has_keys = state.rooms().workshop().pane() == Pane::Parts;
     let title = layout.title(bench.slot(), panel.look);
     let mut inner = panel.focused(&title, has_keys, buffer);
@@ -71,7 +71,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// Which columns the list has.
-struct Layout {
+struct PartColumns {
     name: usize,
     licence: usize,
     /// The measures, with their columns.
@@ -79,7 +79,7 @@ struct Layout {
     width: usize,
 }
 
-impl Layout {
+impl PartColumns {
     fn new(state: &State, look: &Look, columns: u16) -> Self {
         let bench = state.rooms().workshop().bench();
         let width = usize::from(columns);

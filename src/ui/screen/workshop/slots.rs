@@ -42,7 +42,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let severity = room.bench().severity(row.slot).filter(|_| is_first);
         let width = usize::from(inner.width);
         let wide = width >= ROOMY;
-        let line = Row {
+        let line = SlotLine {
             there: row,
             is_first,
             severity,
@@ -64,7 +64,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .mark_list(first, rows.len(), has_keys, buffer);
 }
 
-struct Row<'a> {
+struct SlotLine<'a> {
     there: &'a SlotRow,
     is_first: bool,
     severity: Option<FindingSeverity>,
@@ -72,7 +72,7 @@ struct Row<'a> {
     width: usize,
 }
 
-impl Row<'_> {
+impl SlotLine<'_> {
     fn drawn(&self, design: &Design, look: &Look) -> Line<'static> {
         let slot = if self.is_first {
             look.text(&self.there.slot.name())

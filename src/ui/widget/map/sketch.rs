@@ -20,7 +20,7 @@ const EDGE: (f64, f64) = (0.05, 10.0);
 const MOST_PLACES: usize = 8;
 
 /// A word at a cell of the sketch.
-struct Word {
+struct SketchWord {
     cell: (u16, u16),
     text: String,
     role: Role,
@@ -68,10 +68,10 @@ fn extent(mission: &Listing) -> Option<Extent> {
 }
 
 /// The labels: pads first, then places, then areas; if labels overlap, the first one stays.
-fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
+fn words(mission: &Listing, view: &Viewport) -> Vec<SketchWord> {
     let word = |at: LatLon, text: String, role| {
         let cell = view.cell(at)?;
-        Some(Word { cell, text, role })
+        Some(SketchWord { cell, text, role })
     };
     let (pads, places): (Vec<_>, Vec<_>) =
         mission.places.iter().partition(|(name, _)| is_pad(name));
@@ -92,7 +92,7 @@ fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
         let corners = zone.outline.corners().into_iter();
         let cells = corners.filter_map(|corner| view.cell(corner));
         let (column, row) = cells.min_by_key(|&(column, row)| (row, column))?;
-        Some(Word {
+        Some(SketchWord {
             cell: (column + 1, row),
             text: format!("{}{}", sign(kind), zone.name),
             role: stroke(kind).role,
@@ -101,7 +101,7 @@ fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
     pads.chain(places).chain(areas).collect()
 }
 
-fn draw_words(words: &[Word], panel: Panel<'_>, buffer: &mut Buffer) {
+fn draw_words(words: &[SketchWord], panel: Panel<'_>, buffer: &mut Buffer) {
     let mut taken: BTreeSet<(u16, u16)> = BTreeSet::new();
     for word in words {
         let ((column, row), width) = (word.cell, word.text.width() as u16);

@@ -16,7 +16,7 @@ pub struct Shown {
 }
 
 /// The layout of a column.
-struct Form {
+struct ColumnForm {
     column: Column,
     title: &'static str,
     /// The minimum width; the column of alerts also gets the remaining width.
@@ -36,7 +36,7 @@ const ALERT_MORE: u16 = 5;
 const ASKED: u8 = 100;
 
 /// The columns in the order of display; ranks determine which ones are dropped on narrow screens.
-const FORMS: &[Form] = &[
+const FORMS: &[ColumnForm] = &[
     form(Column::Id, "column-id", 3, 0, true),
     form(Column::Name, "column-name", 7, 13, false),
     form(Column::Group, "column-group", 5, 10, false),
@@ -68,8 +68,14 @@ const FORMS: &[Form] = &[
     form(Column::Alert, "column-alert", 17, 1, false),
 ];
 
-const fn form(column: Column, title: &'static str, width: u16, rank: u8, right: bool) -> Form {
-    Form {
+const fn form(
+    column: Column,
+    title: &'static str,
+    width: u16,
+    rank: u8,
+    right: bool,
+) -> ColumnForm {
+    ColumnForm {
         column,
         title,
         width,
@@ -121,7 +127,7 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
 fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let has_groups = !state.session().groups().is_empty();
     let is_offered =
-        |form: &&Form| form.rank < ASKED && (has_groups || form.column != Column::Group);
+        |form: &&ColumnForm| form.rank < ASKED && (has_groups || form.column != Column::Group);
     let mut by_rank: Vec<(u8, Shown)> = FORMS
         .iter()
         .filter(is_offered)
@@ -147,7 +153,7 @@ fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>,
     (kept, left)
 }
 
-impl Form {
+impl ColumnForm {
     fn shown(&self, words: &Words, look: &Look) -> Shown {
         let title = look.say(self.title);
         let said: &[&String] = match self.column {

@@ -1,10 +1,10 @@
 //! The mission's part in the trainee's career.
 
-use super::Page;
+use super::MissionPage;
 use crate::app::room::home::facts;
 use crate::text;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Adds the mission's state in the career before it is flown. Adds nothing without a profile.
     pub(super) fn career(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();

@@ -1,6 +1,6 @@
 //! The vehicles' equipment, and the areas of the mission.
 
-use super::Page;
+use super::MissionPage;
 use crate::mission::{AreaKind, FitListing};
 use crate::text;
 use crate::text::Text;
@@ -16,7 +16,7 @@ const AREAS: [(AreaKind, &str); 6] = [
     (AreaKind::Radio, "map-legend-radio"),
 ];
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Sensors and loads, by vehicle where they differ.
     pub(super) fn fits(&self) -> Vec<(Text, Text)> {
         let fits = self.mission.fits.as_slice();

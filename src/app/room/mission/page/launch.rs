@@ -1,13 +1,13 @@
 //! The questions before launch, and the answers.
 
-use super::Page;
+use super::MissionPage;
 use crate::app::action::Action;
 use crate::app::room::page::Tone;
 use crate::mission::Pledge;
 use crate::text;
 use crate::text::Text;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Whether a mission has started and nothing has flown yet.
     pub(super) fn awaits_launch(&self) -> bool {
         let session = &self.state.session;

@@ -1,12 +1,12 @@
 //! What to do next time, and the points to keep and to improve, from the last review of the mission.
 
-use super::Page;
+use super::MissionPage;
 use crate::app::room::page::Tone;
 use crate::review::{PointKind, Review};
 use crate::text;
 use crate::text::wrap;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Adds them before the flight.
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();

@@ -1,11 +1,11 @@
 //! The reward for passing the mission.
 
-use super::Page;
+use super::MissionPage;
 use crate::app::room::home::unlocked;
 use crate::text;
 use crate::text::Text;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Credits and unlocks; `None` if the mission has none.
     pub(super) fn rewards(&self) -> Option<(Text, Text)> {
         let rewards = &self.mission.rewards;

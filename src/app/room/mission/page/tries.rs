@@ -1,6 +1,6 @@
 //! The trainee's earlier attempts.
 
-use super::Page;
+use super::MissionPage;
 use crate::scoring::{Medal, TryReport};
 use crate::text;
 use crate::text::Text;
@@ -8,7 +8,7 @@ use crate::text::Text;
 /// The number of newest attempts shown; the best one is added if it is older.
 const SHOWN: usize = 5;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// Adds the earlier attempts before the flight, if there are any.
     pub(super) fn tries(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();

@@ -1,10 +1,10 @@
 //! The pilot's workload, in a replay.
 
-use super::Page;
+use super::MissionPage;
 use crate::app::room::page::Tone;
 use crate::text;
 
-impl Page<'_> {
+impl MissionPage<'_> {
     /// The curves of a recorded flight, with a mark at the moment shown; never during the flight itself.
     pub(super) fn workload(&mut self) {
         let Some(strips) = self

@@ -9,14 +9,14 @@ use crate::vehicle::VehicleId;
 
 /// The ledger with an index by vehicle.
 #[derive(Debug, Clone, Default)]
-pub struct CommandLog {
+pub struct SessionLedger {
     /// All commands of the session.
     pub(in crate::app) ledger: Ledger,
     /// For each vehicle, its newest ledger entry and those that were under way when that was opened.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
 }
 
-impl CommandLog {
+impl SessionLedger {
     /// Opens a ledger entry.
     pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
         let entry = self.ledger.open(at, given, targets);

@@ -5,7 +5,7 @@ use crate::mission::{Area, Progress};
 
 /// The mission that is being flown, and how far it has come.
 #[derive(Debug, Clone, Default)]
-pub struct Task {
+pub struct FlownMission {
     /// The mission, if there is one.
     pub(in crate::app) listing: Option<Box<MissionListing>>,
     /// Its progress, once it is known.
