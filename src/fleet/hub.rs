@@ -8,7 +8,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::{BlockingKeeper, BlockingShelf};
-use super::sharing::Sharing;
+use super::sharing::{Addressee, Sharing};
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::forward::ForwardSpec;
@@ -185,7 +185,10 @@ impl Hub {
         let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);
         let routes = self.routes.iter().filter(|&(&system, _)| is_meant(system));
         let vehicles: Vec<_> = routes
-            .map(|(&system, route)| (VehicleId::from(system), route.class()))
+            .map(|(&system, route)| Addressee {
+                vehicle: VehicleId::from(system),
+                class: route.class(),
+            })
             .collect();
         for vehicle in vehicles {
             if let Some(notice) = self.sharing.commanded(news, vehicle, now) {
@@ -199,7 +202,10 @@ impl Hub {
         let Some(class) = self.routes.get(&system).map(PeerRoute::class) else {
             return;
         };
-        let vehicle = (VehicleId::from(system), class);
+        let vehicle = Addressee {
+            vehicle: VehicleId::from(system),
+            class,
+        };
         for frame in frames {
             if let Some(notice) = self.sharing.answered(&frame.content, vehicle, now) {
                 self.tell(FleetEvent::Warning(notice)).await;

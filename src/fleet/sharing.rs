@@ -52,7 +52,21 @@ pub(super) struct Sharing {
     opened: u16,
     inbound: mpsc::Sender<Inbound>,
     /// The last deed of each station on each vehicle.
-    said: BTreeMap<(StationId, VehicleId), (Deed, Duration)>,
+    said: BTreeMap<Exchange, (Deed, Duration)>,
+}
+
+/// A vehicle that a station commands, with the class that names its modes.
+#[derive(Clone, Copy)]
+pub(super) struct Addressee {
+    pub vehicle: VehicleId,
+    pub class: VehicleClass,
+}
+
+/// A station and a vehicle that it has commanded.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Exchange {
+    station: StationId,
+    vehicle: VehicleId,
 }
 
 /// What forwards send to the hub.
@@ -123,10 +137,14 @@ impl Sharing {
     pub fn commanded(
         &mut self,
         news: &StationNews,
-        (vehicle, class): (VehicleId, VehicleClass),
+        to: Addressee,
         now: Duration,
     ) -> Option<Notice> {
-        let last = self.said.get(&(news.station, vehicle));
+        let exchange = Exchange {
+            station: news.station,
+            vehicle: to.vehicle,
+        };
+        let last = self.said.get(&exchange);
         let within = match news.deed {
             Deed::Steering => STREAM_WITHIN,
             Deed::Mode(_)
@@ -137,37 +155,36 @@ impl Sharing {
         };
         let is_same =
             last.is_some_and(|(deed, at)| *deed == news.deed && now.saturating_sub(*at) < within);
-        self.note((news.station, vehicle), news.deed.clone(), now);
+        self.note(exchange, news.deed.clone(), now);
         (!is_same).then(|| {
-            let text = news.deed.text(news.station, vehicle, class);
-            notice(vehicle, text, now)
+            let text = news.deed.text(news.station, to.vehicle, to.class);
+            notice(to.vehicle, text, now)
         })
     }
 
     /// The notice of a vehicle's answer to a station whose command did not come through a forward.
-    pub fn answered(
-        &mut self,
-        content: &Content,
-        (vehicle, class): (VehicleId, VehicleClass),
-        now: Duration,
-    ) -> Option<Notice> {
+    pub fn answered(&mut self, content: &Content, to: Addressee, now: Duration) -> Option<Notice> {
         let (station, command) = station_of_ack(content, OWN)?;
-        let last = self.said.get(&(station, vehicle));
+        let exchange = Exchange {
+            station,
+            vehicle: to.vehicle,
+        };
+        let last = self.said.get(&exchange);
         if last.is_some_and(|(_, at)| now.saturating_sub(*at) < SAME_WITHIN) {
             return None;
         }
         let deed = Deed::Command(command);
-        let text = deed.text(station, vehicle, class);
-        self.note((station, vehicle), deed, now);
-        Some(notice(vehicle, text, now))
+        let text = deed.text(station, to.vehicle, to.class);
+        self.note(exchange, deed, now);
+        Some(notice(to.vehicle, text, now))
     }
 
-    fn note(&mut self, whose: (StationId, VehicleId), deed: Deed, now: Duration) {
+    fn note(&mut self, exchange: Exchange, deed: Deed, now: Duration) {
         if self.said.len() >= MOST_SAID {
             self.said
                 .retain(|_, (_, at)| now.saturating_sub(*at) < STREAM_WITHIN);
         }
-        self.said.insert(whose, (deed, now));
+        self.said.insert(exchange, (deed, now));
     }
 }
 

@@ -167,13 +167,16 @@ impl RelayPort {
         let Some(facts) = FrameFacts::of(frame, bytes) else {
             return;
         };
-        let now = self.relay.0.opened.elapsed();
+        let passing = Passing {
+            facts,
+            bytes: bytes.into(),
+            now: self.relay.0.opened.elapsed(),
+        };
         let mut core = self.relay.core();
-        let bytes: Arc<[u8]> = bytes.into();
         if self.is_forward {
-            core.pass_from_station(self.id, peer, &facts, (&bytes, frame), now);
+            core.pass_from_station(self.id, peer, frame, &passing);
         } else {
-            core.pass_from_vehicle(self.id, peer, &facts, &bytes, now);
+            core.pass_from_vehicle(self.id, peer, &passing);
         }
     }
 
@@ -202,37 +205,31 @@ impl RelayPort {
     }
 }
 
+/// A received frame on its way to other ports.
+struct Passing {
+    facts: FrameFacts,
+    bytes: Arc<[u8]>,
+    /// When it arrived, since the relay was opened.
+    now: Duration,
+}
+
 impl RelayCore {
-    fn pass_from_vehicle(
-        &mut self,
-        link: LinkId,
-        peer: LinkPeer,
-        facts: &FrameFacts,
-        bytes: &Arc<[u8]>,
-        now: Duration,
-    ) {
+    fn pass_from_vehicle(&mut self, link: LinkId, peer: LinkPeer, passing: &Passing) {
         let from = Port::Vehicle {
             link: link.0,
             peer: peer.0,
         };
-        if let Route::To { stations, .. } = self.router.route(from, facts, now) {
-            self.pass_to_stations(None, &stations, facts, bytes, now);
+        if let Route::To { stations, .. } = self.router.route(from, &passing.facts, passing.now) {
+            self.pass_to_stations(None, &stations, passing);
         }
     }
 
-    fn pass_from_station(
-        &mut self,
-        id: LinkId,
-        peer: LinkPeer,
-        facts: &FrameFacts,
-        (bytes, frame): (&Arc<[u8]>, &Frame),
-        now: Duration,
-    ) {
+    fn pass_from_station(&mut self, id: LinkId, peer: LinkPeer, frame: &Frame, passing: &Passing) {
         let from = Port::Station {
             forward: id.0,
             peer: peer.0,
         };
-        let route = self.router.route(from, facts, now);
+        let route = self.router.route(from, &passing.facts, passing.now);
         let Some(forward) = self.forwards.get_mut(&id) else {
             return;
         };
@@ -241,10 +238,10 @@ impl RelayCore {
             _ if forward.spec.read_only => forward.counts.held_back += 1,
             Route::Unknown => forward.counts.unknown += 1,
             Route::To { vehicles, stations } => {
-                self.pass_to_vehicles(&vehicles, bytes);
-                self.pass_to_stations(Some((id, peer)), &stations, facts, bytes, now);
+                self.pass_to_vehicles(&vehicles, &passing.bytes);
+                self.pass_to_stations(Some((id, peer)), &stations, passing);
                 if vehicles != Reach::Nobody {
-                    self.report(facts, frame);
+                    self.report(&passing.facts, frame);
                 }
             }
         }
@@ -286,9 +283,7 @@ impl RelayCore {
         &mut self,
         from: Option<(LinkId, LinkPeer)>,
         reach: &Reach,
-        facts: &FrameFacts,
-        bytes: &Arc<[u8]>,
-        now: Duration,
+        passing: &Passing,
     ) {
         match reach {
             Reach::Nobody => {}
@@ -298,7 +293,7 @@ impl RelayCore {
                         Some((origin, peer)) if origin == id => To::EveryoneBut(peer),
                         Some(_) | None => To::Everyone,
                     };
-                    forward.pass(to, facts, bytes, now);
+                    forward.pass(to, passing);
                 }
             }
             Reach::These(ports) => {
@@ -306,7 +301,7 @@ impl RelayCore {
                     if let Port::Station { forward, peer } = *port
                         && let Some(forward) = self.forwards.get_mut(&LinkId(forward))
                     {
-                        let frame = Parcel::Frame(Arc::clone(bytes));
+                        let frame = Parcel::Frame(Arc::clone(&passing.bytes));
                         forward.outlet.queue(To::Peer(LinkPeer(peer)), frame);
                     }
                 }
@@ -317,9 +312,10 @@ impl RelayCore {
 
 impl RelayedForward {
     /// Passes a message for everyone on, unless the filters leave it out.
-    fn pass(&mut self, to: To, facts: &FrameFacts, bytes: &Arc<[u8]>, now: Duration) {
-        if self.spec.passes(facts.id) && self.is_due(facts, now) {
-            self.outlet.queue(to, Parcel::Frame(Arc::clone(bytes)));
+    fn pass(&mut self, to: To, passing: &Passing) {
+        if self.spec.passes(passing.facts.id) && self.is_due(&passing.facts, passing.now) {
+            self.outlet
+                .queue(to, Parcel::Frame(Arc::clone(&passing.bytes)));
         } else {
             self.counts.filtered += 1;
         }

@@ -164,7 +164,7 @@ impl LogReader {
         };
         match (&mut job.phase, message) {
             (LogsPhase::Listing(listing), MavMessage::LOG_ENTRY(entry)) => {
-                listing.receive(entry, now)
+                listing.receive(entry, now);
             }
             (LogsPhase::Reading(reading), MavMessage::LOG_DATA(data)) => {
                 let received = reading.transfer().receive(data, now);
