@@ -51,11 +51,16 @@ mod records;
 mod replay;
 mod report;
 mod run;
+#[cfg(unix)]
+mod say;
 mod settings;
 mod sim;
+#[cfg(unix)]
+mod socket;
 mod table;
 mod trainee;
 mod verify;
+mod watch;
 mod workshop;
 
 /// The exit codes, as `--help` shows them.
@@ -108,6 +113,8 @@ enum CliCommand {
         expect: Option<VehicleIds>,
         #[command(flatten)]
         forwards: fly::ForwardArguments,
+        #[command(flatten)]
+        api: fly::ApiArguments,
         /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -123,6 +130,18 @@ enum CliCommand {
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
+    #[cfg(unix)]
+    /// Says lines to a console that was started with --api, and prints what becomes of them.
+    #[command(after_help = "Examples:\n  \
+                            sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
+                            sortie say /tmp/lab.sock --confirm \"all kill\"")]
+    Say(say::SayArguments),
+    /// Prints the changing state of a console that was started with --api, as JSON lines.
+    #[command(after_help = "Examples:\n  \
+                            sortie watch /tmp/lab.sock ledger notices\n  \
+                            sortie watch /tmp/lab.sock vehicles --every 5\n  \
+                            sortie watch --schema")]
+    Watch(watch::WatchArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
     /// Checks, converts and rehearses plans, fences and rally points in files.
@@ -242,13 +261,14 @@ fn dispatch(
             addresses,
             expect,
             forwards,
+            api,
             plain,
         }) => {
             let mut settings = settings;
             if expect.is_some() {
                 settings.config.connect.expect = expect;
             }
-            fly::connect(addresses, &forwards, plain, settings)
+            fly::connect(addresses, &forwards, &api, plain, settings)
         }
         Some(CliCommand::Records(options)) => {
             settings.complain();
@@ -263,6 +283,9 @@ fn dispatch(
             settings.complain();
             verify::verify(&options, &settings)
         }
+        #[cfg(unix)]
+        Some(CliCommand::Say(options)) => say::say(&options),
+        Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Debrief(options)) => {
             settings.complain();
             debrief::debrief(&options, &settings)

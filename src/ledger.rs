@@ -5,6 +5,7 @@ use std::fmt;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 use crate::text;
 use crate::text::Text;
@@ -15,12 +16,13 @@ use crate::verb::Verb;
 pub const ENTRIES_KEPT: usize = 10_000;
 
 /// The number of an entry of the ledger.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct EntryId(pub u32);
 
 /// The state of a command for one vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum RowState {
     /// Waiting behind an earlier command to the same vehicle.
     Queued,
@@ -272,6 +274,11 @@ impl Ledger {
     /// Increases with every change, so that readers can skip unchanged states.
     pub fn revision(&self) -> u64 {
         self.revision
+    }
+
+    /// The number that the next entry gets.
+    pub fn next(&self) -> EntryId {
+        EntryId(self.next)
     }
 
     pub fn entry(&self, id: EntryId) -> Option<&LedgerEntry> {

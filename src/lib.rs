@@ -78,6 +78,7 @@
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.
 
 pub mod alert;
+pub mod api;
 pub mod app;
 pub mod campaign;
 pub mod cli;

@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::app::effect::{ProgramAnswer, ProgramFault};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
 use crate::app::{App, Setup};
@@ -23,6 +24,7 @@ use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 
+mod api;
 mod begin;
 mod career;
 mod drive;
@@ -40,6 +42,8 @@ mod session;
 mod sight;
 mod signals;
 
+pub use api::ApiOptions;
+use api::Programs;
 use career::Careers;
 pub use drive::drive;
 use missions::{Tries, listings};
@@ -63,6 +67,7 @@ const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 /// There is no terminal, or it has disappeared.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
+    let mut programs = Programs::open(options.api.as_ref())?;
     let mut screen = Screen::open(
         options.preferences.config.fps,
         options.preferences.config.mouse,
@@ -98,6 +103,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                 }
             },
             () = pace.tick() => console.tick().await,
+            arrival = programs.next() => console.serve(&mut programs, arrival).await,
             input = keyboard.next() => {
                 let Some(input) = input else {
                     console.is_cut_off = true;
@@ -114,6 +120,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
             },
             () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
         }
+        programs.tell(console.app.state());
         console.draw(&mut screen).await?;
     }
     console.close().await;
@@ -178,6 +185,8 @@ struct Console {
     next_look: Duration,
     /// Whether time is stopped until the brief is left.
     awaits_reader: bool,
+    /// What has become of a program's line, until the program is answered.
+    program_answer: Option<Result<ProgramAnswer, ProgramFault>>,
     /// Events to handle, oldest first.
     inbox: VecDeque<Event>,
     /// The rest of the previous session.
@@ -236,6 +245,7 @@ impl Console {
             next_look: LOOK_EVERY,
             awaits_reader: false,
             ending: SessionEnding::default(),
+            program_answer: None,
             inbox: VecDeque::new(),
             over: false,
             is_cut_off: false,

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
+use crate::diagnostic::Diagnostic;
 use crate::forward::ForwardSpec;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
@@ -58,6 +59,8 @@ pub enum Effect {
         entry: EntryId,
         order: Order,
     },
+    /// Tell the program whose line was the event what has become of it.
+    AnswerProgram(Result<ProgramAnswer, ProgramFault>),
     /// Download all parameters of vehicles.
     FetchParameters(Vec<VehicleId>),
     /// Read or write a file of the user.
@@ -69,6 +72,21 @@ pub enum Effect {
     Replay(ReplayEffect),
     /// Change the terminal's display, or notify the user.
     Terminal(TerminalEffect),
+}
+
+/// A line of a program that was carried out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ProgramAnswer {
+    /// Its entry in the ledger; `None` for a line to the console itself.
+    pub entry: Option<EntryId>,
+}
+
+/// The reason why a program's line was not carried out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProgramFault {
+    pub fault: Diagnostic,
+    /// Whether it would be carried out if the program confirmed it.
+    pub asks: bool,
 }
 
 /// The shell's work after an event, in this order.

@@ -33,6 +33,8 @@ use crate::verb::Verb;
 pub enum Event {
     /// Input from the user or the terminal.
     Terminal(TerminalEvent),
+    /// A line of a program that uses the console.
+    Program(ProgramLine),
     /// Time has passed; no other event moves the console's clock.
     Tick {
         /// Time since the start of the program, without pauses of the session.
@@ -88,6 +90,16 @@ pub enum TerminalEvent {
     Told,
     /// The bytes per second that the line to the terminal carries, while it cannot keep up.
     SlowLine(Option<u32>),
+}
+
+/// A line that a program gives. Its fault or its entry is the answer ([`Effect::AnswerProgram`]).
+///
+/// [`Effect::AnswerProgram`]: super::effect::Effect::AnswerProgram
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProgramLine {
+    pub line: String,
+    /// Whether the program confirms it, where a user would be asked.
+    pub confirmed: bool,
 }
 
 #[derive(Debug, Clone)]

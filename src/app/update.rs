@@ -28,6 +28,7 @@ mod order;
 mod pace;
 mod palette;
 mod profiles;
+mod program;
 mod prompt;
 mod reader;
 mod replay;
@@ -70,6 +71,7 @@ fn react(state: &mut State, event: Event) -> Effects {
             return parameters::wanted(state);
         }
         Event::Terminal(event) => return terminal(state, event),
+        Event::Program(line) => return program::give(state, &line),
         Event::Vehicle(event) => return vehicle(state, event),
         Event::Link(event) => link(state, event),
         Event::Process(event) => processes(state, event),

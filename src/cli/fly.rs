@@ -1,6 +1,7 @@
 //! `sortie`, `sortie fly` and `sortie connect`: the console.
 
 use std::io::IsTerminal as _;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use crate::forward::{ForwardFault, ForwardSpec};
 use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::scoring::FlownBy;
-use crate::shell::{self, ConsoleOptions, Opening, Preferences};
+use crate::shell::{self, ApiOptions, ConsoleOptions, Opening, Preferences};
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
@@ -49,6 +50,8 @@ pub(super) struct FlyArguments {
     speedup: f64,
     #[command(flatten)]
     forwards: ForwardArguments,
+    #[command(flatten)]
+    api: ApiArguments,
     /// Print lines of text instead of drawing a screen, for screen readers and pipes.
     #[arg(long)]
     plain: bool,
@@ -65,6 +68,26 @@ pub(super) struct ForwardArguments {
     /// such as udp:127.0.0.1:14550 or "tcpin:127.0.0.1:5790 read-only"; repeat it for several.
     #[arg(long = "forward", value_name = "ADDR", value_parser = forward)]
     forwards: Vec<ForwardSpec>,
+}
+
+/// The interface for programs of `sortie fly` and `sortie connect`.
+#[derive(Debug, Args)]
+pub(super) struct ApiArguments {
+    /// Let programs of yours use the console through a Unix socket at this path: they read its state and give commands.
+    /// Flights then count as practice, as flown by a script.
+    #[arg(long, value_name = "SOCKET")]
+    api: Option<PathBuf>,
+    /// Let programs only read the console's state through this socket; flights count as usual.
+    #[arg(long, value_name = "SOCKET", conflicts_with = "api")]
+    api_read_only: Option<PathBuf>,
+}
+
+impl ApiArguments {
+    fn options(&self) -> Option<ApiOptions> {
+        let commands = self.api.is_some();
+        let socket = self.api.as_ref().or(self.api_read_only.as_ref())?.clone();
+        Some(ApiOptions { socket, commands })
+    }
 }
 
 /// A forward as the command line names it.
@@ -135,6 +158,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     };
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
+        api: arguments.api.options(),
         // Faults are reported before the screen opens.
         backend: arguments.backend.choose(&settings)?,
         vehicles: arguments.vehicles,
@@ -149,11 +173,13 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
 pub(super) fn connect(
     addresses: Vec<Address>,
     forwards: &ForwardArguments,
+    api: &ApiArguments,
     plain: bool,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
         forwards: forwards.or_configured(&settings)?,
+        api: api.options(),
         ..options(Opening::Connect(addresses), settings)?
     };
     open(options, plain)
@@ -201,7 +227,8 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
         vehicles: VEHICLES,
         seed: None,
         speedup: 1.0,
-        flown_by: FlownBy::Hand,
+        typed_by: FlownBy::Hand,
+        api: None,
         forwards: Vec::new(),
         look: look(&settings),
         preferences: Preferences {
@@ -229,13 +256,13 @@ pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Fai
     let runtime = runtime()?;
     let outcome = runtime.block_on(async {
         if plain {
-            let flown_by = if std::io::stdin().is_terminal() {
+            let typed_by = if std::io::stdin().is_terminal() {
                 FlownBy::Hand
             } else {
                 FlownBy::Script
             };
             Box::pin(shell::plain::run(ConsoleOptions {
-                flown_by,
+                typed_by,
                 ..options
             }))
             .await

@@ -103,6 +103,7 @@ impl Lookout {
                     | SessionEvent::Ghost(_),
                 )
                 | Event::Terminal(_)
+                | Event::Program(_)
                 | Event::Tick { .. }
                 | Event::Link(_)
                 | Event::Process(_)

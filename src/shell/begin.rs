@@ -41,7 +41,7 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> Result<(), Text> {
-        let (flown_by, speedup) = (self.options.flown_by, self.options.speedup);
+        let (flown_by, speedup) = (self.options.flown_by(), self.options.speedup);
         if let Some(refusal) = AttemptRefusal::of(wanted, flown_by, speedup) {
             return Err(refusal.text());
         }
@@ -72,7 +72,7 @@ impl Console {
             }),
             means: AttemptMeans {
                 mission_file: store::mission_file(mission),
-                flown_by: self.options.flown_by,
+                flown_by: self.options.flown_by(),
                 has_own_airframes: !self.options.backend.airframes.is_empty(),
                 speedup: self.options.speedup,
             },
@@ -173,7 +173,7 @@ impl Console {
             data: self.options.preferences.data.clone(),
             occasion: Occasion {
                 stake: self.attempt.stake,
-                flown_by: self.options.flown_by,
+                flown_by: self.options.flown_by(),
                 profile: self.trainee().map(str::to_owned),
                 ..Occasion::default()
             },

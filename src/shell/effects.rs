@@ -38,6 +38,7 @@ impl Console {
         match effect {
             Effect::Quit => self.over = true,
             Effect::Order { entry, order } => self.order(entry, &order),
+            Effect::AnswerProgram(answer) => self.program_answer = Some(answer),
             Effect::FetchParameters(vehicles) => {
                 if let Some(running) = &self.running {
                     running.fetch_parameters(&vehicles);

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::api::ApiOptions;
 use crate::app::keymap::Keymap;
 use crate::config::Config;
 use crate::forward::ForwardSpec;
@@ -40,8 +41,10 @@ pub struct ConsoleOptions {
     pub seed: Option<u64>,
     /// The speed-up of simulated time.
     pub speedup: f64,
-    /// The source of the commands: a person, or a pipe.
-    pub flown_by: FlownBy,
+    /// The source of typed lines: a person, or a pipe.
+    pub typed_by: FlownBy,
+    /// The interface for programs, if one is wanted.
+    pub api: Option<ApiOptions>,
     /// The forwards to other ground stations, in every session.
     pub forwards: Vec<ForwardSpec>,
     /// The look of the screen.
@@ -49,12 +52,24 @@ pub struct ConsoleOptions {
     pub preferences: Preferences,
 }
 
+impl ConsoleOptions {
+    /// What flights count as flown by: those that programs may command count as flown by a script.
+    pub fn flown_by(&self) -> FlownBy {
+        if self.api.as_ref().is_some_and(|api| api.commands) {
+            FlownBy::Script
+        } else {
+            self.typed_by
+        }
+    }
+}
+
 #[cfg(test)]
 impl ConsoleOptions {
     /// Options for one simulated vehicle with a fixed seed, flown by hand.
     pub fn for_test(opening: Opening) -> Self {
         Self {
-            flown_by: FlownBy::Hand,
+            typed_by: FlownBy::Hand,
+            api: None,
             opening,
             backend: VehicleBackend::default(),
             ardupilot: None,

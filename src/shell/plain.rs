@@ -10,6 +10,7 @@
 
 use std::time::Duration;
 
+use super::api::Programs;
 use super::{Console, ConsoleOptions, Happened, Opening, Pace, Signals, key};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
@@ -44,8 +45,9 @@ const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 /// # Errors
 /// The session could not be started, or the output is closed.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
-    let is_person = options.flown_by == FlownBy::Hand;
+    let is_person = options.typed_by == FlownBy::Hand;
     let mut signals = Signals::new()?;
+    let mut programs = Programs::open(options.api.as_ref())?;
     let mut plain = Plain {
         beginning: Beginning::of(expected(&options), is_person),
         console: Console::new(options, false),
@@ -84,11 +86,13 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
                 Happened::Continued | Happened::Resized => {}
             },
             () = pace.tick() => plain.tick().await?,
+            arrival = programs.next() => plain.console.serve(&mut programs, arrival).await,
             line = lines.recv(), if takes_lines => match line {
                 Some(line) => plain.take(&line).await?,
                 None => plain.end_of_input().await,
             },
         }
+        programs.tell(plain.console.app.state());
     }
     plain.console.close().await;
     plain.finish(told_to_end)

@@ -37,7 +37,7 @@ const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
 /// The shell, lowest first.
 const SHELL: &[&[&str]] = &[
     &["app"],
-    &["replay"],
+    &["api", "replay"],
     &["ui"],
     &["terminal"],
     &["shell"],

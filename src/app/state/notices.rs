@@ -61,6 +61,8 @@ impl NoticeLine {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
+    /// The number of lines listed so far, also of those dropped since.
+    total: u64,
     /// The times of each vehicle's newest [`TEXTS_OF_ONE`] texts, oldest first.
     texts: BTreeMap<VehicleId, VecDeque<Duration>>,
     /// The times of the texts listed within [`FOLD_TIME`], oldest first.
@@ -87,7 +89,20 @@ impl NoticeLog {
         }
     }
 
+    /// The number of lines listed so far, also of those dropped since.
+    pub fn listed(&self) -> u64 {
+        self.total
+    }
+
+    /// The lines listed after the first `count`, oldest first, without those dropped since.
+    pub fn listed_after(&self, count: u64) -> impl Iterator<Item = &NoticeLine> {
+        let new = usize::try_from(self.total.saturating_sub(count)).unwrap_or(usize::MAX);
+        let known = self.lines.len().saturating_sub(new);
+        self.lines.range(known..)
+    }
+
     fn list(&mut self, notice: Notice, content: LineContent) {
+        self.total += 1;
         self.lines.push_back(NoticeLine {
             count: 1,
             vehicles: notice.vehicle.into_iter().collect(),

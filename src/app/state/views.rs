@@ -25,6 +25,11 @@ impl<R> State<R> {
         self.now
     }
 
+    /// Time since the start of the program by the wall clock.
+    pub fn wall(&self) -> Duration {
+        self.wall
+    }
+
     /// The workload of the flight that is replayed, once it is known, with a mark at the moment shown.
     pub fn workload_strips<'a>(
         &'a self,

@@ -9,7 +9,7 @@ use crate::app::room::{Room, parameters, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, ConsoleLine, Context, Meaning, Statement};
+use crate::language::{self, ConsoleLine, Meaning, Statement};
 use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
 use crate::operator::{first_word, order_of};
 use crate::text;
@@ -33,12 +33,21 @@ pub enum Given {
 /// # Errors
 /// The fault and its position in the line.
 pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
+    read_for(state, line, &state.addressed())
+}
+
+/// Reads a line; without targets, `selection` applies.
+///
+/// # Errors
+/// The fault and its position in the line.
+pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Given, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
         if let Meaning::Console(own) = statement.meaning {
             return Ok(Given::Own(own));
         }
-        order_now(state, line, statement, context).map(Given::Order)
+        permit(state, line, &statement)?;
+        order_of(statement, line, context, selection).map(Given::Order)
     })
 }
 
@@ -49,19 +58,9 @@ pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
 pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
-        order_now(state, line, statement, context)
+        permit(state, line, &statement)?;
+        order_of(statement, line, context, &state.addressed())
     })
-}
-
-/// The order of a line, if it can be given now.
-fn order_now(
-    state: &State,
-    line: &str,
-    statement: Statement,
-    context: &Context<'_>,
-) -> Result<Order, Diagnostic> {
-    permit(state, line, &statement)?;
-    order_of(statement, line, context, &state.addressed())
 }
 
 /// Refuses commands that are not allowed now.

@@ -156,6 +156,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
         }
         Event::Tick { .. }
         | Event::Terminal(_)
+        | Event::Program(_)
         | Event::Vehicle(_)
         | Event::Link(_)
         | Event::Process(_)

@@ -53,7 +53,8 @@ struct LoadMark {
 
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
     let console = ConsoleOptions {
-        flown_by: FlownBy::Hand,
+        typed_by: FlownBy::Hand,
+        api: None,
         backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,

@@ -1,0 +1,20 @@
+# The interface for programs
+
+api-no-json = the line is not JSON: { $error }
+api-no-object = the line is not a JSON object
+api-bad-id = `id` is not a whole number of 0 or more
+api-bad-request = the request is invalid: { $error }
+api-bad-interval = `every_s` must be between { $least } and { $most }
+api-which-vehicle = name the vehicle: "vehicle": 1
+api-too-long = the line is longer than { $most } bytes
+api-not-utf8 = the line is not UTF-8
+api-read-only = this socket is only for reading: start the console with --api to give commands
+api-exam = programs cannot give commands in an exam
+api-screen = this line is for the screen only
+api-no-macro = send the lines of the macro one by one
+api-asks = this command needs a confirmation
+api-commands = a program gives commands through { $socket }
+api-in-use = { $socket } is in use by another console: choose another path
+api-no-socket = { $socket } exists and is not a socket: choose another path, or remove the file
+api-not-open = cannot open the socket { $socket }: { $error }
+api-no-unix = cannot open the socket { $socket }: this system has no Unix sockets

@@ -1,0 +1,266 @@
+//! The interface for programs: what they may ask of the console, and what it answers.
+//!
+//! A program and the console exchange JSON objects, one per line. [`Call`] reads a line of a program; [`Message`] is a
+//! line of the console. A [`Client`] holds what a program watches and has been sent, and finds what is new in a state.
+//! The module is pure: the shell owns the socket, and passes lines and states in.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use utoipa::ToSchema;
+
+use crate::text;
+use crate::text::{Locale, Text};
+use crate::vehicle::VehicleId;
+
+mod client;
+mod schema;
+mod view;
+
+#[cfg(test)]
+mod tests;
+
+pub use client::{Client, present};
+pub use schema::schema;
+pub use view::{
+    ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
+    ParameterView, PlanItemView, PlanView, ReadingView, RowView, VehicleView,
+};
+
+/// The version of this interface; it increases with every change that is not an addition.
+pub const INTERFACE: u32 = 1;
+/// The most bytes of a line that a program may send.
+pub const LONGEST_LINE: usize = 64 * 1024;
+/// The shortest and the longest time between two states of a watched subject, in seconds.
+pub const WATCH_S: std::ops::RangeInclusive<f64> = 0.05..=3600.0;
+/// The time between two states of a watched subject unless a program asks for another, in seconds.
+pub const USUAL_WATCH_S: f64 = 0.5;
+
+/// What a program asks for.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
+#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Request {
+    /// Carry out a line of the command grammar. Its targets have to be named. The answer is `ok`, followed by a `row`
+    /// whenever the state of a vehicle changes, and by `ended`.
+    Say {
+        /// The line, such as `1-4 takeoff 20`.
+        line: String,
+        /// Whether a line that asks the user for a confirmation is confirmed.
+        #[serde(default)]
+        confirm: bool,
+    },
+    /// Send the present state of a subject once.
+    Get {
+        what: Subject,
+        /// The vehicle whose parameters or plan are wanted.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        vehicle: Option<VehicleId>,
+    },
+    /// Answer `ok`; then send these subjects, and again whenever they change. Replaces what was watched before; an empty list ends it.
+    Watch {
+        what: Vec<Topic>,
+        /// The shortest time between two states of the same subject, in seconds; 0.5 by default. Notices and rows are
+        /// sent at the same times, but none is left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        every_s: Option<f64>,
+    },
+}
+
+/// A state that can be fetched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Subject {
+    Vehicles,
+    /// All notices that the console still lists.
+    Notices,
+    /// All commands that the console still lists, with their rows.
+    Ledger,
+    Mission,
+    Links,
+    /// The parameters of one vehicle, as far as they have been read.
+    Parameters,
+    /// The plan on board of one vehicle, as far as it has been read.
+    Plan,
+}
+
+/// A subject that can be watched.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Deserialize,
+    Serialize,
+    ToSchema,
+    strum::EnumString,
+    strum::VariantArray,
+    strum::IntoStaticStr,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum Topic {
+    Vehicles,
+    Notices,
+    Ledger,
+    Mission,
+}
+
+/// A request with the number that its answers repeat.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Call {
+    pub id: Option<u64>,
+    pub request: Request,
+}
+
+impl Call {
+    /// Reads a line of a program.
+    ///
+    /// # Errors
+    /// The line is no request; the fault repeats its number, if it can be read.
+    pub fn read(line: &str, locale: &Locale) -> Result<Self, Fault> {
+        let fault = |id, text: &Text| Fault::new(id, locale.text(text));
+        let mut value: Value = serde_json::from_str(line)
+            .map_err(|error| fault(None, &text!("api-no-json", error = error.to_string())))?;
+        let Some(object) = value.as_object_mut() else {
+            return Err(fault(None, &text!("api-no-object")));
+        };
+        let id = match object.remove("id") {
+            None => None,
+            Some(id) => Some(
+                id.as_u64()
+                    .ok_or_else(|| fault(None, &text!("api-bad-id")))?,
+            ),
+        };
+        let request: Request = serde_json::from_value(value)
+            .map_err(|error| fault(id, &text!("api-bad-request", error = error.to_string())))?;
+        if let Request::Watch {
+            every_s: Some(every_s),
+            ..
+        } = request
+            && !WATCH_S.contains(&every_s)
+        {
+            let text = text!(
+                "api-bad-interval",
+                least = WATCH_S.start().to_string(),
+                most = WATCH_S.end().to_string()
+            );
+            return Err(fault(id, &text));
+        }
+        Ok(Self { id, request })
+    }
+}
+
+/// A line of the console to a program: an object with one field, which names its kind.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Message {
+    /// The first line of every connection.
+    Welcome(Welcome),
+    /// A line was carried out, or subjects are watched.
+    #[serde(rename = "ok")]
+    Accepted(Accepted),
+    /// A request could not be carried out.
+    Fault(Fault),
+    /// The state of a command for one vehicle has changed.
+    Row(RowView),
+    /// A command has ended for all its vehicles.
+    Ended(Ended),
+    Vehicles(StateList<VehicleView>),
+    Ledger(StateList<EntryView>),
+    Notices(StateList<NoticeView>),
+    Notice(NoticeView),
+    Mission(MissionState),
+    Links(StateList<LinkView>),
+    Parameters(StateList<ParameterView>),
+    Plan(PlanView),
+}
+
+impl Message {
+    /// The message as a line, without its end.
+    pub fn line(&self) -> String {
+        // Only a map with keys that are not strings or a failing writer could fail.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+/// What a program can rely on.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct Welcome {
+    /// The version of the program that answers.
+    pub sortie: String,
+    /// The version of this interface.
+    pub interface: u32,
+    /// Whether lines are carried out; otherwise the socket is only for reading.
+    pub commands: bool,
+}
+
+/// A request that was carried out without a state as its answer.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct Accepted {
+    pub id: Option<u64>,
+    /// The command's number in the ledger; none for a line to the console itself.
+    pub entry: Option<u32>,
+}
+
+/// The reason why a request was not carried out.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct Fault {
+    pub id: Option<u64>,
+    pub message: String,
+    /// Advice, unless the remedy is obvious.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub help: Option<String>,
+    /// The faulty part of the line, in bytes: from its first byte up to the one after it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub span: Option<[usize; 2]>,
+    /// Whether the same request with `confirm` would be carried out.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub asks: bool,
+}
+
+impl Fault {
+    /// A fault without advice and place.
+    pub fn new(id: Option<u64>, message: String) -> Self {
+        Self {
+            id,
+            message,
+            help: None,
+            span: None,
+            asks: false,
+        }
+    }
+}
+
+/// A command that has ended.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub struct Ended {
+    pub entry: u32,
+    /// Whether it was done for every vehicle.
+    pub done: bool,
+}
+
+/// A list of states.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct StateList<T> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    pub list: Vec<T>,
+}
+
+impl<T> StateList<T> {
+    /// A list that answers a request.
+    fn new(id: Option<u64>, list: impl IntoIterator<Item = T>) -> Self {
+        let list = list.into_iter().collect();
+        Self { id, list }
+    }
+}
+
+/// The mission, if one is flown.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct MissionState {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    pub mission: Option<MissionView>,
+}

@@ -1,0 +1,397 @@
+//! States of the console as programs see them. Units are in the names; what is not known is `null`.
+
+use std::time::Duration;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use crate::app::state::{LinkSummary, NoticeLine};
+use crate::commands::command_name;
+use crate::geo::LatLon;
+use crate::ledger::{LedgerEntry, LedgerRow, RowState};
+use crate::mission::{ObjectiveState, Progress};
+use crate::parameters::ListedParameter;
+use crate::text::Locale;
+use crate::vehicle::{Plan, Severity, Transfer, Vehicle, VehicleId};
+
+/// A vehicle's latest telemetry.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct VehicleView {
+    pub vehicle: VehicleId,
+    pub system_id: u8,
+    pub component_id: u8,
+    /// The flight mode by its name, or by its number where it has none.
+    pub mode: Option<String>,
+    pub armed: bool,
+    pub in_air: bool,
+    /// Whether an arm command should succeed.
+    pub ready_to_arm: bool,
+    pub lat_deg: Option<f64>,
+    pub lon_deg: Option<f64>,
+    /// Height above home.
+    pub altitude_m: Option<f64>,
+    /// Height above mean sea level.
+    pub altitude_amsl_m: Option<f64>,
+    pub ground_speed_m_s: Option<f32>,
+    pub heading_deg: Option<f32>,
+    pub home_lat_deg: Option<f64>,
+    pub home_lon_deg: Option<f64>,
+    pub battery_percent: Option<u8>,
+    pub battery_v: Option<f32>,
+    pub battery_a: Option<f32>,
+    /// The item of its plan that AUTO flies.
+    pub plan_item: u16,
+    /// Whether it has been silent for too long.
+    pub link_lost: bool,
+    /// The share of its messages that arrives.
+    pub link_percent: u8,
+    /// Its last reasons against arming, newest last.
+    pub prearm: Vec<String>,
+}
+
+impl From<&Vehicle> for VehicleView {
+    fn from(vehicle: &Vehicle) -> Self {
+        let at = vehicle.global.map(|global| global.at_point);
+        let home = vehicle.home.map(|home| home.at_point);
+        let battery = vehicle.battery();
+        Self {
+            vehicle: vehicle.id,
+            system_id: vehicle.system,
+            component_id: vehicle.component,
+            mode: vehicle.mode().map(|mode| mode.to_string()),
+            armed: vehicle.armed(),
+            in_air: vehicle.airborne(),
+            ready_to_arm: vehicle.ready_to_arm(),
+            lat_deg: at.map(|at| at.lat_deg),
+            lon_deg: at.map(|at| at.lon_deg),
+            altitude_m: vehicle.altitude_m(),
+            altitude_amsl_m: vehicle.global.map(|global| global.altitude_amsl_m),
+            ground_speed_m_s: vehicle.ground_speed_m_s(),
+            heading_deg: vehicle.heading_deg(),
+            home_lat_deg: home.map(|home| home.lat_deg),
+            home_lon_deg: home.map(|home| home.lon_deg),
+            battery_percent: battery.and_then(|battery| battery.remaining_percent),
+            battery_v: battery.and_then(|battery| battery.voltage_v),
+            battery_a: battery.and_then(|battery| battery.current_a),
+            plan_item: vehicle.plan.current,
+            link_lost: vehicle.link.lost,
+            link_percent: vehicle.link.percent(),
+            prearm: vehicle.prearm.clone(),
+        }
+    }
+}
+
+/// The state of a command for one vehicle.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub struct RowView {
+    /// The command's number in the ledger.
+    pub entry: u32,
+    pub vehicle: VehicleId,
+    /// `queued`, `sent`, `in_progress`, `accepted`, `done`, `no_effect`, `refused`, `timed_out`, `superseded` or
+    /// `overtaken`.
+    #[schema(value_type = String)]
+    pub state: &'static str,
+    /// The progress that the vehicle reports.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub percent: Option<u8>,
+    /// Whether the state is the last one.
+    pub is_final: bool,
+    /// How often the command has been sent.
+    pub tries: u8,
+    /// The reason of a refusal, or a remark.
+    pub remark: Option<String>,
+}
+
+impl RowView {
+    pub(super) fn new(entry: &LedgerEntry, row: &LedgerRow, locale: &Locale) -> Self {
+        Self {
+            entry: entry.id.0,
+            vehicle: row.vehicle,
+            state: row.state.into(),
+            percent: match row.state {
+                RowState::InProgress(percent) => Some(percent),
+                RowState::Queued
+                | RowState::Sent
+                | RowState::Accepted
+                | RowState::Done
+                | RowState::NoEffect
+                | RowState::Refused
+                | RowState::TimedOut
+                | RowState::Superseded
+                | RowState::Overtaken => None,
+            },
+            is_final: row.state.is_final(),
+            tries: row.tries,
+            remark: row.remark().map(|remark| locale.text(&remark)),
+        }
+    }
+}
+
+/// A command with its rows.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct EntryView {
+    pub entry: u32,
+    /// When it was given, in seconds since the start of the program.
+    pub at_s: f64,
+    /// The whole line, with its targets.
+    pub line: String,
+    pub rows: Vec<RowView>,
+}
+
+impl EntryView {
+    pub(super) fn new(entry: &LedgerEntry, locale: &Locale) -> Self {
+        let rows = entry.rows.iter();
+        Self {
+            entry: entry.id.0,
+            at_s: entry.at.as_secs_f64(),
+            line: entry.line.clone(),
+            rows: rows.map(|row| RowView::new(entry, row, locale)).collect(),
+        }
+    }
+}
+
+/// A notice; identical ones within a short time are one.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct NoticeView {
+    /// When the first one came, in seconds since the start of the program.
+    pub at_s: f64,
+    pub vehicle: Option<VehicleId>,
+    /// `MAV_SEVERITY`: 0 (emergency) to 7 (debug).
+    pub severity: u8,
+    pub text: String,
+}
+
+impl NoticeView {
+    pub(super) fn new(line: &NoticeLine, locale: &Locale) -> Self {
+        let notice = &line.notice;
+        Self {
+            at_s: notice.at.as_secs_f64(),
+            vehicle: notice.vehicle,
+            severity: number(notice.severity),
+            text: locale.text(&notice.text),
+        }
+    }
+}
+
+fn number(severity: Severity) -> u8 {
+    severity as u8
+}
+
+/// The progress of the mission that is flown.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct MissionView {
+    pub title: String,
+    pub elapsed_s: f64,
+    pub limit_s: f64,
+    /// The score if it ended now, 0 to 1000; `null` before the first takeoff.
+    pub score: Option<u16>,
+    /// Whether it is over.
+    pub over: bool,
+    pub objectives: Vec<ObjectiveView>,
+    pub readings: Vec<ReadingView>,
+    /// What detectors have found so far.
+    pub contacts: Vec<ContactView>,
+    /// Alerts that want an answer.
+    pub alerts: Vec<String>,
+    /// The named places.
+    pub places: Vec<NamedPlaceView>,
+}
+
+/// An objective of the mission.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct ObjectiveView {
+    pub title: String,
+    /// Its progress in words.
+    pub detail: String,
+    /// The share of it that is reached, 0 to 1.
+    pub fraction: f64,
+    pub met: bool,
+}
+
+/// What a sensor of a vehicle shows.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct ReadingView {
+    pub vehicle: VehicleId,
+    pub sensor: String,
+    pub value: f64,
+    #[schema(value_type = String)]
+    pub unit: &'static str,
+}
+
+/// Something that detectors have found.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct ContactView {
+    pub name: String,
+    pub lat_deg: f64,
+    pub lon_deg: f64,
+}
+
+/// A place with a name that lines may use.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct NamedPlaceView {
+    pub name: String,
+    pub lat_deg: f64,
+    pub lon_deg: f64,
+}
+
+impl MissionView {
+    pub(super) fn new(progress: &Progress, over: bool, locale: &Locale) -> Self {
+        let objectives = progress.objectives.iter().map(|it| ObjectiveView {
+            title: locale.text(&it.title),
+            detail: locale.text(&it.detail),
+            fraction: it.fraction,
+            met: it.state == ObjectiveState::Met,
+        });
+        let readings = progress.readings.iter().map(|it| ReadingView {
+            vehicle: it.vehicle,
+            sensor: locale.text(&it.sensor),
+            value: it.value,
+            unit: it.unit,
+        });
+        let contacts = progress.contacts.iter().map(|it| ContactView {
+            name: it.name.clone(),
+            lat_deg: it.at.lat_deg,
+            lon_deg: it.at.lon_deg,
+        });
+        let alerts = progress.alerts.iter();
+        Self {
+            title: locale.text(&progress.title),
+            elapsed_s: progress.elapsed.as_secs_f64(),
+            limit_s: progress.limit.as_secs_f64(),
+            score: progress.score_so_far,
+            over,
+            objectives: objectives.collect(),
+            readings: readings.collect(),
+            contacts: contacts.collect(),
+            alerts: alerts.map(|it| locale.text(&it.text)).collect(),
+            places: progress.places.iter().map(NamedPlaceView::from).collect(),
+        }
+    }
+}
+
+impl From<(&String, &LatLon)> for NamedPlaceView {
+    fn from((name, at): (&String, &LatLon)) -> Self {
+        Self {
+            name: name.clone(),
+            lat_deg: at.lat_deg,
+            lon_deg: at.lon_deg,
+        }
+    }
+}
+
+/// The counters of a link.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct LinkView {
+    pub address: String,
+    /// Whether it carries data.
+    pub up: bool,
+    /// Why it carries none.
+    pub error: Option<String>,
+    pub bytes_in_per_s: f64,
+    pub bytes_out_per_s: f64,
+    pub messages_in_per_s: f64,
+    pub messages_out_per_s: f64,
+    /// Frames that are missing by their sequence numbers.
+    pub lost: u64,
+    /// Frames with a wrong checksum.
+    pub bad_crc: u64,
+    pub reconnects: u32,
+    pub round_trip_ms: Option<f64>,
+}
+
+impl LinkView {
+    pub(super) fn new(link: &LinkSummary, locale: &Locale) -> Self {
+        let ms = |time: Duration| time.as_secs_f64() * 1e3;
+        Self {
+            address: link.name.clone(),
+            up: link.up,
+            error: link.error.as_ref().map(|error| locale.text(error)),
+            bytes_in_per_s: link.bytes_in_per_s,
+            bytes_out_per_s: link.bytes_out_per_s,
+            messages_in_per_s: link.messages_in_per_s,
+            messages_out_per_s: link.messages_out_per_s,
+            lost: link.lost.iter().map(|(_, count)| count).sum(),
+            bad_crc: link.bad_crc,
+            reconnects: link.reconnects,
+            round_trip_ms: link.round_trip.map(ms),
+        }
+    }
+}
+
+/// A parameter of a vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct ParameterView {
+    pub name: String,
+    pub value: f32,
+}
+
+impl From<(&str, &ListedParameter)> for ParameterView {
+    fn from((name, parameter): (&str, &ListedParameter)) -> Self {
+        Self {
+            name: name.to_owned(),
+            value: parameter.value,
+        }
+    }
+}
+
+/// The plan on board of a vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct PlanView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    pub vehicle: VehicleId,
+    /// Whether it has been read to its end, and no newer version is being read.
+    pub complete: bool,
+    /// The items after home, from number 1.
+    pub items: Vec<PlanItemView>,
+}
+
+/// An item of a plan.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct PlanItemView {
+    pub number: usize,
+    /// The name of its `MAV_CMD`, or its number where the dialect has none.
+    pub command: String,
+    /// The number of its `MAV_FRAME`.
+    pub frame: u8,
+    /// Its four parameters; `null` where a parameter is not set.
+    #[schema(value_type = Vec<Option<f32>>)]
+    pub params: [Option<f32>; 4],
+    pub lat_deg: Option<f64>,
+    pub lon_deg: Option<f64>,
+    /// Metres above the reference of the frame, or the seventh parameter.
+    pub z: f32,
+}
+
+impl PlanView {
+    pub(super) fn new(id: Option<u64>, vehicle: &Vehicle) -> Self {
+        let stored = &vehicle.plans.plan;
+        let plan = stored.content.as_deref();
+        Self {
+            id,
+            vehicle: vehicle.id,
+            complete: stored.transfer == Transfer::Done,
+            items: plan.map(items).unwrap_or_default(),
+        }
+    }
+}
+
+fn items(plan: &Plan) -> Vec<PlanItemView> {
+    let first = plan.items.len() - plan.flown().len();
+    let flown = plan.flown().iter().enumerate();
+    flown
+        .map(|(after_first, item)| {
+            let place = item.place();
+            PlanItemView {
+                number: first + after_first,
+                command: command_name(item.command)
+                    .map_or_else(|| item.command.to_string(), str::to_owned),
+                frame: item.frame,
+                params: item.params.map(|value| (!value.is_nan()).then_some(value)),
+                lat_deg: place.map(|at| at.lat_deg),
+                lon_deg: place.map(|at| at.lon_deg),
+                z: item.z,
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,98 @@
+//! Lines of programs: carried out like the user's, without touching what the user types and is asked.
+
+use super::console_line;
+use super::order::{self, Given};
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, ProgramAnswer, ProgramFault};
+use crate::app::event::ProgramLine;
+use crate::app::state::{Activity, Overlay};
+use crate::diagnostic::Diagnostic;
+use crate::language::{self, ConsoleLine, Scope};
+use crate::ledger::EntryId;
+use crate::mission::Stake;
+use crate::operator::first_word;
+use crate::text;
+use crate::verb::Danger;
+
+/// Carries out a program's line, and answers it.
+pub fn give(state: &mut State, said: &ProgramLine) -> Effects {
+    // A question to the user stays open, and one that the line raises is not the user's.
+    let overlay = state.overlay.take();
+    let outcome = carry_out(state, said);
+    state.overlay = overlay;
+    match outcome {
+        Ok((answer, mut effects)) => {
+            effects.extend([Effect::AnswerProgram(Ok(answer))]);
+            effects
+        }
+        Err(fault) => Effects::from(Effect::AnswerProgram(Err(fault))),
+    }
+}
+
+fn carry_out(
+    state: &mut State,
+    said: &ProgramLine,
+) -> Result<(ProgramAnswer, Effects), ProgramFault> {
+    let line = said.line.as_str();
+    permit(state, line)?;
+    match order::read_for(state, line, &[])? {
+        Given::Order(order) => {
+            let hazard = order.hazard(state.session.vehicles());
+            if order.verb.danger == Danger::Confirm || hazard.is_some() {
+                let reason = hazard.unwrap_or_else(|| text!("api-asks"));
+                asks(said, Diagnostic::new(first_word(line), reason))?;
+            }
+            let sent = order::send(state, order);
+            Ok((answer(Some(sent.entry)), Effects::from(sent.effect)))
+        }
+        Given::Own(ConsoleLine::Macro(_)) => {
+            let fault = Diagnostic::new(first_word(line), text!("api-no-macro"));
+            Err(fault.into())
+        }
+        Given::Own(own) => {
+            let effects = console_line::carry_out(state, line, own)?;
+            let Some(Overlay::Confirm(question)) = state.overlay.take() else {
+                return Ok((answer(None), effects));
+            };
+            let fault = Diagnostic::new(first_word(line), question.question().clone());
+            asks(said, fault.with_help(question.reason().clone()))?;
+            Ok((answer(None), order::carry_out(state, question.then)))
+        }
+    }
+}
+
+/// Refuses lines that no program may give now.
+fn permit(state: &State, line: &str) -> Result<(), ProgramFault> {
+    let is_exam = matches!(
+        state.session.activity,
+        Some(Activity::Mission {
+            stake: Stake::Exam,
+            ..
+        })
+    );
+    let row = state.with_context(|context| language::said(line, context))?;
+    let text = match row.scope {
+        _ if is_exam => text!("api-exam"),
+        Scope::Screen | Scope::Plain => text!("api-screen"),
+        Scope::Everywhere | Scope::Scripts | Scope::Console => return Ok(()),
+    };
+    Err(Diagnostic::new(first_word(line), text).into())
+}
+
+/// Refuses a line that the program has not confirmed.
+fn asks(said: &ProgramLine, fault: Diagnostic) -> Result<(), ProgramFault> {
+    if said.confirmed {
+        return Ok(());
+    }
+    Err(ProgramFault { fault, asks: true })
+}
+
+fn answer(entry: Option<EntryId>) -> ProgramAnswer {
+    ProgramAnswer { entry }
+}
+
+impl From<Diagnostic> for ProgramFault {
+    fn from(fault: Diagnostic) -> Self {
+        Self { fault, asks: false }
+    }
+}

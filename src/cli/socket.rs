@@ -1,0 +1,94 @@
+//! A connection to the console's socket for programs.
+
+use std::io::{BufRead as _, BufReader, Write as _};
+use std::os::unix::net::UnixStream;
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::Failure;
+use crate::api::Request;
+
+/// A line of the console: its kind, and its content.
+pub(super) struct ConsoleLine {
+    pub kind: String,
+    pub content: Value,
+    /// The line as it was sent.
+    pub text: String,
+}
+
+impl ConsoleLine {
+    /// The content as the type of its kind.
+    ///
+    /// # Errors
+    /// The console speaks another version of the interface.
+    pub fn read<'a, T: Deserialize<'a>>(&'a self) -> Result<T, Failure> {
+        T::deserialize(&self.content).map_err(|error| {
+            Failure::Failed(anyhow::anyhow!("cannot read `{}`: {error}", self.text))
+        })
+    }
+}
+
+pub(super) struct ApiConnection {
+    read: BufReader<UnixStream>,
+    write: UnixStream,
+    sent: u64,
+}
+
+impl ApiConnection {
+    /// Connects to a console.
+    ///
+    /// # Errors
+    /// No console listens there.
+    pub fn open(socket: &Path) -> Result<Self, Failure> {
+        let opened = UnixStream::connect(socket).and_then(|write| Ok((write.try_clone()?, write)));
+        let (read, write) = opened.map_err(|error| {
+            let path = socket.display();
+            Failure::Failed(anyhow::anyhow!(
+                "cannot connect to {path}: {error}; start a console with --api {path}"
+            ))
+        })?;
+        Ok(Self {
+            read: BufReader::new(read),
+            write,
+            sent: 0,
+        })
+    }
+
+    /// Sends a request, and returns its number.
+    ///
+    /// # Errors
+    /// The console has closed the connection.
+    pub fn send(&mut self, request: &Request) -> Result<u64, Failure> {
+        self.sent += 1;
+        let mut value = serde_json::to_value(request)?;
+        value["id"] = self.sent.into();
+        writeln!(self.write, "{value}")?;
+        Ok(self.sent)
+    }
+
+    /// The next line; `None` once the console has closed the connection.
+    ///
+    /// # Errors
+    /// The line is no message of a console.
+    pub fn next(&mut self) -> Result<Option<ConsoleLine>, Failure> {
+        let mut text = String::new();
+        if self.read.read_line(&mut text)? == 0 {
+            return Ok(None);
+        }
+        let text = text.trim_end().to_owned();
+        let value: Value = serde_json::from_str(&text)?;
+        let Value::Object(fields) = value else {
+            return Err(Failure::Failed(anyhow::anyhow!("not a message: {text}")));
+        };
+        let Some((kind, content)) = fields.into_iter().next() else {
+            return Err(Failure::Failed(anyhow::anyhow!("an empty message")));
+        };
+        Ok(Some(ConsoleLine {
+            kind,
+            content,
+            text,
+        }))
+    }
+}

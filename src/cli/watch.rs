@@ -1,0 +1,71 @@
+//! `sortie watch`: the state of a console that runs elsewhere on this machine.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::Failure;
+#[cfg(unix)]
+use super::socket::ApiConnection;
+use crate::api::{self, Topic};
+
+/// Options of `sortie watch`.
+#[derive(Debug, Args)]
+pub(super) struct WatchArguments {
+    /// The socket of the console, as given to its --api or --api-read-only.
+    #[arg(required_unless_present = "schema")]
+    socket: Option<PathBuf>,
+    /// What to watch: vehicles, notices, ledger, mission; all of them if none is named.
+    #[arg(value_name = "TOPIC")]
+    topics: Vec<Topic>,
+    /// Let at least this many seconds pass between two states.
+    #[arg(long, value_name = "S", default_value_t = api::USUAL_WATCH_S)]
+    every: f64,
+    /// Print a JSON schema of the interface, and end.
+    #[arg(long)]
+    schema: bool,
+}
+
+/// Prints what the console sends until it ends.
+pub(super) fn watch(arguments: &WatchArguments) -> Result<ExitCode, Failure> {
+    if arguments.schema {
+        say!("{}", serde_json::to_string_pretty(&api::schema())?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let Some(socket) = &arguments.socket else {
+        return Ok(ExitCode::SUCCESS);
+    };
+    follow(socket, arguments)
+}
+
+#[cfg(unix)]
+fn follow(socket: &std::path::Path, arguments: &WatchArguments) -> Result<ExitCode, Failure> {
+    use strum::VariantArray as _;
+
+    let mut connection = ApiConnection::open(socket)?;
+    let what = if arguments.topics.is_empty() {
+        Topic::VARIANTS.to_vec()
+    } else {
+        arguments.topics.clone()
+    };
+    connection.send(&api::Request::Watch {
+        what,
+        every_s: Some(arguments.every),
+    })?;
+    while let Some(message) = connection.next()? {
+        match message.kind.as_str() {
+            "welcome" | "ok" => {}
+            "fault" => return Err(Failure::Failed(anyhow::anyhow!("{}", message.text))),
+            _ => say!("{}", message.text)?,
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+#[cfg(not(unix))]
+fn follow(_socket: &std::path::Path, _arguments: &WatchArguments) -> Result<ExitCode, Failure> {
+    Err(Failure::Failed(anyhow::anyhow!(
+        "this system has no Unix sockets"
+    )))
+}

@@ -1,0 +1,328 @@
+//! The socket of the interface for programs.
+//!
+//! Each connection has a task that reads requests and one that writes answers. A request takes a place in the queue of
+//! answers before it is passed to the console, so that a program that does not read cannot ask for more, and news wait
+//! while a program is behind: nobody else is delayed.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+use super::Console;
+use crate::api::{
+    Accepted, Call, Client, Fault, INTERFACE, LONGEST_LINE, Message, Request, Welcome, present,
+};
+use crate::app::State;
+use crate::app::effect::{ProgramAnswer, ProgramFault};
+use crate::app::event::{Event, ProgramLine};
+use crate::notice::Notice;
+use crate::text;
+use crate::text::{Locale, Text};
+use crate::vehicle::Severity;
+
+#[cfg(not(unix))]
+#[path = "api/no_socket.rs"]
+mod socket;
+#[cfg(unix)]
+mod socket;
+
+#[cfg(test)]
+mod tests;
+
+/// The maximum number of programs at once; further connections are closed.
+const MOST_PROGRAMS: usize = 64;
+/// The length of a program's queue of answers.
+const OUTBOX: usize = 256;
+/// News wait while a program's queue has less room than this.
+const ROOM_FOR_NEWS: usize = OUTBOX / 2;
+/// The number of requests of all programs that wait for the console.
+const CALLS_KEPT: usize = 64;
+
+/// The options of the socket.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ApiOptions {
+    /// The path of the socket.
+    pub socket: PathBuf,
+    /// Whether programs may give commands.
+    pub commands: bool,
+}
+
+/// The programs that use the console.
+pub(super) struct Programs {
+    arrivals: Option<mpsc::Receiver<Arrival>>,
+    programs: BTreeMap<ProgramId, Program>,
+    commands: bool,
+    socket: PathBuf,
+    _listener: Option<socket::Listener>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct ProgramId(u64);
+
+/// News of the connections.
+pub(super) enum Arrival {
+    Opened(ProgramId, mpsc::Sender<String>),
+    Line {
+        from: ProgramId,
+        line: Result<String, LineFault>,
+        /// The place of the answer.
+        reply: mpsc::OwnedPermit<String>,
+    },
+    Closed(ProgramId),
+}
+
+/// Why a line cannot be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LineFault {
+    TooLong,
+    NotUtf8,
+}
+
+impl LineFault {
+    fn text(self) -> Text {
+        match self {
+            Self::TooLong => text!("api-too-long", most = LONGEST_LINE),
+            Self::NotUtf8 => text!("api-not-utf8"),
+        }
+    }
+}
+
+struct Program {
+    client: Client,
+    outbox: mpsc::Sender<String>,
+    /// Whether the user has been told that it gives commands.
+    is_noticed: bool,
+}
+
+impl Programs {
+    /// Opens the socket, if one is wanted.
+    ///
+    /// # Errors
+    /// The socket cannot be opened, or another program answers on it.
+    pub fn open(options: Option<&ApiOptions>) -> anyhow::Result<Self> {
+        let mut programs = Self {
+            arrivals: None,
+            programs: BTreeMap::new(),
+            commands: false,
+            socket: PathBuf::new(),
+            _listener: None,
+        };
+        if let Some(options) = options {
+            let (arrived, arrivals) = mpsc::channel(CALLS_KEPT);
+            programs._listener = Some(socket::Listener::open(&options.socket, arrived)?);
+            programs.arrivals = Some(arrivals);
+            programs.commands = options.commands;
+            programs.socket.clone_from(&options.socket);
+        }
+        Ok(programs)
+    }
+
+    /// The next arrival; without a socket, it never comes.
+    pub async fn next(&mut self) -> Arrival {
+        if let Some(arrivals) = &mut self.arrivals
+            && let Some(arrival) = arrivals.recv().await
+        {
+            return arrival;
+        }
+        std::future::pending().await
+    }
+
+    /// Sends every program its news.
+    pub fn tell(&mut self, state: &State) {
+        for program in self.programs.values_mut() {
+            if program.outbox.capacity() < ROOM_FOR_NEWS {
+                continue;
+            }
+            for message in program.client.news(state, state.wall()) {
+                // A queue without room loses only news, and only if they come in a flood.
+                drop(program.outbox.try_send(message.line()));
+            }
+        }
+    }
+
+    fn opened(&mut self, id: ProgramId, outbox: mpsc::Sender<String>) {
+        let welcome = Message::Welcome(Welcome {
+            sortie: env!("SORTIE_VERSION").to_owned(),
+            interface: INTERFACE,
+            commands: self.commands,
+        });
+        drop(outbox.try_send(welcome.line()));
+        let program = Program {
+            client: Client::default(),
+            outbox,
+            is_noticed: false,
+        };
+        self.programs.insert(id, program);
+    }
+}
+
+impl Console {
+    /// Handles an arrival.
+    pub(super) async fn serve(&mut self, programs: &mut Programs, arrival: Arrival) {
+        match arrival {
+            Arrival::Opened(id, outbox) => programs.opened(id, outbox),
+            Arrival::Closed(id) => drop(programs.programs.remove(&id)),
+            Arrival::Line { from, line, reply } => {
+                let locale = self.app.state().locale().clone();
+                let call = line
+                    .map_err(|fault| Fault::new(None, locale.text(&fault.text())))
+                    .and_then(|line| Call::read(&line, &locale));
+                let answer = match call {
+                    Ok(call) => self.answer(programs, from, call).await,
+                    Err(fault) => Err(fault),
+                };
+                reply.send(answer.unwrap_or_else(Message::Fault).line());
+            }
+        }
+    }
+
+    async fn answer(
+        &mut self,
+        programs: &mut Programs,
+        from: ProgramId,
+        Call { id, request }: Call,
+    ) -> Result<Message, Fault> {
+        let accepted = |entry| Message::Accepted(Accepted { id, entry });
+        match request {
+            Request::Get { what, vehicle } => present(self.app.state(), id, what, vehicle),
+            Request::Watch { what, every_s } => {
+                if let Some(program) = programs.programs.get_mut(&from) {
+                    program.client.watch(what, every_s, self.app.state());
+                }
+                Ok(accepted(None))
+            }
+            Request::Say { .. } if !programs.commands => {
+                let locale = self.app.state().locale();
+                Err(Fault::new(id, locale.text(&text!("api-read-only"))))
+            }
+            Request::Say { line, confirm } => {
+                let said = ProgramLine {
+                    line,
+                    confirmed: confirm,
+                };
+                self.feed(Event::Program(said)).await;
+                match self.program_answer.take() {
+                    Some(Err(fault)) => Err(refused(id, &fault, self.app.state().locale())),
+                    Some(Ok(ProgramAnswer { entry })) => {
+                        self.note_commands(programs, from);
+                        if let (Some(entry), Some(program)) =
+                            (entry, programs.programs.get_mut(&from))
+                        {
+                            program.client.follow(entry);
+                        }
+                        Ok(accepted(entry.map(|entry| entry.0)))
+                    }
+                    None => Ok(accepted(None)),
+                }
+            }
+        }
+    }
+
+    /// Tells the user once that a program gives commands.
+    fn note_commands(&mut self, programs: &mut Programs, from: ProgramId) {
+        let Some(program) = programs.programs.get_mut(&from) else {
+            return;
+        };
+        if !std::mem::replace(&mut program.is_noticed, true) {
+            let socket = programs.socket.display().to_string();
+            let text = text!("api-commands", socket = socket);
+            self.post(Notice::general(self.clock.now(), Severity::Notice, text));
+        }
+    }
+}
+
+fn refused(id: Option<u64>, refusal: &ProgramFault, locale: &Locale) -> Fault {
+    let ProgramFault { fault, asks } = refusal;
+    Fault {
+        help: fault.help.as_ref().map(|help| locale.text(help)),
+        span: Some([fault.span.start, fault.span.end]),
+        asks: *asks,
+        ..Fault::new(id, locale.text(&fault.message))
+    }
+}
+
+/// Serves one connection until it ends.
+async fn converse(
+    id: ProgramId,
+    read: impl tokio::io::AsyncRead + Unpin,
+    write: impl tokio::io::AsyncWrite + Unpin + Send + 'static,
+    arrived: mpsc::Sender<Arrival>,
+) {
+    let (outbox, lines) = mpsc::channel(OUTBOX);
+    let cancel = CancellationToken::new();
+    if arrived
+        .send(Arrival::Opened(id, outbox.clone()))
+        .await
+        .is_err()
+    {
+        return;
+    }
+    tokio::spawn(pass_out(lines, write, cancel.clone()));
+    let requests = pass_in(id, read, &outbox, &arrived);
+    tokio::select! {
+        () = requests => {}
+        () = cancel.cancelled() => {}
+    }
+    drop(arrived.send(Arrival::Closed(id)).await);
+}
+
+/// Writes lines until the queue or the connection ends.
+async fn pass_out(
+    mut lines: mpsc::Receiver<String>,
+    mut write: impl tokio::io::AsyncWrite + Unpin,
+    ended: CancellationToken,
+) {
+    while let Some(mut line) = lines.recv().await {
+        line.push('\n');
+        if write.write_all(line.as_bytes()).await.is_err() {
+            break;
+        }
+    }
+    ended.cancel();
+}
+
+/// Passes the lines of a program to the console until the connection ends, or a line is too long.
+async fn pass_in(
+    id: ProgramId,
+    read: impl tokio::io::AsyncRead + Unpin,
+    outbox: &mpsc::Sender<String>,
+    arrived: &mpsc::Sender<Arrival>,
+) {
+    let mut read = BufReader::new(read);
+    loop {
+        let mut bytes = Vec::new();
+        let most = LONGEST_LINE as u64 + 1;
+        match (&mut read).take(most).read_until(b'\n', &mut bytes).await {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {}
+        }
+        let is_too_long = bytes.len() > LONGEST_LINE;
+        let line = if is_too_long {
+            Err(LineFault::TooLong)
+        } else {
+            String::from_utf8(bytes).map_err(|_| LineFault::NotUtf8)
+        };
+        if line.as_ref().is_ok_and(|line| line.trim().is_empty()) {
+            continue;
+        }
+        let Ok(reply) = outbox.clone().reserve_owned().await else {
+            return;
+        };
+        let line = Arrival::Line {
+            from: id,
+            line,
+            reply,
+        };
+        if arrived.send(line).await.is_err() || is_too_long {
+            return;
+        }
+    }
+}
+
+/// The socket's path as messages show it.
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
