@@ -57,7 +57,7 @@ debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
 debrief-swarm = SWARM   (shown, not scored)
 debrief-fan-out = At this pace you keep { $handled } drones busy; you flew { $flown }.
 debrief-swarm-times = without commands, a drone stays busy for { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
-debrief-swarm-habits = attention moved { $switches } times a minute; { $group } % of commands to several drones at once
+debrief-swarm-habits = you switched drones { $switches } times a minute; { $group } % of commands to several drones at once
 debrief-use = in the air { $airborne } s, with a task { $percent } %, idle { $idle } s
 debrief-use-none = never flown
 
@@ -93,7 +93,7 @@ truth-title = the truth
 truth-none = This mission has nothing to reveal.
 truth-found = found
 truth-missed = missed
-truth-over = settled
+truth-over = dealt with
 truth-unasked = present, not part of the task
 truth-decoy = harmless
 truth-false = false report

@@ -35,7 +35,7 @@ coverage-target = { $target } % swept
 coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
 
 # Keeping a distance.
-standoff-result = { $share } % kept, { $near } s near, { $close } s too close
+standoff-result = right distance { $share } % of { $near } s, too close { $close } s
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 

@@ -13,7 +13,7 @@ load-dropped = { $what }; { $left } left
 load-nothing = no target hit
 load-empty = no { $load } left: land on a pad for 20 s
 load-served = loads refilled
-load-shut = its sprayer is closed
+load-shut = the sprayer is closed
 load-spray-left = { $left } s left
 load-on-ground = it is on the ground
 load-too-high = { $height } m is too high: at most { $limit } m
@@ -36,7 +36,7 @@ locate-wrong = { $count ->
 }
 locate-quality = report only when you are sure, and fly over the place slowly first
 locate-target = { $count } within { $within } m
-locate-advice = Cross it from two sides, fly slowly where the reading is highest, and report the place: `mark peak`.
+locate-advice = Cross the area from two sides, fly slowly where the reading is highest, and report the place: `mark peak`.
 
 # The edge of a fire.
 perimeter-none = no map yet

@@ -46,8 +46,8 @@ scoring-unsafe = { $count } unsafe
 scoring-twice = { $count } given twice
 
 # What would have brought more.
-scoring-improve-quality = Bring the quality from { $from } to { $to } ({ $now }).
-scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $now }): { $how }.
+scoring-improve-quality = Raise the quality from { $from } to { $to } ({ $now }).
+scoring-improve-quality-how = Raise the quality from { $from } to { $to } ({ $now }): { $how }.
 scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Avoid refused commands: read the reason before you repeat one.
@@ -77,7 +77,7 @@ scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert 
 scoring-none-flown = no drone was flown
 scoring-never-flown = never flown: drone { $vehicles }
 scoring-idle = drone { $vehicle } idle in the air { $time }
-scoring-never-idle = none of { $count } drones idled
+scoring-never-idle = none of the { $count } drones was idle
 scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
 scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
 scoring-advice-slack = Keep all drones busy equally long: give each its next task before the last one is done.

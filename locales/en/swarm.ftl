@@ -18,6 +18,6 @@ swarm-its-own-goal = it cannot follow itself
 swarm-no-formation = not in a formation
 swarm-goes-along = moves with the formation of { $leader }
 swarm-falls-out = leaves { $verb }: { $reason }
-swarm-waits = waits in its { $verb } for { $other } to clear the way
+swarm-waits = pauses its { $verb } until { $other } has cleared the way
 swarm-lost = link lost
 swarm-does-not-fly = no longer flying

@@ -26,6 +26,6 @@ threat-aircraft = an aircraft crosses the area
 # The objective of a link that must hold.
 link-target = { $margin } dB for { $percent } %
 link-kept = { $percent } % of { $seconds } s
-link-none = no time on task
+link-none = no time in the area
 link-more = { $seconds } s more
 link-advice = Place a relay above the ridge, in sight of both the ground station and the vehicle, before the vehicle flies behind the ridge.

@@ -35,7 +35,7 @@ coverage-target = обстежити { $target } %
 coverage-advice = Відстань між лініями має дорівнювати ширині смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } таких зон.
 
 # Дотримання відстані.
-standoff-result = дотримано { $share } %, поруч { $near } s, заблизько { $close } s
+standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
 standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: заблизько було { $close } s.
 

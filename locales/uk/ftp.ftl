@@ -1,5 +1,5 @@
 # Why something about a vehicle's files (MAVFTP) fails.
-ftp-fail = апарат відмовляє без причини
+ftp-fail = апарат відмовляє, не називаючи причини
 ftp-system = помилка { $number } файлової системи апарата
 ftp-invalid-size = апарат вважає розмір запиту неправильним
 ftp-invalid-session = файл відкрила інша наземна станція

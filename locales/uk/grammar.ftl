@@ -29,7 +29,7 @@ grammar-there-are = відомі: { $names }
 grammar-empty-part = біля коми бракує номера: пишіть номери та діапазони так: `1-4,7`
 grammar-backwards = діапазон `{ $range }` у зворотному порядку: пишіть `{ $turned }`
 grammar-no-targets = `{ $word }` не називає апаратів: пишіть номер, діапазон на зразок `1-4`, `@групу` або `all`
-grammar-no-vehicle-number = `{ $word }` не може бути апаратом: їхні номери від 1 до { $highest }
+grammar-no-vehicle-number = `{ $word }` — не номер апарата: номери від 1 до { $highest }
 grammar-no-vehicle = немає апарата { $vehicle }, є лише { $known }
 
 grammar-not-whole = `{ $word }` — не ціле число
@@ -54,10 +54,10 @@ grammar-no-mav-cmd = невідома MAV_CMD `{ $word }`
 grammar-no-mav-cmd-number = { $word } — не номер MAV_CMD: найбільший — 65535
 
 grammar-by-how-much = на скільки? Пишіть `by n 10`, `by e -5`, `by up 2`
-grammar-keep-or-face = можна або зберегти курс, або взяти інший, не те й те разом
+grammar-keep-or-face = збережіть курс або візьміть інший: те й інше разом не можна
 grammar-heading-range = курс буває від 0 до 360; щоб повернути в інший бік, пишіть `by`
 grammar-which-way = куди? Пишіть `n`, `e`, `d` або `up` і швидкість
-grammar-down-or-up = можна або `d`, або `up`, не те й те разом
+grammar-down-or-up = вкажіть `d` або `up`: те й інше разом не можна
 grammar-small-circle = радіус кола має бути не менший ніж 1 m
 grammar-four-parameters = треба чотири параметри
 grammar-unknown-word = невідоме слово

@@ -33,11 +33,11 @@ locate-missed = не знайдено
 locate-wrong = хибних: { $count }
 locate-quality = повідомляйте лише про те, у чому впевнені, і спершу повільно пролетіть над тим місцем
 locate-target = { $count } з точністю { $within } m
-locate-advice = Перетніть хмару з двох боків, летіть повільно там, де покази найбільші, і повідомте про місце: `mark peak`.
+locate-advice = Перетніть ділянку з двох боків, летіть повільно там, де покази найбільші, і повідомте про місце: `mark peak`.
 
 # The edge of a fire.
 perimeter-none = карти ще немає
-perimeter-next = карта за { $seconds } s
+perimeter-next = карта через { $seconds } s
 perimeter-target = { $fit } на { $times } s
 perimeter-advice = огляньте весь край незадовго до зняття карти; фронт за вітром лишіть наостанок
 

@@ -52,7 +52,7 @@ outcome-queue-full = не надіслано: у черзі до апарата 
 }
 outcome-forgotten = апарат забуто
 outcome-not-heard = не надіслано: такого апарата не чути
-outcome-task-busy = не надіслано: обробку цього апарата перевантажено
+outcome-task-busy = не надіслано: консоль не встигає обробляти цей апарат
 
 # Чого чекали в телеметрії; стоїть в outcome-not-seen і подібних.
 effect-nothing = ефект
@@ -85,7 +85,7 @@ outcome-log-by-messages = повідомленнями журналу
 outcome-log-by-file = через MAVFTP
 outcome-log-sum-same = контрольну суму перевірено
 outcome-log-sum-other = прочитано двічі: контрольна сума не така, як в апарата
-outcome-log-sum-grown = без контрольної суми: журнал відтоді виріс
+outcome-log-sum-grown = без контрольної суми: журнал тим часом збільшився
 outcome-log-sum-none = без контрольної суми: { $reason }
 outcome-log-no-file = немає файлу вказаного розміру
 outcome-logs-stopped = зупинено; прочитане збережено; повторіть завантаження, щоб продовжити
@@ -93,7 +93,7 @@ outcome-plan-written = пунктів { $count } ({ $mark }): зчитано н�
 outcome-plan-same = ці пункти ({ $count }, { $mark }) вже на борту
 outcome-plan-read = пунктів { $count } ({ $mark })
 outcome-plan-saved = збережено пунктів: { $count }, файл { $file }
-outcome-plan-kept = { $reason }; на борту старий список
+outcome-plan-kept = { $reason }; на борту й далі старий список
 outcome-plan-restored = { $reason }; старий список повернуто
 outcome-plan-unread = апарат не відповідав; нічого не змінено
 outcome-plan-unknown = невідомо, який список на борту: перевірте його через `plan show`, перш ніж летіти

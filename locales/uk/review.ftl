@@ -1,6 +1,6 @@
 # Аналіз записаного польоту.
 room-review = аналіз
-action-review = аналіз записаного польоту
+action-review = проаналізувати записаний політ
 action-review-newest = проаналізувати останній записаний політ
 hint-review = аналіз
 hint-answer = записати відповідь
@@ -90,7 +90,7 @@ compare-score = бали
 compare-same = Польоти нічим суттєвим не відрізняються.
 compare-takeoff = перший зліт
 compare-never = ніколи
-compare-first-command = перша відмінна команда
+compare-first-command = перша інакша команда
 compare-nothing = немає
 compare-alerts = тривоги
 compare-alerts-late = запізно { $late } з { $count }

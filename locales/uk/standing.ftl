@@ -103,7 +103,7 @@ standing-curve = { $what }: зараз { $now }
 standing-curve-credits = кредити
 standing-curve-experience = досвід
 days-today = сьогодні
-days-ahead = за { $count } дн.
+days-ahead = через { $count } дн.
 days-ago = { $count } дн. тому
 
 # Скільки порад консоль дає без запиту.

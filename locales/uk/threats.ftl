@@ -26,6 +26,6 @@ threat-aircraft = ділянку перетинає літак
 # The objective of a link that must hold.
 link-target = { $margin } dB протягом { $percent } %
 link-kept = { $percent } % із { $seconds } s
-link-none = часу роботи немає
+link-none = часу на ділянці немає
 link-more = ще { $seconds } s
 link-advice = Поставте ретранслятор над хребтом, щоб він бачив і наземну станцію, і апарат, перш ніж апарат зайде за хребет.

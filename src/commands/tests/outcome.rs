@@ -162,7 +162,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &air,
             &orbit,
             3,
-            "orbit refused: this autopilot cannot orbit; mode CIRCLE can",
+            "orbit refused: this autopilot cannot orbit: use mode CIRCLE",
         ),
         (
             "rtl",

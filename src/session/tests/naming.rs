@@ -171,7 +171,7 @@ fn a_vehicle_with_neither_name_refuses_and_names_the_nearest() {
     // Its list is incomplete, so it must be asked.
     vehicle.say(u16::MAX);
     vehicle.set("SIM_GPS_DISABLE", 1.0);
-    let says = "not sent: the vehicle answered for neither SIM_GPS_DISABLE nor SIM_GPS1_ENABLE; did you mean SIM_GPS_DISABLED?";
+    let says = "not sent: the vehicle has neither SIM_GPS_DISABLE nor SIM_GPS1_ENABLE; did you mean SIM_GPS_DISABLED?";
     assert_eq!(vehicle.outcome(), (RowState::Refused, says.to_owned()));
     let mut vehicle = Firmware::new("SIM_GPS_DISABLED");
     vehicle.say(0);

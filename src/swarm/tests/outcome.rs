@@ -100,7 +100,7 @@ fn somebody_in_the_way_is_waited_for() {
         stage
             .notices
             .iter()
-            .any(|said| said.contains("for 2 to clear the way")),
+            .any(|said| said.contains("until 2 has cleared the way")),
         "{:?}",
         stage.notices
     );
