@@ -1,4 +1,4 @@
-//! Plan files before a flight: faults, notes and findings in words.
+//! Texts for plan files before a flight: faults, notes and findings.
 
 use crate::diagnostic::Diagnostic;
 use crate::plan::board;
@@ -12,14 +12,14 @@ mod findings;
 
 pub use findings::words as finding_words;
 
-/// What is wrong with a file, with its place, and whether it is only a warning.
+/// A remark about a file, with its place, and whether it is only a warning.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Remark {
     pub diagnostic: Diagnostic,
     pub severity: Severity,
 }
 
-/// A fault that keeps a file from being read.
+/// A fault because of which a file cannot be read.
 pub fn fault(fault: &Fault) -> Diagnostic {
     Diagnostic::new(fault.span.clone(), faults::words(&fault.kind))
 }
@@ -37,7 +37,7 @@ pub fn remarks(loaded: &Loaded, findings: &[Finding]) -> Vec<Remark> {
         };
         let first = || loaded.places.item(finding.list, 0);
         let span = place.or_else(first).unwrap_or(0..0);
-        // A line is enough to find the item, and does not fill the screen with all of it.
+        // One line is enough to find the item; all of it would fill the screen.
         let item = loaded.text.get(span.clone()).unwrap_or_default();
         let end = item
             .find('\n')
@@ -52,7 +52,7 @@ pub fn remarks(loaded: &Loaded, findings: &[Finding]) -> Vec<Remark> {
     remarks
 }
 
-/// What a document holds: `plan 7f3a: 12 items, fence: 5 items`.
+/// A summary of a document: `plan 7f3a: 12 items, fence: 5 items`.
 pub fn summary(document: &Document) -> Text {
     let parts: Vec<Text> = document
         .kinds()

@@ -34,7 +34,7 @@ enum PlanCommand {
                             sortie plan check survey.plan\n  \
                             sortie plan check --ceiling 120 --radius 500 *.waypoints")]
     Check(check::CheckArguments),
-    /// Converts a plan; the ending of OUT is the format: .waypoints, .fence, .rally, .plan, .kml or .geojson.
+    /// Converts a plan; the extension of OUT is the format: .waypoints, .fence, .rally, .plan, .kml or .geojson.
     #[command(after_help = "Examples:\n  \
                             sortie plan convert survey.plan survey.waypoints --list plan\n  \
                             sortie plan convert field.kmz field.plan --height 40")]
@@ -44,20 +44,20 @@ enum PlanCommand {
                             sortie plan rehearse one.plan two.plan three.plan\n  \
                             sortie plan rehearse *.waypoints --wind 8,270 --json")]
     Rehearse(rehearse::RehearseArguments),
-    /// Proposes later starts or layers of height that keep the vehicles apart.
+    /// Proposes later starts or separate heights that keep the vehicles apart.
     #[command(after_help = "Examples:\n  \
                             sortie plan deconflict *.plan\n  \
                             sortie plan deconflict *.plan --write apart")]
     Deconflict(deconflict::DeconflictArguments),
 }
 
-/// How to read shapes that say less than a plan needs.
+/// Options for reading shapes that lack what a plan needs.
 #[derive(Debug, Clone, Copy, Args)]
 struct ShapeArguments {
     /// Use this height above home for lines and points of KML and `GeoJSON` that have none, in metres.
     #[arg(long, value_name = "M", default_value_t = ReadOptions::default().height_m, value_parser = parse_height)]
     height: f32,
-    /// Make polygons of KML and `GeoJSON` areas to stay out of, instead of areas to stay in.
+    /// Make polygons of KML and `GeoJSON` exclusion areas instead of inclusion areas.
     #[arg(long)]
     exclude: bool,
 }
@@ -88,7 +88,7 @@ pub(super) fn plan(options: &PlanArguments, settings: &CliSettings) -> Result<Ex
     }
 }
 
-/// Whether the ending of a file's name is one of plan files.
+/// Whether a file's extension is that of a plan file.
 pub(super) fn is_plan_file(path: &Path) -> bool {
     let ending = path.extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| {
@@ -109,7 +109,7 @@ fn load(path: &Path, options: ReadOptions) -> Result<Loaded, FileFault> {
     })
 }
 
-/// All files, each with its name without the folder.
+/// Reads all files; each has its name without the folder.
 fn load_all(paths: &[PathBuf], options: ReadOptions) -> Result<Vec<(String, Loaded)>, Failure> {
     let load = |path: &PathBuf| {
         let loaded = load(path, options).map_err(|fault| fault.failure())?;

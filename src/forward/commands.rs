@@ -1,4 +1,4 @@
-//! What another ground station commands, read from its frames and from the answers to it.
+//! The commands of another ground station, read from its frames and from the answers to it.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage};
 
@@ -17,7 +17,7 @@ const COMMAND_INT: u32 = 75;
 pub struct StationId(pub MavAddress);
 
 impl StationId {
-    /// Its name: `GCS 254`; with its component if it shares the usual system id of ground stations.
+    /// Its name: `GCS 254`; with its component if it uses the usual system id of ground stations.
     pub fn name(self) -> String {
         let MavAddress { system, component } = self.0;
         if system == GROUND_STATION_SYSTEM {
@@ -28,24 +28,24 @@ impl StationId {
     }
 }
 
-/// An action on a vehicle. Questions (requests for messages, parameters, lists) are none.
+/// An action on a vehicle. Questions (requests for messages, parameters, lists) are not actions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Deed {
-    /// Another mode, by its number.
+    /// Sets another mode, by its number.
     Mode(u32),
     Arm(bool),
-    /// Another command, by its name or number.
+    /// Sends another command, by its name or number.
     Command(String),
-    /// A value of a parameter.
+    /// Sets a parameter.
     Parameter(String, f32),
-    /// A new plan, fence or set of rally points with this many items; 0 deletes it.
+    /// Loads a plan, a fence or rally points with this many items; 0 deletes them.
     Plan(u16),
-    /// A stream of setpoints or stick positions.
+    /// Steers by a stream of setpoints or stick positions.
     Steering,
 }
 
 impl Deed {
-    /// The deed as a notice says it.
+    /// The text of the notice about the action.
     pub fn text(&self, station: StationId, vehicle: VehicleId, class: VehicleClass) -> Text {
         let station = station.name();
         match self {
@@ -86,7 +86,7 @@ impl Deed {
     }
 }
 
-/// The action that a frame of a ground station asks for, if it does.
+/// The action that a ground station's frame requests, if any.
 pub fn deed_of(content: &Content) -> Option<Deed> {
     match content {
         Content::Message(message) => deed_in(message),
@@ -127,7 +127,7 @@ fn command(command: MavCmd, param1: f32, param2: f32) -> Option<Deed> {
     }
 }
 
-/// The name of a command that acts; `None` for one that only asks for messages.
+/// The name of a command; `None` for one that only requests messages.
 #[expect(deprecated, reason = "ground stations still ask by the older commands")]
 fn named(command: MavCmd) -> Option<String> {
     let is_question = matches!(

@@ -20,11 +20,11 @@ const SAME_WITHIN: Duration = Duration::from_secs(1);
 const MOST_REMEMBERED: usize = 8192;
 /// A sender that was silent for this long is forgotten.
 const STALE: Duration = Duration::from_secs(60);
-/// The maximum number of senders, since their ids can be forged; then the ports of one sender.
+/// The maximum number of senders, since their ids can be forged; then the maximum number of ports of one sender.
 const MOST_SENDERS: usize = 1024;
 const MOST_PORTS: usize = 8;
 
-/// A place that frames come from and go to.
+/// An endpoint that frames come from and go to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Port {
     /// A peer of a link to vehicles.
@@ -43,16 +43,16 @@ pub enum Port {
     },
 }
 
-/// The properties of a frame that decide its way.
+/// The properties of a frame that decide its route.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FrameFacts {
     pub sender: MavAddress,
-    /// The message id.
+    /// The message's number in MAVLink.
     pub id: u32,
     /// The receiver; `None` for everyone.
     pub receiver: Option<MavAddress>,
-    /// A hash of sender, message and payload. The sequence number is left out: a program that passes on its own
-    /// messages numbers them anew on each link.
+    /// A hash of sender, message and payload. The sequence number is left out, because a program that passes on its own
+    /// messages numbers them separately on each link.
     pub content: u64,
     /// Whether the sender can be trusted: the checksum was verified.
     pub is_verified: bool,
@@ -90,8 +90,8 @@ fn content_of(anatomy: &Anatomy<'_>) -> u64 {
     hasher.finish()
 }
 
-/// The receiver in a payload that could not be decoded. The dialect tells only where the fields of a decoded message
-/// are, so the places are found by writing a mark into them.
+/// The receiver in a payload that could not be decoded. The dialect gives the positions of fields only in a decoded
+/// message, so they are found by writing a marker into them.
 fn receiver_in(id: u32, payload: &[u8]) -> Option<MavAddress> {
     const MARK: u8 = 0xA5;
     let place = |mark: fn(&mut MavMessage) -> Option<&mut u8>| {
@@ -113,15 +113,15 @@ fn receiver_in(id: u32, payload: &[u8]) -> Option<MavAddress> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reach {
     Nobody,
-    /// Everyone but the port that it came from.
+    /// All ports except the one that it came from.
     Everyone,
     These(Vec<Port>),
 }
 
-/// The way of a frame.
+/// The route of a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Route {
-    /// It has been passed on already, when it came from another port.
+    /// It has already been passed on, having arrived on another port.
     Repeated,
     /// Its receiver was never heard.
     Unknown,
@@ -131,7 +131,7 @@ pub enum Route {
     },
 }
 
-/// Learns where senders are, and finds the way of each frame.
+/// Learns where senders are, and finds the route of each frame.
 #[derive(Debug)]
 pub struct Router {
     own: MavAddress,
@@ -160,7 +160,7 @@ impl Router {
         }
     }
 
-    /// The way of a frame from a port.
+    /// The route of a frame from a port.
     pub fn route(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
         let known = self.passed.get(&facts.content).copied();
         let before = known.filter(|&(_, at)| now.saturating_sub(at) < SAME_WITHIN);

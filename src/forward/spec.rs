@@ -1,4 +1,4 @@
-//! What a user writes about one forward: its address, and what it carries.
+//! The user's description of a forward: its address, and what it carries.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,9 +9,9 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use crate::text;
 use crate::text::Text;
 
-/// The id of HEARTBEAT. A station that does not hear it sees no vehicle, so filters pass it always.
+/// The id of HEARTBEAT. A station that does not receive it shows no vehicle, so filters always let it pass.
 const HEARTBEAT: u32 = 0;
-/// The highest rate that can be asked for, in Hz.
+/// The highest rate that can be set, in Hz.
 const HIGHEST_RATE_HZ: f64 = 1000.0;
 
 /// A forward: `ADDR [read-only] [only NAME,NAME] [except NAME,NAME] [rate HZ]`.
@@ -21,17 +21,17 @@ const HIGHEST_RATE_HZ: f64 = 1000.0;
 pub struct ForwardSpec {
     /// The address as it was written.
     pub address: String,
-    /// Whether nothing that the station sends reaches the vehicles.
+    /// Whether messages from the station are kept from the vehicles.
     pub read_only: bool,
     /// The message ids that pass; empty for all.
     pub only: Vec<u32>,
     /// The message ids that do not pass.
     pub except: Vec<u32>,
-    /// The greatest number of messages per second of each kind and sender.
+    /// The maximum number of messages per second of each kind and sender.
     pub rate_hz: Option<f64>,
 }
 
-/// A text that describes no forward.
+/// Why a text does not describe a forward.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}", .0)]
 pub struct ForwardFault(Text);
@@ -60,7 +60,8 @@ impl ForwardSpec {
         id == HEARTBEAT || (is_named && !self.except.contains(&id))
     }
 
-    /// Whether the rate of a kind of message is limited. Answers and events come once each: none may be left out.
+    /// Whether the rate of a kind of message is limited. Answers and events are sent only once, so none may be left
+    /// out.
     pub fn is_paced(&self, id: u32) -> bool {
         /// `PARAM_VALUE`, `MISSION_CURRENT`, `MISSION_ITEM_REACHED`, `LOG_ENTRY`, `LOG_DATA`, `AUTOPILOT_VERSION`,
         /// `HOME_POSITION`, STATUSTEXT.

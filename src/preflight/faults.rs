@@ -1,4 +1,4 @@
-//! Faults of files, and notes of readers.
+//! Texts for faults of files and for notes of readers.
 
 use crate::plan::{ArchiveFault, Expected, FaultKind, NoteKind, Syntax};
 use crate::text;

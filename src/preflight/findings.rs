@@ -1,4 +1,4 @@
-//! Findings about what is to fly.
+//! Texts for the findings about a plan.
 
 use super::{command_name, list_words};
 use crate::plan::board::Refusal;
@@ -7,7 +7,7 @@ use crate::plan::{FenceError, HeightFrame};
 use crate::text;
 use crate::text::{Text, figure};
 
-/// A finding in words; the item is named by its number, as the vehicle counts.
+/// The text of a finding; items have the numbers that the vehicle uses.
 pub fn words(finding: &Finding) -> Text {
     let what = kind_words(&finding.kind);
     match finding.item {

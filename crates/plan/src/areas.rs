@@ -9,7 +9,7 @@ use crate::{Item, command};
 pub struct FenceArea<P> {
     /// Whether the vehicle must stay inside it instead of outside.
     pub keeps_in: bool,
-    /// Its outline.
+    /// The outline of the area.
     pub shape: AreaShape<P>,
 }
 
@@ -20,7 +20,7 @@ pub enum AreaShape<P> {
     Polygon(Vec<P>),
     /// All points at a distance from the centre.
     Circle {
-        /// The centre.
+        /// The centre of the circle.
         centre: P,
         /// The distance in metres, more than 0.
         radius_m: f64,
@@ -91,25 +91,25 @@ pub enum FenceError {
     /// Two corners of one polygon that claim different counts.
     #[error("Unexpected vertex count want={wanted} got={got}\n")]
     OtherCount {
-        /// What the first corner says.
+        /// The number of corners that the first corner states.
         wanted: u8,
-        /// What this item says.
+        /// The number of corners that this item states.
         got: u8,
     },
     /// An item of another kind inside a polygon; the numbers are those of the vehicle's own item types.
     #[error("Received incorrect vertex type (want={wanted} got={got})")]
     OtherVertex {
-        /// What the first corner says.
+        /// The type of the first corner.
         wanted: u8,
-        /// What this item says.
+        /// The type of this item.
         got: u8,
     },
     /// A circle or a return point inside a polygon.
     #[error("Received incorrect type (want={wanted} got={got})")]
     OtherType {
-        /// What the first corner says.
+        /// The type of the first corner.
         wanted: u8,
-        /// What this item says.
+        /// The type of this item.
         got: u8,
     },
     /// A polygon whose last corners are missing.
@@ -129,7 +129,7 @@ pub enum FenceError {
 /// The areas of a list, and its return point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Fence {
-    /// In order.
+    /// The areas, in the order of the list.
     pub areas: Vec<FenceArea<LatLon>>,
 }
 
@@ -161,7 +161,7 @@ impl Fence {
         }
     }
 
-    /// Adds an item; returns the polygon to which more corners belong.
+    /// Adds an item; returns the polygon if it needs more corners.
     fn take(
         &mut self,
         unfinished: Option<Unfinished>,
@@ -188,7 +188,7 @@ impl Fence {
         Ok(None)
     }
 
-    /// Adds a corner; returns the polygon if more corners belong to it.
+    /// Adds a corner; returns the polygon if it needs more corners.
     fn corner(
         &mut self,
         unfinished: Option<Unfinished>,

@@ -1,6 +1,6 @@
-//! ArduPilot's rules for the items of a list, and the stored form of an item: storage is small, and parts that do not
-//! fit are truncated or dropped, and a download shows the item as it will be flown. The simulator follows these rules,
-//! and a check says beforehand what they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of
+//! ArduPilot's rules for the items of a list, and the form in which it stores them: storage is small, so values that do
+//! not fit are truncated or dropped, and a download shows the item as it will be flown. The simulator follows these
+//! rules, and a check reports in advance what they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of
 //! ArduCopter 4.6.
 
 use std::ops::RangeInclusive;
@@ -17,7 +17,7 @@ const ABOVE_TERRAIN: u8 = 10;
 /// Why the vehicle refuses an item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Refusal {
-    /// A command that no list takes.
+    /// A command that no list accepts.
     #[error("invalid command")]
     Invalid,
     /// A command that the vehicle does not know, or that does not belong in the list.
@@ -31,7 +31,7 @@ pub enum Refusal {
     Parameter(u8),
 }
 
-/// The largest number of items of a list; home is one of the plan's.
+/// The maximum number of items of a list; in a plan, home counts as one of them.
 pub const fn most_items(kind: ListKind) -> usize {
     match kind {
         ListKind::Plan => 650,
@@ -43,7 +43,7 @@ pub const fn most_items(kind: ListKind) -> usize {
 /// Bytes of storage for fences.
 pub const FENCE_STORAGE: usize = 560;
 
-/// The bytes that a fence takes in the vehicle's storage, of [`FENCE_STORAGE`].
+/// The bytes that a fence occupies in the vehicle's storage, of [`FENCE_STORAGE`].
 pub fn fence_bytes(items: &[Item]) -> usize {
     let mut needed = 4;
     let mut rest = items;
@@ -62,14 +62,14 @@ pub fn fence_bytes(items: &[Item]) -> usize {
     needed
 }
 
-/// The target of a jump, if it leads to no item of a plan; `items` is their number, with home.
+/// The target of a jump if no item of the plan has that number; `items` is the number of items, with home.
 pub fn wrong_jump(item: &Item, items: usize) -> Option<usize> {
     let target = item.params[0] as usize;
     let is_wrong = item.command == command::DO_JUMP && (target == 0 || target >= items);
     is_wrong.then_some(target)
 }
 
-/// Altitudes of this many metres and more do not fit.
+/// Altitudes from this number of metres on do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
 /// Numbers that the vehicle uses internally and refuses in items.
@@ -160,7 +160,7 @@ fn letters(command: u16) -> Option<&'static [u8; 7]> {
     COMMANDS.get(at).map(|(_, letters, _)| *letters)
 }
 
-/// The name of a command that plans may have, as MAVLink spells it, without `MAV_CMD_`.
+/// The name of a command that plans may contain, as MAVLink spells it, without `MAV_CMD_`.
 pub fn name(command: u16) -> Option<&'static str> {
     let at = COMMANDS
         .binary_search_by_key(&command, |(number, ..)| *number)
@@ -326,8 +326,8 @@ fn shortened(letter: u8, value: f32) -> f32 {
     }
 }
 
-/// A whole number that keeps its lowest bits when it is stored in fewer: values beyond a field wrap. Beyond 32 bits,
-/// nothing is left.
+/// A whole number that keeps only its lowest bits when it is stored in fewer, so values too large for a field wrap.
+/// Values beyond 32 bits become 0.
 fn wrapped(value: f32) -> i32 {
     let whole = f64::from(value).trunc();
     if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole) {

@@ -1,4 +1,4 @@
-//! What is wrong with a document by the rules of the vehicle that is to fly it.
+//! Finds what is wrong with a document, by the rules of the vehicle that is to fly it.
 
 use crate::areas::FenceError;
 use crate::board::{self, Refusal};
@@ -7,15 +7,15 @@ use crate::{Document, HeightFrame, Item, ListKind, command};
 mod flight;
 mod place;
 
-/// The kind of vehicle, which decides what commands it flies.
+/// The kind of vehicle, which decides which commands it carries out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VehicleKind {
-    /// Multicopters and helicopters.
+    /// A multicopter or a helicopter.
     #[default]
     Copter,
-    /// Fixed wings, also with VTOL.
+    /// A fixed-wing aircraft, with or without VTOL.
     Plane,
-    /// Ground vehicles and boats.
+    /// A ground vehicle or a boat.
     Rover,
 }
 
@@ -59,20 +59,20 @@ impl VehicleKind {
 /// What is known about the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CheckOptions {
-    /// Its kind; `None`: the kind that the file names, or a copter.
+    /// The kind of vehicle; `None` for the kind that the file names, or else a copter.
     pub vehicle: Option<VehicleKind>,
     /// `FENCE_ALT_MAX` in metres above home, where that fence is on.
     pub ceiling_m: Option<f32>,
     /// `FENCE_RADIUS` in metres from home, where that fence is on.
     pub radius_m: Option<f32>,
-    /// Whether the vehicle has terrain data there.
+    /// Whether the vehicle has terrain data for the area.
     pub has_terrain: bool,
 }
 
-/// How grave a finding is.
+/// The severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// It may be meant.
+    /// The item may be intended.
     Warning,
     /// The vehicle refuses the list, or the flight cannot go as planned.
     Error,
@@ -81,20 +81,20 @@ pub enum Severity {
 /// Something that is wrong, or may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
-    /// The list.
+    /// The list that contains the fault.
     pub list: ListKind,
-    /// The item, counted from 0; `None`: the list as a whole.
+    /// The item, counted from 0; `None` for the list as a whole.
     pub item: Option<usize>,
-    /// What it is.
+    /// The kind of finding, with its figures.
     pub kind: FindingKind,
 }
 
 /// A height with its reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Height {
-    /// In metres.
+    /// The height in metres above `frame`.
     pub metres: f32,
-    /// Above this.
+    /// The level that `metres` is measured from.
     pub frame: HeightFrame,
 }
 
@@ -103,23 +103,23 @@ pub struct Height {
 pub enum FindingKind {
     /// The vehicle refuses the item.
     Refused {
-        /// Its command.
+        /// The command of the item.
         command: u16,
-        /// The reason.
+        /// The reason for the refusal.
         reason: Refusal,
     },
     /// The vehicle accepts the command and skips it in flight.
     Skipped {
-        /// The command.
+        /// The command that is skipped.
         command: u16,
         /// The kind of vehicle that skips it.
         vehicle: VehicleKind,
     },
     /// More items than the vehicle keeps, with home.
     TooMany {
-        /// In the list.
+        /// The number of items in the list.
         count: usize,
-        /// On board.
+        /// The number of items that the vehicle stores.
         most: usize,
     },
     /// A jump that leads to no item.
@@ -129,7 +129,7 @@ pub enum FindingKind {
         /// The number of the last item.
         last: usize,
     },
-    /// A jump to itself, or in a ring without an item to fly: the vehicle ends the plan there.
+    /// A jump to itself, or a loop of jumps without an item to fly: the vehicle ends the plan there.
     JumpRing,
     /// A jump to a tag that no item has.
     NoTag(u16),
@@ -137,31 +137,31 @@ pub enum FindingKind {
     Fence(FenceError),
     /// The fence takes more bytes than the vehicle has for it.
     FenceTooLarge {
-        /// What it takes.
+        /// The bytes that the fence occupies.
         bytes: usize,
-        /// What there is.
+        /// The bytes that the vehicle has for fences.
         most: usize,
     },
-    /// The place lies outside an area to stay in, or inside one to stay out of.
+    /// The place lies outside an inclusion area or inside an exclusion area.
     BreaksFence {
         /// The area, counted from 0.
         area: usize,
     },
-    /// The leg to the item crosses an area, though both its ends are allowed.
+    /// The leg to the item crosses the border of an area, although both its ends are allowed.
     LegBreaksFence {
         /// The area, counted from 0.
         area: usize,
     },
     /// The place is farther from home than `FENCE_RADIUS`.
     BeyondRadius {
-        /// From home, in metres.
+        /// The distance from home, in metres.
         distance_m: f32,
         /// The limit, in metres.
         most_m: f32,
     },
     /// The height is above `FENCE_ALT_MAX`.
     AboveCeiling {
-        /// Above home, in metres.
+        /// The height above home, in metres.
         height_m: f32,
         /// The limit, in metres.
         most_m: f32,
@@ -171,37 +171,37 @@ pub enum FindingKind {
         /// The area, counted from 0.
         area: usize,
     },
-    /// No takeoff before the first place to fly to: a vehicle on the ground does not leave it.
+    /// No takeoff before the first place: a vehicle on the ground stays there.
     NoTakeoff,
-    /// The plan does not end with a landing, a return or a stay: a copter hovers where it ends until the battery is empty.
+    /// The plan does not end with a landing, a return or a stay: a copter hovers until the battery is empty.
     NoEnd,
-    /// Items that are never reached, behind an end or a jump without end.
+    /// Items that are never reached, after an end or an endless jump.
     Unreached,
     /// A height above terrain, and the vehicle has no terrain data.
     NoTerrain,
     /// The heights of this item and of the one before are measured from different references.
     MixedFrames {
-        /// The height before.
+        /// The height of the item before.
         before: Height,
         /// The height of this item.
         here: Height,
-        /// Both above home, if the height of home tells.
+        /// Both heights above home, if they can be converted with the height of home.
         above_home_m: Option<[f32; 2]>,
     },
-    /// The item is below home, or at its height, where the vehicle should fly.
+    /// The item is at or below the height of home, although the vehicle should fly there.
     LowHeight {
-        /// Above home, in metres.
+        /// The height above home, in metres.
         height_m: f32,
     },
-    /// The place is far from home, which is often a wrong sign or two numbers that changed places.
+    /// The place is far from home, often because of a wrong sign, or because latitude and longitude are swapped.
     FarAway {
-        /// From home, in metres.
+        /// The distance from home, in metres.
         distance_m: f32,
     },
 }
 
 impl FindingKind {
-    /// How grave it is.
+    /// The severity of findings of this kind.
     pub const fn severity(&self) -> Severity {
         match self {
             Self::Refused { .. }
@@ -229,7 +229,7 @@ impl FindingKind {
 }
 
 impl Finding {
-    /// How grave it is.
+    /// The severity of the finding.
     pub const fn severity(&self) -> Severity {
         self.kind.severity()
     }
@@ -251,7 +251,7 @@ pub fn check(document: &Document, options: &CheckOptions) -> Vec<Finding> {
     findings
 }
 
-/// What the upload of a list would answer.
+/// The errors for which the vehicle would refuse the upload of a list.
 fn check_items(
     document: &Document,
     kind: ListKind,

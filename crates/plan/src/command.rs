@@ -1,40 +1,40 @@
-//! The numbers of the `MAV_CMD`s that mean something here, by name. Any other number may stand in a list as well.
+//! Names for the `MAV_CMD` numbers that have a meaning here. A list may contain any other number as well.
 
-/// To fly to a place.
+/// Flies to a place.
 pub const WAYPOINT: u16 = 16;
-/// To circle or hover without end.
+/// Circles or hovers without end.
 pub const LOITER_UNLIMITED: u16 = 17;
-/// To fly turns around a place.
+/// Flies turns around a place.
 pub const LOITER_TURNS: u16 = 18;
-/// To stay at a place for a time.
+/// Stays at a place for a time.
 pub const LOITER_TIME: u16 = 19;
-/// To return and land.
+/// Returns to the launch position and lands.
 pub const RETURN_TO_LAUNCH: u16 = 20;
-/// To land.
+/// Lands at a place, or at the current one.
 pub const LAND: u16 = 21;
-/// To take off.
+/// Takes off to a height.
 pub const TAKEOFF: u16 = 22;
-/// To stay at a place until a height is reached.
+/// Stays at a place until a height is reached.
 pub const LOITER_TO_ALTITUDE: u16 = 31;
-/// A region of interest; superseded, but plans still have it.
+/// A region of interest; superseded, but old plans still contain it.
 pub const ROI: u16 = 80;
-/// To fly to a place on a curve.
+/// Flies to a place along a curve.
 pub const SPLINE_WAYPOINT: u16 = 82;
-/// To take off as a VTOL.
+/// Takes off vertically (VTOL).
 pub const VTOL_TAKEOFF: u16 = 84;
-/// To land as a VTOL.
+/// Lands vertically (VTOL).
 pub const VTOL_LAND: u16 = 85;
-/// To wait for a time before the next navigation command.
+/// Waits for a time before the next navigation command.
 pub const DELAY: u16 = 93;
-/// To descend and put down a load.
+/// Descends and puts down a load.
 pub const PAYLOAD_PLACE: u16 = 94;
-/// The last number of a command that navigates.
+/// The highest number of a navigation command.
 pub const LAST_NAVIGATION: u16 = 95;
-/// To go on at another item: parameter 1 is its number, parameter 2 the number of times.
+/// Continues at another item: parameter 1 is its number, parameter 2 the number of repetitions.
 pub const DO_JUMP: u16 = 177;
-/// To fly at another speed from here on.
+/// Sets the speed from here on.
 pub const DO_CHANGE_SPEED: u16 = 178;
-/// To move home.
+/// Moves home to a place.
 pub const DO_SET_HOME: u16 = 179;
 /// The start of the way back.
 pub const DO_RETURN_PATH_START: u16 = 188;
@@ -44,21 +44,21 @@ pub const DO_LAND_START: u16 = 189;
 pub const DO_SET_ROI_LOCATION: u16 = 195;
 /// A region of interest.
 pub const DO_SET_ROI: u16 = 201;
-/// A tag that jumps may name.
+/// A tag that jumps may refer to.
 pub const JUMP_TAG: u16 = 600;
-/// To go on at a tag: parameter 1 is the tag, parameter 2 the number of times.
+/// Continues at a tag: parameter 1 is the tag, parameter 2 the number of repetitions.
 pub const DO_JUMP_TAG: u16 = 601;
-/// Where a vehicle goes after it broke a fence.
+/// The place to which a vehicle returns after it has broken a fence.
 pub const FENCE_RETURN_POINT: u16 = 5000;
-/// A corner of an area to stay in; parameter 1 is the number of corners of its polygon.
+/// A corner of an inclusion polygon; parameter 1 is the number of its corners.
 pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
-/// A corner of an area to stay out of.
+/// A corner of an exclusion polygon.
 pub const FENCE_POLYGON_EXCLUSION: u16 = 5002;
-/// A circle to stay in; parameter 1 is its radius in metres.
+/// An inclusion circle; parameter 1 is its radius in metres.
 pub const FENCE_CIRCLE_INCLUSION: u16 = 5003;
-/// A circle to stay out of.
+/// An exclusion circle; parameter 1 is its radius in metres.
 pub const FENCE_CIRCLE_EXCLUSION: u16 = 5004;
-/// A rally point.
+/// A place other than home where RTL may end.
 pub const RALLY_POINT: u16 = 5100;
 
 /// Commands of a plan whose x and y are a place. Source: MAVLink's `MAV_CMD`, `hasLocation`.
@@ -85,7 +85,7 @@ const WITH_PLACE: &[u16] = &[
     DO_SET_ROI,
 ];
 
-/// Whether commands of that number have a place in x and y.
+/// Whether a command has a place in x and y.
 pub fn has_place(command: u16) -> bool {
     // WAYPOINT_USER_1 to SPATIAL_USER_5.
     let of_users = 31_000..=31_009;
@@ -95,27 +95,27 @@ pub fn has_place(command: u16) -> bool {
         || of_users.contains(&command)
 }
 
-/// Whether it is an item of a fence.
+/// Whether a command is an item of a fence.
 pub fn is_fence(command: u16) -> bool {
     (FENCE_RETURN_POINT..=FENCE_CIRCLE_EXCLUSION).contains(&command)
 }
 
-/// Whether it is a corner of a fence's polygon.
+/// Whether a command is a corner of a fence's polygon.
 pub fn is_corner(command: u16) -> bool {
     matches!(command, FENCE_POLYGON_INCLUSION | FENCE_POLYGON_EXCLUSION)
 }
 
-/// Whether it is a circle of a fence.
+/// Whether a command is a circle of a fence.
 pub fn is_circle(command: u16) -> bool {
     matches!(command, FENCE_CIRCLE_INCLUSION | FENCE_CIRCLE_EXCLUSION)
 }
 
-/// Whether it is a takeoff.
+/// Whether a command is a takeoff.
 pub fn is_takeoff(command: u16) -> bool {
     matches!(command, TAKEOFF | VTOL_TAKEOFF)
 }
 
-/// Whether it ends a flight: after it the vehicle is on the ground, or stays where it is.
+/// Whether a command ends a flight: afterwards, the vehicle is on the ground or stays where it is.
 pub fn is_end(command: u16) -> bool {
     matches!(
         command,
@@ -123,7 +123,7 @@ pub fn is_end(command: u16) -> bool {
     )
 }
 
-/// Whether a vehicle flies to the command's place, so that the place belongs to its path.
+/// Whether a vehicle flies to the command's place, which is then part of its path.
 pub fn is_flown_to(command: u16) -> bool {
     has_place(command) && command <= PAYLOAD_PLACE && command != ROI
 }

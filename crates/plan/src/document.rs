@@ -1,4 +1,4 @@
-//! What a file holds.
+//! The content of a file.
 
 use crate::{Item, ListKind};
 
@@ -9,17 +9,17 @@ use crate::{Item, ListKind};
 pub struct Document {
     /// Where the vehicle is meant to start.
     pub home: Option<Home>,
-    /// What the mode AUTO flies, without home.
+    /// The items that the mode AUTO flies, without home.
     pub plan: Vec<Item>,
     /// The areas in which the vehicle may or may not fly.
     pub fence: Vec<Item>,
     /// Places other than home where RTL may end.
     pub rally: Vec<Item>,
-    /// What the ground station knew about the vehicle, if the format has it.
+    /// What the ground station knew about the vehicle, if the format stores it.
     pub origin: Option<Origin>,
 }
 
-/// The planned home.
+/// The planned home position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Home {
     /// Latitude in 1e-7 degrees.

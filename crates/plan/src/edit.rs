@@ -1,36 +1,35 @@
-//! Changes of a plan. Each gives a new list, so that the old one is what undo needs; jumps keep leading to the item
-//! that they led to.
+//! Changes to a plan. Each returns a new list, so that undo can keep the old one; jumps still lead to the same items.
 //!
-//! Places in a list are counted from 0; jump targets from 1, because 0 is home.
+//! Indices in a list are counted from 0; jump targets from 1, because 0 is home.
 
 use std::ops::Range;
 
 use crate::{HeightFrame, Home, Item, command};
 
-/// Why a plan cannot be changed in this way.
+/// Why a change to a plan is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum EditError {
-    /// There is no such item; the length of the list.
+    /// No such item; contains the length of the list.
     #[error("the plan has {0} items")]
     NoItem(usize),
-    /// A jump leads to an item that would be deleted; the place of the jump.
+    /// A jump leads to an item that would be deleted; contains the index of the jump.
     #[error("item {} jumps to an item that would be deleted", .0 + 1)]
     JumpTarget(usize),
-    /// There is nothing to split: no item with a place before this one.
+    /// No leg to split: no item before this one has a place.
     #[error("no leg leads to the item")]
     NoLeg,
-    /// The height cannot be carried over to the frame without the height of home or of the ground.
+    /// The height cannot be converted without the height of home or of the ground.
     #[error("the height of home or of the ground is not known")]
     UnknownHeight,
 }
 
-/// The target of a jump as a place in the list, if it has one.
+/// The target of a jump as an index in the list, if it has one.
 fn target_of(item: &Item) -> Option<usize> {
     let is_jump = item.command == command::DO_JUMP && item.params[0] >= 1.0;
     is_jump.then(|| item.params[0] as usize - 1)
 }
 
-/// Moves the target of each jump.
+/// Changes the target of each jump.
 fn aimed(mut items: Vec<Item>, moved: impl Fn(usize) -> usize) -> Vec<Item> {
     for item in &mut items {
         if let Some(target) = target_of(item) {
@@ -91,10 +90,10 @@ pub fn delete(items: &[Item], range: Range<usize>) -> Result<Vec<Item>, EditErro
     Ok(aimed(changed, shift))
 }
 
-/// Moves items so that the first of them gets the place `to` of the new list.
+/// Moves items so that the first of them gets the index `to` of the new list.
 ///
 /// # Errors
-/// There are no such items, or the new place is behind the end.
+/// No such items, or the new index is beyond the end.
 pub fn relocate(items: &[Item], range: Range<usize>, to: usize) -> Result<Vec<Item>, EditError> {
     checked(items, &range)?;
     if to + range.len() > items.len() {
@@ -143,12 +142,12 @@ pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     insert(items, at, &[waypoint])
 }
 
-/// How heights change.
+/// A change of heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HeightChange {
-    /// All get this height, in metres.
+    /// Sets all heights to this value, in metres.
     To(f32),
-    /// All go up (or down) by so many metres.
+    /// Raises (or, if negative, lowers) all heights by this many metres.
     By(f32),
 }
 
@@ -176,17 +175,17 @@ fn has_height(item: &Item) -> bool {
     command::is_flown_to(item.command)
 }
 
-/// How the numbers follow when a frame changes.
+/// How the numbers change when the frame of a height changes.
 #[derive(Clone, Copy)]
 pub enum FrameChange<'a> {
-    /// The numbers stay, so that the vehicle flies at another height.
+    /// The numbers stay the same, so the vehicle flies at another height.
     KeepNumbers,
     /// The vehicle flies where it did: heights are carried over by the height of home, and of the ground at each
     /// item's place (metres above sea level), as far as they are needed.
     KeepHeights {
-        /// Home.
+        /// The home position, if the document has one.
         home: Option<Home>,
-        /// The ground at an item of the list.
+        /// The height of the ground at an item of the list, in metres above sea level.
         ground_amsl_m: &'a dyn Fn(&Item) -> Option<f32>,
     },
 }

@@ -1,15 +1,15 @@
-//! What is wrong with a file, and where.
+//! Faults of files, with their places.
 
 use std::ops::Range;
 
 use crate::ListKind;
 
-/// A fault that keeps a file from being read.
+/// A fault because of which a file cannot be read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
-    /// Where it lies, in bytes of the text ([`Loaded::text`](crate::Loaded::text), or the file itself).
+    /// The place of the fault, in bytes of the text ([`Loaded::text`](crate::Loaded::text), or the file itself).
     pub span: Range<usize>,
-    /// What it is.
+    /// The kind of fault.
     pub kind: FaultKind,
 }
 
@@ -22,7 +22,7 @@ pub enum FaultKind {
     NotText,
     /// A version that cannot be read.
     Version {
-        /// As written.
+        /// The version as it is written in the file.
         found: String,
         /// The versions that can be read.
         known: &'static str,
@@ -34,30 +34,30 @@ pub enum FaultKind {
         /// The number that it should have.
         expected: usize,
     },
-    /// A word that should be a number.
+    /// A word in place of a number.
     NotANumber(String),
-    /// A number that does not fit what it stands for.
+    /// A number that is out of range for its field.
     OutOfRange(String),
-    /// An item whose number is not that of its place.
+    /// An item whose number does not match its position.
     Order {
-        /// As written.
+        /// The number in the file.
         found: u32,
-        /// The number of its place.
+        /// The number that matches its position.
         expected: u32,
     },
     /// Not valid JSON or XML.
     Syntax(Syntax),
     /// The XML reader's own message.
     Xml(String),
-    /// Something that the format requires is missing; its name in the file.
+    /// Something that the format requires is missing; contains its name in the file.
     Missing(&'static str),
-    /// A value of another kind than the format says.
+    /// A value of another type than the format requires.
     Expected(Expected),
-    /// A complex item without the plain items that it stands for; its type.
+    /// A complex item without simple items; contains its type.
     NoEmbeddedItems(String),
     /// A jump to an id that no item has.
     UnknownJump(u32),
-    /// A polygon with fewer than three corners.
+    /// A polygon with fewer than three corners; contains their number.
     FewCorners(usize),
     /// A line without two places.
     ShortLine,
@@ -69,14 +69,14 @@ pub enum FaultKind {
     Archive(ArchiveFault),
 }
 
-/// What the reader of JSON or XML met.
+/// The syntax errors of JSON and XML.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Syntax {
     /// The file ends too early.
     End,
-    /// A character that cannot stand here.
+    /// A character that is not allowed here.
     Unexpected(char),
-    /// A string or an escape that is not closed or not known.
+    /// A string or an escape that is not closed or not valid.
     Text,
     /// Something after the end of the document.
     Trailing,
@@ -84,75 +84,75 @@ pub enum Syntax {
     TooDeep,
 }
 
-/// What should stand in a place.
+/// The value that the format requires in a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
-    /// A number.
+    /// Any number.
     Number,
     /// A number or `null`.
     NumberOrNull,
-    /// A text.
+    /// A string.
     Text,
-    /// `true` or `false`.
+    /// A Boolean: `true` or `false`.
     Flag,
-    /// A list.
+    /// A list of any length.
     List,
-    /// An object.
+    /// An object with keys.
     Object,
     /// A list of this many values.
     Length(usize),
-    /// Longitude and latitude in degrees, and perhaps a height.
+    /// Longitude and latitude in degrees, with or without a height.
     Position,
     /// One of these words.
     Word(&'static str),
 }
 
-/// What is wrong with a compressed file.
+/// What is wrong with a KMZ archive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArchiveFault {
-    /// It is damaged.
+    /// The archive is damaged.
     Damaged,
-    /// It holds no `.kml` file.
+    /// It contains no `.kml` file.
     NoKml,
-    /// It is packed by a method other than deflate.
+    /// It is compressed by a method other than deflate.
     Method,
     /// Its content is larger than any such file should be.
     TooLarge,
 }
 
-/// What a reader had to assume or leave out.
+/// An assumption of a reader, or a value that it left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
-    /// Where, in bytes of the text.
+    /// The place, in bytes of the text.
     pub span: Range<usize>,
-    /// What it is.
+    /// The kind of note.
     pub kind: NoteKind,
 }
 
 /// The kinds of notes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoteKind {
-    /// Places without a height: this one in metres above home was taken.
+    /// Places have no height; contains the height that was assumed, in metres above home.
     HeightAssumed(f32),
-    /// The fifth or sixth parameter of a command without a place has a fraction, which the wire cannot carry.
+    /// The fifth or sixth parameter of a command without a place has a fraction, which MAVLink cannot transmit.
     FractionLost,
-    /// The lines of the file were joined into one plan; their number.
+    /// The lines of the file were joined into one plan; contains their number.
     LinesJoined(usize),
 }
 
-/// Why a document cannot be written in a format without a loss.
+/// Why a document cannot be written in a format without loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Unwritable {
     /// The format has no room for a list that is not empty.
     #[error("the format has no {0:?} list")]
     List(ListKind),
-    /// Rally points of `.plan` files are above home; this one, counted from 0, is not.
+    /// Rally points of `.plan` files are above home, but this one, counted from 0, is not.
     #[error("rally point {0} is not above home")]
     RallyFrame(usize),
-    /// The fence is not made of whole polygons and circles; the first such item, counted from 0.
+    /// The fence does not consist of complete polygons and circles; contains the first such item, counted from 0.
     #[error("fence item {0} belongs to no whole area")]
     FenceShape(usize),
-    /// An infinite number, which JSON does not have; the list, and the item counted from 0.
+    /// An infinite number, which JSON does not support; contains the list, and the item counted from 0.
     #[error("item {1} of the {0:?} list has an infinite number")]
     Infinite(ListKind, usize),
 }

@@ -1,4 +1,4 @@
-//! Files: which format it is, and one module for each.
+//! The formats of files: how each is recognised, and one module for each.
 
 use std::ops::Range;
 

@@ -1,12 +1,12 @@
-//! A short name for the content of a list: "plan 7f3a".
+//! A short name for the content of a list, as in "plan 7f3a".
 
 use std::fmt;
 
 use crate::{HeightFrame, Item, command};
 
 /// CRC-32 (ISO-HDLC) of the items of a list in a normal form, which is the same for what a ground station sends and
-/// what the vehicle sends back: both spellings of a frame are one, unset parameters are 0, and commands without a place
-/// have no frame. `auto_continue` does not count: ArduPilot does not keep it.
+/// what the vehicle sends back: both variants of a frame are one, unset parameters are 0, and commands without a place
+/// have no frame. `auto_continue` is ignored, because ArduPilot does not store it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ContentHash(pub u32);
 
@@ -34,7 +34,7 @@ impl ContentHash {
             }
             add(&item.x.to_le_bytes());
             add(&item.y.to_le_bytes());
-            // Heights are kept in centimetres on board.
+            // The vehicle stores heights in centimetres.
             add(&((f64::from(normal(item.z)) * 100.0).round() as i64).to_le_bytes());
         }
         Self(!crc)
@@ -51,7 +51,7 @@ fn normal(number: f32) -> f32 {
 }
 
 impl fmt::Display for ContentHash {
-    /// The first four digits: enough to tell the plans of a swarm apart.
+    /// The first four hexadecimal digits: enough to tell the plans of a swarm apart.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:04x}", self.0 >> 16)
     }

@@ -1,9 +1,9 @@
 use sortie_geo::LatLon;
 
-/// Which list: each is uploaded, downloaded and cleared on its own.
+/// The kind of a list: each is uploaded, downloaded and cleared separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ListKind {
-    /// What the mode AUTO flies.
+    /// The items that the mode AUTO flies.
     Plan,
     /// The areas in which the vehicle may or may not fly.
     Fence,
@@ -29,11 +29,11 @@ impl ListKind {
 /// An item of a list, with all fields of `MISSION_ITEM_INT` except its number, which is its place in the list.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Item {
-    /// The number of a `MAV_CMD`, also of one that is not in the dialect.
+    /// The number of a `MAV_CMD`, which may be missing from the dialect.
     pub command: u16,
-    /// The number of a `MAV_FRAME`. Its `_INT` twin is another number for the same reference.
+    /// The number of a `MAV_FRAME`. Its `_INT` variant is another number for the same reference.
     pub frame: u8,
-    /// Whether the vehicle continues with the next item by itself.
+    /// Whether the vehicle continues with the next item on its own.
     pub auto_continue: bool,
     /// The first four parameters of the command; NaN means "not set".
     pub params: [f32; 4],
@@ -45,21 +45,21 @@ pub struct Item {
     pub z: f32,
 }
 
-/// What an altitude is measured from.
+/// The level that an altitude is measured from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum HeightFrame {
-    /// Mean sea level.
+    /// Above mean sea level.
     SeaLevel,
-    /// Home.
+    /// Above the home position.
     Home,
-    /// The ground below.
+    /// Above the ground below.
     Terrain,
     /// Another reference, or none (`MAV_FRAME_MISSION`, local frames).
     Other,
 }
 
 impl HeightFrame {
-    /// The reference of a `MAV_FRAME` by its number. Older autopilots name the `_INT` spelling of a frame.
+    /// The reference of a `MAV_FRAME`, given by its number. Older autopilots use the `_INT` variants.
     pub const fn of(frame: u8) -> Self {
         match frame {
             0 | 5 => Self::SeaLevel,
@@ -71,12 +71,12 @@ impl HeightFrame {
 }
 
 impl Item {
-    /// What its altitude is measured from.
+    /// The level that the item's altitude is measured from.
     pub const fn height_frame(&self) -> HeightFrame {
         HeightFrame::of(self.frame)
     }
 
-    /// Its x and y as a point, whether or not the command has a place.
+    /// The item's x and y as a point, whether or not the command has a place.
     pub fn point(&self) -> LatLon {
         LatLon::from_e7(self.x, self.y)
     }

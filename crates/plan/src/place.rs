@@ -3,24 +3,24 @@ use sortie_geo::LatLon;
 use crate::{HeightFrame, Item, command};
 
 impl Item {
-    /// Its x and y as a place; `None` for a command without a place, and if both are 0 ("here").
+    /// The item's x and y as a place; `None` for a command without a place, and if both are 0 ("here").
     pub fn place(&self) -> Option<LatLon> {
         let is_given = (self.x, self.y) != (0, 0) && self.height_frame() != HeightFrame::Other;
         let place = (is_given && command::has_place(self.command)).then(|| self.point())?;
         place.is_valid().then_some(place)
     }
 
-    /// Its z in metres, if it is a finite number.
+    /// The item's z in metres, if it is a finite number.
     pub fn altitude_m(&self) -> Option<f32> {
         self.z.is_finite().then_some(self.z)
     }
 
-    /// Whether the vehicle flies to its place, so that it belongs to the path.
+    /// Whether the vehicle flies to the item's place, which is then part of its path.
     pub fn is_waypoint(&self) -> bool {
         self.place().is_some() && command::is_flown_to(self.command)
     }
 
-    /// Whether it is a takeoff, which has a height even without a place.
+    /// Whether the item is a takeoff, which has a height even without a place.
     pub fn is_takeoff(&self) -> bool {
         command::is_takeoff(self.command)
     }

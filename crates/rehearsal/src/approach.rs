@@ -1,33 +1,33 @@
-//! How near two vehicles come to each other.
+//! The closest approaches of vehicles to each other.
 
-/// Two vehicles nearer than this over the ground...
+/// Two vehicles closer than this horizontally, in metres, ..
 pub const TOO_NEAR_M: f64 = 5.0;
-/// ... and nearer than this in height are in conflict.
+/// .. and closer than this vertically are in conflict.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
-/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, in units
-/// of what is too near, was smallest.
+/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, each
+/// divided by its limit, was smallest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach {
-    /// The first vehicle.
+    /// The vehicle with the lower number.
     pub a: usize,
-    /// The second vehicle.
+    /// The vehicle with the higher number.
     pub b: usize,
-    /// Over the ground, in metres.
+    /// The horizontal distance, in metres.
     pub horizontal_m: f64,
-    /// In height, in metres.
+    /// The vertical distance, in metres.
     pub vertical_m: f64,
-    /// Seconds since the first vehicle started.
+    /// The time in seconds since the first vehicle started.
     pub at_s: f64,
 }
 
 impl Approach {
-    /// Whether that is too near.
+    /// Whether the vehicles came too close to each other.
     pub fn is_conflict(&self) -> bool {
         self.horizontal_m < TOO_NEAR_M && self.vertical_m < TOO_NEAR_VERTICALLY_M
     }
 
-    /// The square of the distance in units of what is too near: less than 1 is a conflict.
+    /// The square of the distance relative to the limits: less than 1 is a conflict.
     pub(crate) fn nearness(&self) -> f64 {
         let horizontal = self.horizontal_m / TOO_NEAR_M;
         let vertical = self.vertical_m / TOO_NEAR_VERTICALLY_M;
@@ -35,14 +35,14 @@ impl Approach {
     }
 }
 
-/// The same for two points in metres north, east and up.
+/// The nearness of two points in metres north, east and up.
 pub(crate) fn nearness(a: [f64; 3], b: [f64; 3]) -> f64 {
     let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let horizontal = (north * north + east * east) / (TOO_NEAR_M * TOO_NEAR_M);
     horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
 }
 
-/// The nearness of two vehicles, the sample, and their points.
+/// The nearness of two vehicles, the sample at which it occurred, and their points.
 type Meeting = (f64, u32, [[f64; 3]; 2]);
 
 /// The closest approaches of all pairs.
@@ -62,7 +62,7 @@ impl Closest {
         }
     }
 
-    /// Takes the points of the vehicles that are in the air.
+    /// Updates the closest approaches with the points of the vehicles in the air.
     pub(crate) fn take(&mut self, sample: u32, points: &[Option<[f64; 3]>]) {
         let mut pairs = self.pairs.iter_mut();
         for (a, first) in points.iter().enumerate() {
@@ -79,7 +79,7 @@ impl Closest {
         }
     }
 
-    /// The pairs that were in the air together, the closest first.
+    /// The pairs that were in the air together, closest first.
     pub(crate) fn found(&self, sample_s: f64) -> Vec<Approach> {
         let mut found = Vec::new();
         let mut pairs = self.pairs.iter();

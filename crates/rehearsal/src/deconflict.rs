@@ -1,4 +1,4 @@
-//! What keeps vehicles apart whose plans bring them too near to each other: later starts, or layers of height.
+//! Separates vehicles whose plans bring them too close to each other, by later starts or by layers of height.
 
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
@@ -8,23 +8,23 @@ use crate::place::{self, Place, TRACK_EVERY, Track, sample_s};
 use crate::stage::Stage;
 use crate::{Conditions, Outcome, Participant, RehearsalError, rehearse};
 
-/// The step of delays, and the longest one, in seconds.
+/// The step of the delays, and the maximum delay, in seconds.
 const DELAY_STEP_S: u32 = 1;
 const LONGEST_DELAY_S: u32 = 1800;
-/// The distances that are kept in the search, in units of what is too near: tracks have gaps between their points, and
-/// a vehicle that starts later meets other gusts.
+/// The margins tried in the search, as multiples of the conflict limits: tracks have gaps between their points, and a
+/// vehicle that starts later meets other gusts.
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
-/// The number of times that layers are flown and added to.
+/// The maximum number of times that layers are rehearsed and extended.
 const LAYER_ROUNDS: usize = 6;
 
-/// What is changed for one vehicle.
+/// The change to one vehicle's plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remedy {
-    /// Nothing.
+    /// The plan stays as it is.
     Nothing,
-    /// It starts later, by so many seconds.
+    /// The vehicle starts this many seconds later.
     Delay(u32),
-    /// It flies higher, by so many metres.
+    /// The vehicle flies this many metres higher.
     Layer(f32),
 }
 
@@ -36,7 +36,7 @@ impl Remedy {
         match self {
             Self::Nothing => {}
             Self::Delay(seconds) => {
-                // No time of the day: -1.
+                // -1: no time of day.
                 let wait = Item {
                     command: command::DELAY,
                     frame: 3,
@@ -54,12 +54,12 @@ impl Remedy {
     }
 }
 
-/// A plan at greater heights: every place that is flown to, but not where it lands.
+/// A plan at greater heights: every place that the vehicle flies to, except the landing.
 fn raised(items: &[Item], metres: f32) -> Vec<Item> {
     let mut plan = items.to_vec();
     for (at, item) in items.iter().enumerate() {
         let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
-        // Zero is the height that the vehicle has.
+        // Zero means the vehicle's current height.
         let is_set = item.z != 0.0 && item.height_frame() != HeightFrame::Other;
         if is_set
             && !lands
@@ -71,12 +71,12 @@ fn raised(items: &[Item], metres: f32) -> Vec<Item> {
     plan
 }
 
-/// Changes that keep all vehicles apart, as a rehearsal has shown.
+/// Changes that keep all vehicles apart, verified by a rehearsal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proposal {
-    /// For each vehicle.
+    /// The change for each vehicle.
     pub remedies: Vec<Remedy>,
-    /// The time that all vehicles together lose by them, in seconds.
+    /// The time that the changes cost, in seconds, summed over all vehicles.
     pub lost_s: f64,
     /// The rehearsal with the changes.
     pub outcome: Outcome,
@@ -135,7 +135,7 @@ pub fn deconflict(
     Ok(found.min_by(|a, b| a.lost_s.total_cmp(&b.lost_s)))
 }
 
-/// The time and the track of each vehicle when no other is there: a collision would end both.
+/// The time and the track of each vehicle flying alone: a collision would end the flights of both.
 pub(crate) fn alone(
     participants: &[Participant],
     conditions: &Conditions,
@@ -205,7 +205,7 @@ pub(crate) fn by_delays(
     Ok(None)
 }
 
-/// The least delay of each vehicle that keeps it away from those before it.
+/// The shortest delay of each vehicle that keeps it away from those before it.
 fn delays(tracks: &[Track], limit: f64) -> Option<Vec<u32>> {
     let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
     let mut delays: Vec<u32> = Vec::new();
@@ -223,7 +223,7 @@ fn delays(tracks: &[Track], limit: f64) -> Option<Vec<u32>> {
     Some(delays)
 }
 
-/// Whether two vehicles that start after so many points stay apart.
+/// Whether two vehicles stay apart if they start after these numbers of points.
 fn are_apart((a, a_shift): (&Track, usize), (b, b_shift): (&Track, usize), limit: f64) -> bool {
     let end = (a.points.len() + a_shift).max(b.points.len() + b_shift);
     // A vehicle that ends in the air stays there.
@@ -264,7 +264,7 @@ pub(crate) fn by_layers(
             return Ok(Some(proposal));
         }
         if left.iter().all(|pair| near.contains(pair)) {
-            // They are in different layers already: they meet on the way up or down.
+            // They are in different layers already, and meet while climbing or descending.
             return Ok(None);
         }
         near.extend(left);
@@ -272,7 +272,7 @@ pub(crate) fn by_layers(
     Ok(None)
 }
 
-/// The lowest layer for each vehicle that none of those before it has, of those that come near it.
+/// The lowest layer for each vehicle that is not used by a nearby vehicle before it.
 fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
     let mut layers: Vec<usize> = Vec::new();
     for vehicle in 0..vehicles {

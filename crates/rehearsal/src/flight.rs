@@ -1,4 +1,4 @@
-//! One vehicle of a rehearsal: how it is started, and what is noted of its flight.
+//! One vehicle of a rehearsal: its start, and the record of its flight.
 
 use sortie_geo::LatLon;
 use sortie_plan::{Fence, FenceArea};
@@ -12,33 +12,33 @@ use sortie_wire::Encoder;
 use crate::place::{Place, Track, sample_s};
 use crate::{Ending, Flown, Participant};
 
-/// ArduCopter's modes.
+/// The numbers of ArduCopter's modes.
 const AUTO: u8 = 3;
 const GUIDED: f32 = 4.0;
-/// The time between two attempts to start, in samples, and their number.
+/// The time between two attempts to start, in samples, and the maximum number of attempts.
 const RETRY: u32 = 50;
 const ATTEMPTS: u32 = 30;
 
-/// What a vehicle is doing.
+/// The phase of a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
-    /// On the ground; the number of attempts to start.
+    /// On the ground; contains the number of attempts to start.
     Waiting(u32),
-    /// Its motors run; whether it has left the ground.
+    /// The motors are running; notes whether the vehicle has left the ground.
     Flying {
         lifted: bool,
     },
     Over,
 }
 
-/// The ground station of one vehicle, and its notes.
+/// The ground station of one vehicle, and the results of its flight.
 #[derive(Debug)]
 pub(crate) struct Flight {
     vehicle: usize,
     port: Option<PortId>,
     encoder: Encoder,
     stage: Stage,
-    /// In samples.
+    /// The start time, in samples.
     starts_at: u32,
     started_at: Option<u32>,
     areas: Vec<FenceArea<[f64; 2]>>,
@@ -118,11 +118,11 @@ impl Flight {
         let mut bytes = Vec::new();
         self.encoder.encode(&message.into(), &mut bytes);
         world.receive(port, &bytes);
-        // Answers show in the vehicle's true state.
+        // The answers are not needed: their effect shows in the vehicle's true state.
         world.take_output(port, &mut Vec::new());
     }
 
-    /// Follows the vehicle for a sample. Returns whether it is in the air.
+    /// Follows the vehicle for one sample. Returns whether it is in the air.
     pub(crate) fn follow(&mut self, sample: u32, world: &mut World) -> bool {
         let truth = world.truth(self.vehicle);
         match self.stage {
@@ -154,7 +154,7 @@ impl Flight {
         if truth.armed && truth.mode == AUTO {
             self.started_at = Some(sample);
             self.stage = Stage::Flying { lifted: false };
-            // Telemetry that nobody reads would take most of the time.
+            // Unread telemetry would take most of the computing time.
             if let Some(port) = self.port.take() {
                 world.disconnect(port);
             }

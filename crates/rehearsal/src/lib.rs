@@ -30,27 +30,27 @@ pub struct Participant {
     pub delay_s: f64,
 }
 
-/// What is the same for all vehicles.
+/// The conditions that are the same for all vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Conditions {
-    /// Home of documents without one.
+    /// The home for documents without one.
     pub home: Option<Start>,
     /// The mean wind in m/s.
     pub wind_m_s: f32,
-    /// Where it comes from, in degrees clockwise from north.
+    /// The direction from which the wind blows, in degrees clockwise from north.
     pub wind_from_deg: f32,
-    /// The gusts, as in `SIM_WIND_TURB`.
+    /// The strength of the gusts, as in `SIM_WIND_TURB`.
     pub turbulence: f32,
     /// The seed of the gusts.
     pub seed: u64,
-    /// Parameters of the vehicles that differ from the usual ones.
+    /// Parameters that differ from their defaults, for all vehicles.
     pub parameters: Vec<(String, f32)>,
-    /// The longest flight, in seconds.
+    /// The maximum duration of a flight, in seconds.
     pub limit_s: f64,
 }
 
 impl Default for Conditions {
-    /// A calm, and at most an hour.
+    /// Calm air, and at most an hour.
     fn default() -> Self {
         Self {
             home: None,
@@ -70,13 +70,13 @@ pub enum RehearsalError {
     /// A document without a plan.
     #[error("vehicle {0} has no plan")]
     NoPlan(usize),
-    /// Neither the document nor the conditions have a home.
+    /// Neither the document nor the conditions contain a home.
     #[error("vehicle {0} has no home")]
     NoHome(usize),
     /// The vehicle refuses a list.
     #[error("vehicle {0} refuses its {1:?} list")]
     Refused(usize, ListKind),
-    /// A parameter that the vehicle does not have.
+    /// A parameter that the vehicle does not have, or an invalid value.
     #[error("no parameter {0}")]
     NoParameter(String),
 }
@@ -90,28 +90,28 @@ pub enum Ending {
     InAir,
     /// The vehicle left its plan for another mode, such as RTL, because of a failsafe: the mode's number.
     LeftPlan(u8),
-    /// It never left the ground.
+    /// The vehicle never left the ground.
     Grounded,
-    /// It collided.
+    /// The vehicle collided with another one.
     Crashed,
-    /// It was still flying when the time was up.
+    /// The vehicle was still flying when the time was up.
     TimeUp,
 }
 
-/// What became of one vehicle.
+/// The outcome for one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flown {
     /// From the start of its motors to the end, in seconds.
     pub time_s: f64,
-    /// What is left of its battery, in per cent of the capacity.
+    /// The remaining battery charge, in percent of the capacity.
     pub energy_left_percent: f64,
     /// The greatest distance from home over the ground, in metres.
     pub farthest_m: f64,
-    /// When it first broke its fence, in seconds of its flight.
+    /// When the vehicle first broke its fence, in seconds of its flight.
     pub broke_fence_s: Option<f64>,
-    /// How it ended.
+    /// The way in which the flight ended.
     pub ending: Ending,
-    /// How far east of its home it started, in metres, because another vehicle stood there.
+    /// How far east of its home the vehicle started, in metres, because another vehicle stood there.
     pub moved_east_m: f64,
 }
 
@@ -120,7 +120,7 @@ pub struct Flown {
 pub struct Outcome {
     /// The vehicles, in the order of the participants.
     pub vehicles: Vec<Flown>,
-    /// For each pair that was in the air together, when it was closest; the closest pair first.
+    /// The closest approach of each pair that was in the air together; the closest pair first.
     pub closest: Vec<Approach>,
     /// The simulated time, in seconds.
     pub simulated_s: f64,
@@ -128,7 +128,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The pairs that came too near to each other.
+    /// The pairs that came too close to each other.
     pub fn conflicts(&self) -> impl Iterator<Item = &Approach> {
         self.closest
             .iter()

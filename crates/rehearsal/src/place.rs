@@ -1,4 +1,4 @@
-//! Where and when vehicles are: their starts, and the samples of their tracks.
+//! Positions and times of vehicles: their starts, and the samples of their tracks.
 
 use sortie_geo::LatLon;
 use sortie_plan::Home;
@@ -6,17 +6,17 @@ use sortie_sim::{STEP, Start};
 
 use crate::{Conditions, Participant, RehearsalError};
 
-/// Steps between two samples: two vehicles that meet at 30 m/s come 0.6 m nearer in that time.
+/// Steps between two samples: two vehicles that approach each other at 30 m/s come 0.6 m closer in that time.
 pub(crate) const STEPS: u32 = 2;
 /// Samples between two points of a track.
 pub(crate) const TRACK_EVERY: u32 = 10;
-/// Vehicles whose homes are nearer than this stand side by side...
+/// Vehicles whose homes are closer together than this, in metres, start side by side ..
 const SAME_PLACE_M: f64 = 2.0;
-/// ... at this distance, which is no conflict.
+/// .. at this distance in metres, which is no conflict.
 const SIDE_BY_SIDE_M: f64 = 8.0;
 
-/// Where a vehicle was in the air: metres north and east of the first vehicle's home and above sea level, at even times
-/// from its start on.
+/// The positions of a vehicle in the air at regular times since its start: metres north and east of the first vehicle's
+/// home, and metres above sea level.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Track {
     pub(crate) points: Vec<Option<[f64; 3]>>,
@@ -30,10 +30,10 @@ pub(crate) fn sample_s() -> f64 {
 /// Where a vehicle starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
-    /// Its number, from 0.
+    /// The vehicle's number, from 0.
     pub(crate) vehicle: usize,
     pub(crate) start: Start,
-    /// How far that is to the east of its home.
+    /// How far the start is to the east of its home.
     pub(crate) moved_east_m: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The world of a rehearsal: all vehicles in lock step.
+//! The world of a rehearsal, with all vehicles in lockstep.
 
 use sortie_geo::LatLon;
 use sortie_plan::ListKind;
@@ -14,7 +14,7 @@ const BOOT_S: f64 = 5.0;
 pub(crate) struct Stage {
     world: World,
     flights: Vec<Flight>,
-    /// The first vehicle's home, and each start from there.
+    /// The first vehicle's home, and each start relative to it.
     starts_m: Vec<[f64; 2]>,
     amsl_m: Vec<f64>,
     limit: u32,

@@ -23,10 +23,10 @@ pub(in crate::cli) struct CheckArguments {
     /// Check for this kind of vehicle; by default the kind that the file names, or a copter.
     #[arg(long, value_enum, value_name = "KIND")]
     vehicle: Option<Vehicle>,
-    /// Warn of heights above this one: `FENCE_ALT_MAX`, in metres above home.
+    /// Report heights above this limit (`FENCE_ALT_MAX`), in metres above home.
     #[arg(long, value_name = "M")]
     ceiling: Option<f32>,
-    /// Warn of places farther from home than this: `FENCE_RADIUS`, in metres.
+    /// Report places farther from home than this (`FENCE_RADIUS`), in metres.
     #[arg(long, value_name = "M")]
     radius: Option<f32>,
     /// The vehicle has terrain data for the area.
@@ -67,7 +67,7 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-/// Prints what is wrong with a plan file; returns whether there is an error.
+/// Prints the faults of a plan file; returns whether there is an error.
 pub(in crate::cli) fn report(
     path: &Path,
     reading: ReadOptions,

@@ -18,7 +18,7 @@ pub(super) struct ConvertArguments {
     /// The file to read, of any format.
     #[arg(value_name = "IN")]
     input: PathBuf,
-    /// The file to write; its ending is its format.
+    /// The file to write; its extension decides the format.
     #[arg(value_name = "OUT")]
     output: PathBuf,
     /// Write only this list.
@@ -87,7 +87,7 @@ pub(super) fn convert(options: &ConvertArguments, locale: &Locale) -> Result<Exi
     Ok(ExitCode::SUCCESS)
 }
 
-/// Why a format cannot hold a document.
+/// The text that explains why a format cannot hold a document.
 pub(super) fn lost(reason: Unwritable) -> Text {
     match reason {
         Unwritable::List(kind) => text!("plan-would-lose", list = list_words(kind)),
@@ -101,7 +101,7 @@ pub(super) fn lost(reason: Unwritable) -> Text {
     }
 }
 
-/// The text of a document in the format of a name, or as a `.plan` if that format is only read.
+/// The text of a document in the format of a file name, or as a `.plan` if that format can only be read.
 pub(super) fn written(name: &str, document: &Document) -> Result<(String, String), Unwritable> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     match FileFormat::of_ending(ending) {

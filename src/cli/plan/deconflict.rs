@@ -23,7 +23,7 @@ pub(super) struct DeconflictArguments {
     /// Keep layers this far apart, in metres.
     #[arg(long, value_name = "M", default_value_t = 6.0, value_parser = parse_layer)]
     layer: f32,
-    /// Write the changed plans to this folder; files that exist there are kept.
+    /// Write the changed plans to this folder; existing files are not replaced.
     #[arg(long, value_name = "DIR")]
     write: Option<PathBuf>,
     #[command(flatten)]
@@ -96,7 +96,7 @@ fn remedy_words(remedy: Remedy, vehicle: usize, file: &str) -> Text {
     }
 }
 
-/// Writes the plans that change.
+/// Writes the changed plans.
 fn write_all(
     folder: &Path,
     proposal: &Proposal,

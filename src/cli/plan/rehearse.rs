@@ -19,7 +19,7 @@ use crate::rehearsal::{
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, rounded};
 
-/// Pairs that are listed, besides those that are too close.
+/// The number of pairs that are listed in addition to those that are too close.
 const LISTED: usize = 3;
 
 /// Options of `sortie plan rehearse`.
@@ -35,11 +35,11 @@ pub(super) struct RehearseArguments {
     json: bool,
 }
 
-/// The vehicles and the weather.
+/// Options for the vehicles and the weather.
 #[derive(Debug, Args)]
 pub(super) struct FlyingArguments {
-    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
-    /// times: one file for each vehicle, the last one for all that follow.
+    /// Use this airframe: a JSON frame file of ArduPilot's SITL. Repeat the option for several vehicles: one file for
+    /// each, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
     /// Start vehicles here if their file has no home: latitude, longitude, height above sea level in metres, heading in
@@ -52,7 +52,7 @@ pub(super) struct FlyingArguments {
     /// The strength of gusts (`SIM_WIND_TURB`).
     #[arg(long, default_value_t = 0.0)]
     turbulence: f32,
-    /// Set a parameter of all vehicles, such as `WPNAV_SPEED=800`; use the option several times for several parameters.
+    /// Set a parameter of all vehicles, such as `WPNAV_SPEED=800`; repeat the option for several parameters.
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
     parameters: Vec<(String, f32)>,
     /// Use this seed for the gusts.
@@ -85,7 +85,7 @@ fn parse_parameter(text: &str) -> Result<(String, f32), String> {
     parsed.ok_or_else(|| "expected NAME=VALUE, such as WPNAV_SPEED=800".to_owned())
 }
 
-/// What is to fly: each vehicle's file and plan, and the weather.
+/// The vehicles with their files and plans, and the weather.
 pub(super) struct Cast {
     pub(super) names: Vec<String>,
     pub(super) participants: Vec<Participant>,
@@ -123,7 +123,7 @@ impl FlyingArguments {
     }
 }
 
-/// Why plans cannot be flown.
+/// The text that explains why plans cannot be flown.
 pub(super) fn unfit(error: &RehearsalError, names: &[String], locale: &Locale) -> Failure {
     let file = |vehicle: &usize| names.get(*vehicle).map_or("", String::as_str);
     let text = match error {
@@ -158,7 +158,7 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
     Ok(ExitCode::from(u8::from(!is_sound(&outcome))))
 }
 
-/// Whether every vehicle flew its plan to the end, inside its fence and apart from the others.
+/// Whether every vehicle flew its plan to the end, inside its fence and clear of the others.
 fn is_sound(outcome: &Outcome) -> bool {
     let flew = |flown: &Flown| match flown.ending {
         Ending::Landed | Ending::InAir => flown.broke_fence_s.is_none(),
@@ -259,7 +259,7 @@ fn approach_words(approach: &Approach) -> Text {
     }
 }
 
-/// The outcome for programs.
+/// The outcome as JSON, for other programs.
 #[derive(Debug, Serialize)]
 struct Document<'a> {
     vehicles: Vec<VehicleRow<'a>>,

@@ -1,4 +1,4 @@
-//! Whether a vehicle would take a list, and whether what it holds is what was sent.
+//! Checks whether a vehicle would accept a list, and whether it holds the list that was sent.
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
@@ -7,8 +7,8 @@ use crate::plan::{ContentHash, Fence, HeightFrame, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
 
-/// The difference in metres or other units that the storage and the wire cause: heights are kept in centimetres, those
-/// of rally points in metres.
+/// The rounding errors of storage and transmission, in metres or other units: heights are kept in centimetres, those of
+/// rally points in metres.
 const ROUNDING: f32 = 0.011;
 const RALLY_ROUNDING: f32 = 1.001;
 
@@ -42,7 +42,7 @@ pub(super) fn check(kind: ListKind, own: &[Item]) -> Result<(), Text> {
     }
 }
 
-/// An item as the vehicle keeps it.
+/// An item as the vehicle stores it.
 fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
     match kind {
         ListKind::Plan => board::plan_item(item),
@@ -61,7 +61,7 @@ fn refusal_of(refusal: Refusal, item: &Item) -> Text {
     }
 }
 
-/// A vehicle's refusal of an item, or of a list.
+/// The text for a vehicle's refusal of an item, or of a list.
 pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
     use MavMissionResult as Result;
     let parameter = |number: u8| text!("plan-result-parameter", number = number);
@@ -85,17 +85,17 @@ pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
     }
 }
 
-/// The number of items of a list that belong to the vehicle: item 0 of a plan is its home.
+/// The number of items that belong to the vehicle itself: item 0 of a plan is its home.
 pub(super) fn home(kind: ListKind) -> usize {
     usize::from(kind == ListKind::Plan)
 }
 
-/// The items of a list without the vehicle's own.
+/// The items of a list without those of the vehicle itself.
 pub(super) fn own(kind: ListKind, items: &[Item]) -> &[Item] {
     items.get(home(kind)..).unwrap_or_default()
 }
 
-/// Whether a vehicle holds what was sent, allowing for what its storage does to it.
+/// Whether a vehicle holds the list that was sent, allowing for the losses of its storage.
 pub(super) fn is_held(kind: ListKind, sent: &[Item], held: &[Item]) -> bool {
     let (sent, held) = (own(kind, sent), own(kind, held));
     sent.len() == held.len()
@@ -129,12 +129,12 @@ fn is_near(sent: i32, kept: i32, held: i32) -> bool {
     sent.abs_diff(held) <= 1 || kept.abs_diff(held) <= 1
 }
 
-/// Whether two numbers are close; two that are not set are.
+/// Whether two numbers are close to each other, or both unset.
 fn is_close(a: f32, b: f32, slack: f32) -> bool {
     (a.is_nan() && b.is_nan()) || (a - b).abs() <= slack
 }
 
-/// The name of a list by its content.
+/// The short name of a list, derived from its content.
 pub(super) fn mark(own: &[Item]) -> String {
     ContentHash::of(own).to_string()
 }

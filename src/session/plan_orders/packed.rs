@@ -5,11 +5,11 @@ use crate::plan::{Item, ListKind};
 use crate::wire::MavAddress;
 
 const MAGIC: u16 = 0x763D;
-/// Magic, list, options, first item, number of items.
+/// Magic number, list, options, first item, number of items.
 const HEADER: usize = 10;
 const ITEM: usize = 38;
 
-/// The path of a list on the vehicle.
+/// The path of a list in the vehicle's file system.
 pub(super) fn path(kind: ListKind) -> &'static str {
     match kind {
         ListKind::Plan => "@MISSION/mission.dat",
@@ -18,7 +18,7 @@ pub(super) fn path(kind: ListKind) -> &'static str {
     }
 }
 
-/// The payload of `MISSION_ITEM_INT`, also for commands and frames that the dialect does not know.
+/// The payload of `MISSION_ITEM_INT`, also for commands and frames that are missing from the dialect.
 pub(super) fn laid_out(item: &Item, seq: u16, to: MavAddress, kind: ListKind) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(ITEM);
     for value in item.params {
@@ -34,7 +34,7 @@ pub(super) fn laid_out(item: &Item, seq: u16, to: MavAddress, kind: ListKind) ->
     bytes
 }
 
-/// The file of a list. Longer lists than the format has room for do not fit on any vehicle.
+/// A list as a file. Lists too long for the format do not fit on any vehicle.
 pub(super) fn pack(kind: ListKind, items: &[Item], to: MavAddress) -> Vec<u8> {
     let count = items.len() as u16;
     let mut bytes = Vec::with_capacity(HEADER + ITEM * items.len());
@@ -47,7 +47,7 @@ pub(super) fn pack(kind: ListKind, items: &[Item], to: MavAddress) -> Vec<u8> {
     bytes
 }
 
-/// The items of a file; `None` if it is not a complete file of that list.
+/// The items in a file; `None` if it is not a complete file of that list.
 pub(super) fn unpack(kind: ListKind, file: &[u8]) -> Option<Vec<Item>> {
     let short = |at: usize| Some(u16::from_le_bytes(*file.get(at..)?.first_chunk()?));
     let rest = file.get(HEADER..)?;

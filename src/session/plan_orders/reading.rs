@@ -12,12 +12,12 @@ use crate::session::plans::wire;
 use crate::vehicle::Transfer;
 use crate::wire::Frame;
 
-/// The pause before a list is requested again: the vehicle may still wait for items of an upload.
+/// The pause before a list is requested again: the vehicle may still be waiting for items of an upload.
 const REST: Duration = Duration::from_secs(2);
 /// The number of attempts on a link that is up.
 const TRIES: u8 = 12;
 
-/// A list that is being read.
+/// A list that is being read from the vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
     kind: ListKind,
@@ -30,16 +30,16 @@ pub(super) struct Reading {
 
 #[derive(Debug, Clone)]
 enum Way {
-    /// Begins at this time.
+    /// Waits until this time, then begins.
     Resting(Duration),
     File(FtpTicket, Vec<u8>),
     Items(Box<Download>),
     Done(Vec<Item>),
-    /// The vehicle has no such list, or hands out no such file.
+    /// The vehicle has no such list, or does not offer it as a file.
     Unsupported,
 }
 
-/// How a reading has ended.
+/// The result of a reading.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Read {
     Items(Vec<Item>),
@@ -57,7 +57,7 @@ impl Reading {
         }
     }
 
-    /// Begins again after the link was lost.
+    /// Starts again after the link was lost.
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         self.leave(ftp);
         *self = Self::new(self.kind, self.by_file, now);
@@ -88,7 +88,7 @@ impl Reading {
         }
     }
 
-    /// Does what is due; returns the end.
+    /// Takes the steps that are due; returns the result at the end.
     pub fn poll(&mut self, desk: &mut Desk<'_>) -> Option<Read> {
         let now = desk.now;
         if let Way::Resting(until) = self.way {

@@ -21,29 +21,29 @@ use crate::session::plans::wire::mission_type;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, Outgoing};
 
-/// How long the first request may take before the length is sent again, and how often it is sent.
+/// How long the first request may take before the length is sent again, and how many times it is sent.
 const FIRST_REQUEST_WITHIN: Duration = Duration::from_secs(1);
 const COUNTS: u8 = 8;
 /// A vehicle ends an upload after 8 s without an item.
 const GIVEN_UP_AFTER: Duration = Duration::from_millis(8500);
-/// A refusal counts if no request has followed it for this long: four requests would have.
+/// A refusal counts if no request follows within this time, in which four would have come.
 const REFUSED_AFTER: Duration = Duration::from_secs(4);
 
-/// An upload under way.
+/// An upload in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Sending {
     kind: ListKind,
     items: Vec<Item>,
     counts: u8,
     counted_at: Duration,
-    /// When an item was last requested, and how many items have been.
+    /// When an item was last requested, and how many were requested.
     asked_at: Option<Duration>,
     reached: usize,
     refusal: Option<(Duration, MavMissionResult)>,
     is_accepted: bool,
 }
 
-/// How an upload has ended.
+/// The result of an upload.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Sent {
     Accepted,
@@ -122,7 +122,7 @@ impl Sending {
         }
     }
 
-    /// Sends the length while nothing is requested; returns the end of the upload.
+    /// Sends the length until the vehicle requests an item; returns the result of the upload at the end.
     pub fn poll(
         &mut self,
         vehicle: &Vehicle,

@@ -1,4 +1,4 @@
-//! The files of plans, as a session needs them.
+//! The interface through which a session accesses plan files.
 
 use std::fmt::Debug;
 

@@ -18,26 +18,26 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::Frame;
 
-/// How often the new list, and then the old one, is written on a link that is up.
+/// How many times the new list, and then the old one, is written on a link that is up.
 const WRITES: u8 = 3;
 const RESTORES: u8 = 5;
 
-/// A transfer under way.
+/// A transfer in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Transaction {
     kind: ListKind,
     /// The list that the vehicle is to hold; `None` if it is only read.
     new: Option<Vec<Item>>,
-    /// What the model had before.
+    /// The list in the vehicle model before the transfer.
     known: Option<Vec<Item>>,
-    /// What the vehicle held before.
+    /// The list that the vehicle held before the transfer.
     old: Vec<Item>,
     by_file: bool,
-    /// Whether the old list is being put back.
+    /// Whether the old list is being restored.
     restores: bool,
-    /// The number of writes for the present goal.
+    /// The number of attempts to write the current list.
     writes: u8,
-    /// Why the new list is not taken.
+    /// Why the vehicle does not accept the new list.
     reason: Option<Text>,
     phase: Phase,
 }
@@ -56,31 +56,31 @@ enum Writing {
     Items(Box<Sending>),
     File {
         ticket: FtpTicket,
-        /// The bytes written, and those of the file.
+        /// The number of bytes written, and the size of the file.
         written: u32,
         size: usize,
         ended: Option<Result<(), FtpFault>>,
     },
 }
 
-/// How a transfer has ended, with what the vehicle holds.
+/// The result of a transfer, with the list that the vehicle holds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Outcome {
     Read(Vec<Item>),
     Written(Vec<Item>),
-    /// It held the list already.
+    /// The vehicle already held the list.
     Same(Vec<Item>),
-    /// Its list has changed since it was read: nothing was written.
+    /// The vehicle's list has changed since it was read; nothing was written.
     Changed(Vec<Item>),
-    /// It did not take the list and holds the old one.
+    /// The vehicle refused the list and holds the old one.
     Kept(Vec<Item>, Text),
-    /// The old list had to be put back.
+    /// The old list had to be restored.
     Restored(Vec<Item>, Text),
-    /// It has no such list.
+    /// The vehicle has no such list.
     Unsupported,
-    /// It was silent; nothing was written.
+    /// The vehicle was silent; nothing was written.
     Unread,
-    /// It was silent after something was written, or took neither list.
+    /// The vehicle was silent after something was written, or accepted neither list.
     Unknown,
 }
 
@@ -100,12 +100,12 @@ impl Transaction {
         }
     }
 
-    /// Whether the old list is being put back.
+    /// Whether the old list is being restored.
     pub fn is_restoring(&self) -> bool {
         self.restores
     }
 
-    /// Its progress in percent.
+    /// The progress in percent.
     pub fn percent(&self) -> u8 {
         let (from, weight, share) = match &self.phase {
             Phase::Keeping(reading) if self.new.is_none() => (0.0, 99.0, reading.share()),
@@ -119,7 +119,7 @@ impl Transaction {
         (from + weight * share) as u8
     }
 
-    /// Finds out what is on board, because the link was down or the vehicle has rebooted.
+    /// Reads the list on board again, because the link was down or the vehicle has rebooted.
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         match &mut self.phase {
             Phase::Keeping(reading) | Phase::Checking(reading) => reading.begin_anew(ftp, now),
@@ -171,7 +171,7 @@ impl Transaction {
         }
     }
 
-    /// Does what is due; returns the end.
+    /// Takes the steps that are due; returns the result at the end.
     pub fn poll(&mut self, desk: &mut Desk<'_>) -> Option<Outcome> {
         if desk.vehicle.link.lost {
             if let Phase::Keeping(reading) = &self.phase {
@@ -225,12 +225,12 @@ impl Transaction {
         None
     }
 
-    /// Begins to write the present goal.
+    /// Begins to write the current list.
     fn write(&mut self, desk: &mut Desk<'_>) {
         let new = self.new.as_deref().unwrap_or_default();
         let items = if self.restores { &self.old } else { new };
         self.writes += 1;
-        // An empty file is not a list for every vehicle.
+        // Not every vehicle accepts an empty file as a list.
         self.phase = Phase::Writing(if self.by_file && !items.is_empty() {
             let bytes = packed::pack(self.kind, items, desk.vehicle.address());
             let size = bytes.len();
@@ -247,7 +247,7 @@ impl Transaction {
         });
     }
 
-    /// Reads back what a write has achieved.
+    /// Reads the list back after a write.
     fn sent(&mut self, sent: Sent, now: Duration) {
         if let (Sent::Refused(result, number), false) = (sent, self.restores) {
             self.reason = Some(self.refusal(result, number));

@@ -1,4 +1,4 @@
-//! The order of a plan: jumps, the takeoff, the end.
+//! The order of a plan: jumps, takeoff, ending.
 
 use super::{Finding, FindingKind, VehicleKind, is_jump, plan_finding};
 use crate::{Item, ListKind, board, command};
@@ -32,7 +32,7 @@ pub(super) fn check(items: &[Item], vehicle: VehicleKind, findings: &mut Vec<Fin
     }
 }
 
-/// The place in the list to which a jump leads.
+/// The index in the list to which a jump leads.
 fn target(items: &[Item], item: &Item) -> Option<usize> {
     match item.command {
         command::DO_JUMP => {
@@ -59,7 +59,7 @@ fn jump_fault(items: &[Item], index: usize, item: &Item) -> Option<FindingKind> 
     let Some(mut at) = target(items, item) else {
         return Some(FindingKind::NoTag(item.params[0] as u16));
     };
-    // Only a chain of jumps comes back without anything to fly.
+    // Only a chain of jumps comes back without an item to fly.
     for _ in 0..items.len() {
         if at == index {
             return Some(FindingKind::JumpRing);
@@ -78,16 +78,16 @@ fn jump_fault(items: &[Item], index: usize, item: &Item) -> Option<FindingKind> 
 
 struct Reached {
     seen: Vec<bool>,
-    /// Whether the vehicle can come to the end of the list in flight.
+    /// Whether the vehicle can reach the end of the list in flight.
     ends_openly: bool,
 }
 
-/// Follows a plan by every way that jumps allow.
+/// Follows a plan along every path that jumps allow.
 fn reached(items: &[Item]) -> Reached {
     let mut seen = vec![false; items.len()];
     let mut ends_openly = false;
     let mut left = vec![0];
-    // Landings of other vehicles' plans go on with the next item: only a return ends for sure.
+    // After a landing, the plans of other vehicles continue with the next item: only a return ends every plan.
     while let Some(at) = left.pop() {
         let Some(item) = items.get(at) else {
             ends_openly = true;
@@ -101,7 +101,7 @@ fn reached(items: &[Item]) -> Reached {
             left.extend(target(items, item));
         }
         let stops = command::is_end(item.command) || (is_jump(item) && is_endless);
-        // A landing in the middle is followed by the next takeoff.
+        // After a landing in the middle, the plan continues with the next takeoff.
         let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
         let goes_on = lands && at + 1 < items.len();
         if !stops || goes_on {

@@ -6,7 +6,7 @@ use super::{CheckOptions, Finding, FindingKind, Height, VehicleKind, plan_findin
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
-/// Farther from home than any vehicle of this size flies.
+/// Farther from home than any vehicle of this size flies, in metres.
 const FAR_M: f64 = 50_000.0;
 
 pub(super) fn check(
@@ -63,7 +63,7 @@ pub(super) fn check(
     }
 }
 
-/// The place of an item, if it names one on the earth.
+/// The place of an item, if it has a valid one.
 fn place_of(item: &Item) -> Option<LatLon> {
     let point = item.point();
     let is_set = command::has_place(item.command) && (item.x, item.y) != (0, 0);
@@ -89,7 +89,7 @@ fn length([north, east]: [f64; 2]) -> f64 {
     (north * north + east * east).sqrt()
 }
 
-/// Whether a straight leg between two allowed points leaves an area to stay in, or enters one to stay out of.
+/// Whether a straight leg between two allowed points leaves an inclusion area or enters an exclusion area.
 fn is_crossed(area: &FenceArea<[f64; 2]>, from: [f64; 2], to: [f64; 2]) -> bool {
     match &area.shape {
         AreaShape::Polygon(corners) => {
@@ -99,7 +99,7 @@ fn is_crossed(area: &FenceArea<[f64; 2]>, from: [f64; 2], to: [f64; 2]) -> bool 
                 edge.is_some_and(|edge| crosses([from, to], [edge, *corner]))
             })
         }
-        // A circle has no way out between two points inside it.
+        // A straight line between two points inside a circle never leaves it.
         AreaShape::Circle { .. } if area.keeps_in => false,
         AreaShape::Circle { centre, radius_m } => nearest_m(*centre, from, to) < *radius_m,
     }
@@ -156,7 +156,7 @@ fn check_heights(
             if let Some(most_m) = options.ceiling_m.filter(|most_m| height_m > *most_m) {
                 add(FindingKind::AboveCeiling { height_m, most_m });
             }
-            // Zero means the height that the vehicle has.
+            // Zero means the vehicle's current height.
             let is_unset = item.z == 0.0 && !command::is_takeoff(item.command);
             if height_m <= 0.0 && !is_unset {
                 add(FindingKind::LowHeight { height_m });
@@ -174,7 +174,7 @@ fn check_heights(
     }
 }
 
-/// A height above home, if it is known without the ground.
+/// A height above home, if it can be computed without the height of the ground.
 fn above_home(height: Height, home: Option<Home>) -> Option<f32> {
     match height.frame {
         HeightFrame::Home => Some(height.metres),

@@ -1,4 +1,4 @@
-//! `GeoJSON` (RFC 7946). Heights of other programs' shapes are taken as heights above sea level.
+//! `GeoJSON` (RFC 7946). Heights of other programs' shapes count as heights above sea level.
 
 use std::collections::BTreeMap;
 
@@ -138,7 +138,7 @@ fn drawn(feature: &Drawn) -> Json {
         let value = match datum {
             Datum::Word(word) => json!(word),
             Datum::Whole(number) => json!(number),
-            // By way of the shortest decimal form; NaN becomes null.
+            // The shortest decimal form; NaN becomes null.
             Datum::Real(number) => number
                 .to_string()
                 .parse::<f64>()

@@ -1,10 +1,10 @@
-//! JSON that remembers where each value stands, so that faults can be shown in the file.
+//! JSON with the place of each value in the text, so that faults can be shown there.
 
 use std::ops::Range;
 
 use crate::fault::{Expected, Fault, FaultKind, Syntax};
 
-/// More levels than any of the formats has.
+/// More levels than any of the formats uses.
 const DEEPEST: usize = 64;
 
 /// A value and its place in the text.
@@ -39,7 +39,7 @@ impl Node {
         Fault::new(self.span.clone(), FaultKind::Expected(what))
     }
 
-    /// The value of a key of an object; the last one, if it stands there twice.
+    /// The value of a key of an object; the last one, if the key appears twice.
     pub(super) fn get(&self, key: &str) -> Option<&Self> {
         match &self.value {
             Value::Object(fields) => {
@@ -57,7 +57,7 @@ impl Node {
         if !matches!(self.value, Value::Object(_)) {
             return Err(self.expected(Expected::Object));
         }
-        // The whole object would hide where it begins.
+        // Marking the whole object would hide where it begins.
         let start = self.span.start..self.span.start + 1;
         self.get(key)
             .ok_or_else(|| Fault::new(start, FaultKind::Missing(key)))
@@ -125,7 +125,7 @@ impl Node {
         }
     }
 
-    /// A list of exactly so many values.
+    /// A list of exactly `N` values.
     pub(super) fn array<const N: usize>(&self) -> Result<&[Self; N], Fault> {
         let list = self.list()?;
         list.try_into()
@@ -233,7 +233,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Finds the closing quote; the escapes are the library's.
+    /// Finds the closing quote; the library decodes the escapes.
     fn string(&mut self) -> Result<String, Fault> {
         if self.peek() != Some('"') {
             return Err(self.unexpected());

@@ -104,7 +104,7 @@ fn add_shapes(element: &Element, shapes: &mut Vec<Shape>) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The places of an element: `longitude,latitude,height` with gaps between them.
+/// The places in an element: `longitude,latitude,height`, separated by white space.
 fn coordinates(element: &Element) -> Result<Vec<Position>, Fault> {
     let Some(list) = element.child("coordinates") else {
         return Err(Fault::new(
@@ -125,7 +125,7 @@ fn coordinates(element: &Element) -> Result<Vec<Position>, Fault> {
         .collect()
 }
 
-/// The places of a track: each in an element of its own, with gaps between the numbers.
+/// The places of a track: each in its own element, with numbers separated by spaces.
 fn track(element: &Element) -> Result<Vec<Position>, Fault> {
     let points = element
         .children
@@ -157,13 +157,13 @@ fn position(numbers: &[f64]) -> Option<Position> {
     })
 }
 
-/// Writes all lists.
+/// Writes all lists as one KML document.
 pub(super) fn write(document: &Document) -> String {
     let mut text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
                     <kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n"
         .to_owned();
     for feature in shapes::features(document) {
-        // Writing to a string cannot fail. Names and words are ours: there is nothing to escape.
+        // Writing to a string cannot fail. All names are our own, so nothing needs to be escaped.
         let _ = write!(
             text,
             "<Placemark><name>{}</name><ExtendedData>",

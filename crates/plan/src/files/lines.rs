@@ -1,4 +1,4 @@
-//! MAVProxy's old fences and rally points: a point on each line.
+//! MAVProxy's old fences and rally points: one point per line.
 
 use super::Parsed;
 use super::number::{Word, lines};
@@ -19,8 +19,8 @@ pub(super) fn is_fence(text: &str) -> bool {
     first.is_some_and(|words| words.iter().all(|word| word.number().is_ok()))
 }
 
-/// `RALLY latitude longitude height break-height direction flags`. The last three are of fixed wings, and MAVLink's
-/// rally points do not have them.
+/// `RALLY latitude longitude height break-height direction flags`. The last three are for fixed-wing aircraft, and
+/// MAVLink's rally points lack them.
 pub(super) fn parse_rally(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut parsed = Parsed::default();
     let mut faults = Vec::new();
@@ -62,7 +62,7 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     ))
 }
 
-/// The return point, then the corners of one area to stay in; the last corner repeats the first.
+/// The return point, then the corners of one inclusion area; the last corner repeats the first.
 pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut points = Vec::new();
     let mut faults = Vec::new();

@@ -1,4 +1,4 @@
-//! Numbers in files: words with their places, and the fixed point of coordinates.
+//! Numbers in files: words with their places, and fixed-point coordinates.
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ impl Word<'_> {
         self.text.parse().map_err(|_| not_a_number())
     }
 
-    /// A whole number that fits; files may write it as `3.000000`.
+    /// A whole number that fits the type; files may write it as `3.000000`.
     pub(super) fn whole<T: TryFrom<i64>>(&self) -> Result<T, Fault> {
         let number = self.number()?;
         whole(number)
@@ -70,8 +70,8 @@ pub(super) fn whole<T: TryFrom<i64>>(number: f64) -> Option<T> {
         .and_then(|number| T::try_from(number).ok())
 }
 
-/// A number in units of 10 to the minus `decimals`, rounded; `None` if it does not fit. A number that is not set is 0:
-/// for a place that means "here".
+/// A number in units of 10 to the minus `decimals`, rounded; `None` if it does not fit. NaN becomes 0, which means
+/// "here" in a place.
 pub(super) fn fixed(number: f64, decimals: u32) -> Option<i32> {
     if number.is_nan() {
         return Some(0);
@@ -92,7 +92,7 @@ pub(super) fn unfixed(value: i32, decimals: u32) -> String {
     format!("{sign}{whole}.{part:0width$}", width = decimals as usize)
 }
 
-/// The decimals of x and y: degrees, metres of a local frame, or plain parameters.
+/// The number of decimals of x and y: degrees, metres of a local frame, or plain parameters.
 pub(super) fn decimals(command: u16, frame: u8) -> u32 {
     const MISSION: u8 = 2;
     if !command::has_place(command) {
@@ -104,7 +104,7 @@ pub(super) fn decimals(command: u16, frame: u8) -> u32 {
     }
 }
 
-/// The decimals of an item's x and y.
+/// The number of decimals of an item's x and y.
 pub(super) fn decimals_of(item: &Item) -> u32 {
     decimals(item.command, item.frame)
 }

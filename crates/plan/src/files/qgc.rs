@@ -17,7 +17,7 @@ mod fence;
 
 const ABOVE_HOME: u8 = 3;
 
-/// Whether a document is meant to be of this format.
+/// Whether a document is in this format.
 pub(super) fn is_plan(root: &Node) -> bool {
     root.get("fileType").is_some() || root.get("mission").is_some()
 }
@@ -116,7 +116,7 @@ fn read_origin(mission: &Node) -> Result<Origin, Fault> {
     })
 }
 
-/// The plain items that a complex item stands for, such as those of a survey.
+/// The simple items of a complex item, such as a survey.
 fn embedded(node: &Node) -> Result<&[Node], Fault> {
     let inner = node.get("TransectStyleComplexItem").unwrap_or(node);
     if let Some(items) = inner.get("Items") {
@@ -161,7 +161,7 @@ fn read_item(
     Ok(())
 }
 
-/// Jumps name the id of an item; on the wire they name its number.
+/// Converts the targets of jumps from ids of items, as in the file, to numbers, as in MAVLink.
 fn aim_jumps(parsed: &mut Parsed, numbers: &BTreeMap<u32, usize>) -> Result<(), Fault> {
     if numbers.iter().all(|(id, number)| *id as usize == *number) {
         return Ok(());
@@ -240,7 +240,7 @@ struct SimpleItem {
     kind: &'static str,
 }
 
-/// What QGroundControl's editor shows of a height.
+/// The fields of a height that QGroundControl's editor shows.
 #[derive(Serialize)]
 struct HeightFields {
     #[serde(rename = "AMSLAltAboveTerrain")]
@@ -273,7 +273,7 @@ pub(super) fn write(document: &Document) -> Result<String, Unwritable> {
         mission: MissionBlock {
             cruise_speed: origin.cruise_speed_m_s,
             firmware_type: origin.firmware,
-            // The editor's setting for new items: above home.
+            // The editor's setting for new items: heights above home.
             global_plan_altitude_mode: 1,
             hover_speed: origin.hover_speed_m_s,
             items: items

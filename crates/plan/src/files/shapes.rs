@@ -16,7 +16,7 @@ const SEA_LEVEL: u8 = 0;
 const ABOVE_HOME: u8 = 3;
 const ABOVE_TERRAIN: u8 = 10;
 
-/// The key whose value says what a feature of this program is.
+/// The key whose value is the kind of a feature written by this program.
 const KIND: &str = "sortie";
 const PARAMS: [&str; 4] = ["param1", "param2", "param3", "param4"];
 
@@ -36,12 +36,12 @@ pub(super) enum Geometry {
     Polygon(Vec<Vec<Position>>),
 }
 
-/// What the heights of a geometry are measured from.
+/// The reference of the heights of a geometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Heights {
     SeaLevel,
     Terrain,
-    /// There are none.
+    /// The geometry has no heights.
     Unset,
 }
 
@@ -190,7 +190,7 @@ impl Reader {
     }
 }
 
-/// The frame and height of a place, if it has a height that counts.
+/// The frame and height of a place, if it has a height with a known reference.
 fn height(shape: &Shape, at: &Position) -> Option<(u8, f32)> {
     let height_m = at.height_m? as f32;
     match shape.heights {
@@ -245,7 +245,7 @@ impl Feature {
         Fault::new(span, FaultKind::OutOfRange(text))
     }
 
-    /// The place of its point, in 1e-7 degrees.
+    /// The place of the feature's point, in 1e-7 degrees.
     fn point(&self) -> Result<(i32, i32), Fault> {
         let found = self.shapes.iter().find_map(|shape| match &shape.geometry {
             Geometry::Point(at) => Some((at, &shape.span)),
@@ -282,7 +282,7 @@ impl Feature {
     }
 }
 
-/// A value of a feature that is written.
+/// A value in the data of a feature to write.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Datum {
     Word(&'static str),
@@ -301,7 +301,7 @@ impl fmt::Display for Datum {
     }
 }
 
-/// A place as it is written: longitude and latitude in 1e-7 degrees.
+/// A place to write: longitude and latitude in 1e-7 degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Spot {
     pub(super) x: i32,
@@ -323,7 +323,7 @@ pub(super) enum Outline {
     Ring(Vec<Spot>),
 }
 
-/// A feature that is written.
+/// A feature to write.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Drawn {
     pub(super) name: String,
@@ -331,7 +331,7 @@ pub(super) struct Drawn {
     pub(super) outline: Outline,
 }
 
-/// A document as features: drawings of the path and the areas, home, and each item.
+/// A document as features: drawings of the path and the areas, home, and every item.
 pub(super) fn features(document: &Document) -> Vec<Drawn> {
     let mut features = drawings(document);
     if let Some(Home { x, y, z }) = document.home {

@@ -1,4 +1,4 @@
-//! The elements of an XML document, with their places.
+//! The elements of an XML document, with their places in the text.
 
 use std::ops::Range;
 
@@ -7,19 +7,19 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::fault::{Fault, FaultKind, Syntax};
 
-/// More levels than any KML file has.
+/// More levels than any KML file uses.
 const DEEPEST: usize = 100;
 
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Element {
-    /// Without a prefix.
+    /// The name without its namespace prefix.
     pub(super) name: String,
-    /// The attribute `name`.
+    /// The attribute `name`, if there is one.
     pub(super) label: Option<String>,
-    /// The tag that opens it.
+    /// The place of the opening tag.
     pub(super) span: Range<usize>,
     pub(super) children: Vec<Element>,
-    /// The text right inside it.
+    /// The text directly inside the element.
     pub(super) text: String,
     /// Where the text begins.
     pub(super) text_at: usize,
@@ -30,14 +30,14 @@ impl Element {
         self.children.iter().find(|child| child.name == name)
     }
 
-    /// The text without the gaps around it.
+    /// The place of the text without surrounding white space.
     pub(super) fn text_span(&self) -> Range<usize> {
         let gap = self.text.len() - self.text.trim_start().len();
         let start = self.text_at + gap;
         start..start + self.text.trim().len()
     }
 
-    /// All elements of a name, at any level, but none inside another of the same name.
+    /// All elements with a name, at any level, but none inside another of the same name.
     pub(super) fn find_all<'a>(&'a self, name: &str, into: &mut Vec<&'a Self>) {
         for child in &self.children {
             if child.name == name {
@@ -49,7 +49,7 @@ impl Element {
     }
 }
 
-/// The document as one element without a name.
+/// The document as an unnamed root element.
 pub(super) fn parse(text: &str) -> Result<Element, Fault> {
     let mut reader = Reader::from_str(text);
     let mut open = vec![Element::default()];

@@ -1,4 +1,4 @@
-//! The fence of a `.plan`.
+//! The fence of a `.plan` file.
 
 use serde::Serialize;
 
@@ -107,10 +107,10 @@ struct PolygonArea {
     version: u8,
 }
 
-/// The fence as the file has it.
+/// The fence in the form of the file.
 ///
 /// # Errors
-/// Items that belong to no whole area, or a second return point.
+/// Items that belong to no complete area, or a second return point.
 pub(super) fn block(items: &[Item]) -> Result<FenceBlock, Unwritable> {
     let mut block = FenceBlock {
         breach_return: None,
