@@ -28,7 +28,7 @@ impl Diagnostic {
         }
     }
 
-    /// Adds advice.
+    /// The same fault, with advice on how to repair it.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());

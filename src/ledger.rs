@@ -155,7 +155,7 @@ impl LedgerRow {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Risk {
-    /// No special risk.
+    /// The command carries no special risk.
     #[default]
     None,
     /// It stops motors of a vehicle that may be in the air.

@@ -15,7 +15,7 @@ pub struct Moment {
     /// The vehicles concerned; empty if it concerns the whole flight.
     pub vehicles: Vec<VehicleId>,
     pub kind: MomentKind,
-    /// A short description.
+    /// What happened, in a few words.
     pub text: Text,
 }
 
@@ -122,7 +122,7 @@ pub enum Alignment {
 }
 
 impl Alignment {
-    /// All names.
+    /// The names of all kinds, as commands and files write them.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 
     pub fn name(self) -> &'static str {

@@ -14,7 +14,7 @@ pub struct Notice {
     pub at: Duration,
     /// The vehicle concerned, if any.
     pub vehicle: Option<VehicleId>,
-    /// Its severity.
+    /// How serious the notice is.
     pub severity: Severity,
     /// The kind of alert that it reports, if known.
     pub kind: Option<AlertKind>,

@@ -20,7 +20,7 @@ pub struct Growth {
 pub struct Wealth {
     /// Credits left after the entry.
     pub credits: u32,
-    /// Total experience points.
+    /// The experience points earned so far.
     pub experience: u64,
 }
 

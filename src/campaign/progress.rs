@@ -14,7 +14,7 @@ use crate::text::Text;
 pub struct CareerProgress {
     /// Credits that can be spent.
     pub credits: u32,
-    /// Total experience points.
+    /// The experience points earned so far.
     pub experience: u64,
     pub level: u32,
     /// Experience that the next level needs.

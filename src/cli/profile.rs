@@ -79,7 +79,7 @@ enum ProfileCommand {
     Delete {
         /// The name of the profile.
         name: String,
-        /// Delete without confirmation.
+        /// Delete the profile without asking for confirmation.
         #[arg(long)]
         yes: bool,
     },
@@ -133,7 +133,7 @@ struct ListedProfile {
     flights: u32,
 }
 
-/// A profile as a document.
+/// A profile with its progress, as JSON.
 #[derive(Debug, Serialize)]
 struct ShownProfile<'a> {
     name: &'a str,

@@ -18,7 +18,7 @@ pub(super) struct ReplayArguments {
     record: String,
 }
 
-/// Replays a recording.
+/// Opens the console on a recording.
 pub(super) fn replay(
     arguments: &ReplayArguments,
     settings: CliSettings,

@@ -60,7 +60,7 @@ pub(super) struct RunArguments {
     /// --profile, a flight with a chosen seed counts as practice.
     #[arg(long)]
     seed: Option<u64>,
-    /// Refused: the layout of the day is flown by hand.
+    /// Fly the seed of the day: always refused, because it is flown by hand.
     #[arg(long, hide = true)]
     daily: bool,
     /// Fly an exam: always refused, because exams are flown by hand.
@@ -121,8 +121,7 @@ impl Speedup {
         }
     }
 
-    /// The speed-up for SITL. At full speed the vehicles' clocks would drift apart, so it is one that all of them can
-    /// hold.
+    /// The speed-up for SITL: one that all vehicles can hold, because at full speed their clocks would drift apart.
     fn of_sitl(self, vehicles: usize) -> f64 {
         match self {
             Self::Times(times) => times,
@@ -144,7 +143,7 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
         .map_err(|expected| format!("{expected}, or `max`"))
 }
 
-/// The JSON output.
+/// The result of a run, as `--json` prints it.
 #[derive(Debug, Serialize)]
 struct RunResultDocument<'a> {
     #[serde(flatten)]

@@ -49,8 +49,8 @@ pub(super) struct SimArguments {
         allow_hyphen_values = true
     )]
     home: StartPlace,
-    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
-    /// times: one file for each vehicle, the last one for all that follow.
+    /// Use this airframe: a JSON frame file of ArduPilot's SITL. Repeat the option for several vehicles: one file for
+    /// each, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
 }

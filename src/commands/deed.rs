@@ -84,7 +84,7 @@ pub enum Subject {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spot {
-    /// The vehicle's position.
+    /// The current position of the vehicle.
     Here,
     At(LatLon),
     /// Metres from the mission's origin.

@@ -19,9 +19,9 @@ pub enum PlanDeed {
     Upload { file: String },
     /// Write it into a new file.
     Download { file: String },
-    /// Remove all items.
+    /// Remove all items of the list on board.
     Clear,
-    /// Read it again.
+    /// Read the list on board again.
     Show,
 }
 

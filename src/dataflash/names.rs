@@ -1,6 +1,6 @@
 //! The names of events, errors and reasons in logs by number, as in `ArduPilot` 4.6.
 
-/// Events (`EV.Id`).
+/// The names of events by their number (`EV.Id`).
 const EVENTS: &[(u8, &str)] = &[
     (10, "ARMED"),
     (11, "DISARMED"),

@@ -93,7 +93,7 @@ impl Sharing {
         (sharing, overheard)
     }
 
-    /// Opens a forward.
+    /// Opens a forward on an address.
     pub fn open(
         &mut self,
         spec: ForwardSpec,

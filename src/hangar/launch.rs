@@ -86,9 +86,9 @@ impl Default for Launch {
 #[serde(deny_unknown_fields)]
 #[schema(as = Home)]
 pub struct LaunchHome {
-    /// Latitude in degrees.
+    /// Latitude of the start, in degrees.
     pub lat_deg: f64,
-    /// Longitude in degrees.
+    /// Longitude of the start, in degrees.
     pub lon_deg: f64,
     /// Metres above mean sea level.
     pub altitude_m: f64,

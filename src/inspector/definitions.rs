@@ -107,7 +107,7 @@ impl EnumDefinition {
 }
 
 impl Definitions {
-    /// The embedded definitions.
+    /// The definitions embedded in the program; read at the first call.
     pub fn get() -> &'static Self {
         &DEFINITIONS
     }

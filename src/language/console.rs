@@ -122,7 +122,7 @@ pub enum ParametersLine {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProcessDeed {
     Restart,
-    /// Stop it permanently.
+    /// Stop a process until it is restarted by hand.
     Stop,
 }
 

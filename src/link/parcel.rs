@@ -8,7 +8,7 @@ use tokio::sync::{mpsc, watch};
 use super::{LinkState, LinkStatus, To};
 use crate::wire::Outgoing;
 
-/// Something to send.
+/// A frame or bytes to send over a link.
 #[derive(Debug, Clone)]
 pub(super) enum Parcel {
     /// A message of the console, numbered by the link.

@@ -111,7 +111,7 @@ impl Contacts {
         nearest.map(|(index, _)| index)
     }
 
-    /// Adds a sighting.
+    /// Adds a sighting to the contact that it belongs to, or to a new one.
     pub fn see(&mut self, sighting: &Sighting, now: Duration) -> Seen {
         if let Some(index) = self.known(sighting) {
             return self.0[index].look(sighting, now, index);

@@ -34,7 +34,7 @@ pub(crate) struct Craft {
     pub id: VehicleId,
     /// Its position, once received.
     pub at: Option<Point>,
-    /// Metres above home.
+    /// Height above home, in metres.
     pub height_m: f64,
     pub speed_m_s: f64,
     /// The course that it flies or last flew.

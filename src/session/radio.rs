@@ -15,7 +15,7 @@ use crate::wire::{Content, Frame, Outgoing};
 /// The state of an imperfect radio link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RadioFault {
-    /// The share of frames lost in either direction, 0 to 1; from [`RadioFault::SILENT`] on, nothing arrives.
+    /// The share of frames lost in either direction, 0 to 1; from [`RadioFault::SILENT`] on, no frame arrives.
     pub loss: f64,
     /// The delay in each direction.
     pub delay: Duration,
@@ -27,7 +27,7 @@ impl RadioFault {
     /// A link that loses more than this is cut.
     pub const SILENT: f64 = 0.97;
 
-    /// Whether nothing arrives.
+    /// Whether the radio loses every frame.
     pub fn is_cut(self) -> bool {
         self.loss >= Self::SILENT
     }
@@ -79,7 +79,7 @@ impl Channel {
             && self.outbound.is_empty()
     }
 
-    /// Whether nothing arrives.
+    /// Whether the radio loses every frame.
     pub fn is_cut(&self) -> bool {
         self.fault.is_cut()
     }

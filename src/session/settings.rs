@@ -18,7 +18,7 @@ use crate::wire::{Content, Frame, Outgoing};
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 /// The longest time-out; it grows while the vehicle does not answer.
 const LONGEST_PATIENCE: Duration = Duration::from_secs(5);
-/// The maximum number of settings under way; a link of 57600 baud has room for them.
+/// The maximum number of settings in progress; a link of 57600 baud can carry them.
 const MOST_AT_ONCE: usize = 8;
 
 /// A change to a simulator or a link, made without a notice. It lasts until another of its kind replaces it.

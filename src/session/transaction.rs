@@ -53,7 +53,7 @@ enum TransactionPhase {
     Over,
 }
 
-/// A command under way.
+/// A command in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Transaction {
     pub(super) order: VehicleCommand,
@@ -170,7 +170,7 @@ impl Transaction {
         }
     }
 
-    /// Gives way to another command.
+    /// Ends the command in favour of another one.
     pub fn supersede(&self, reason: &Text, now: Duration, output: &mut Output) {
         self.report(RowState::Superseded, Some(reason.clone()), now, output);
     }
@@ -182,7 +182,8 @@ impl Transaction {
         }
     }
 
-    /// Ends it if another source has taken over the vehicle, unless one of our own orders is causing the change.
+    /// Ends the command if another source has taken control of the vehicle, unless one of our own orders causes the
+    /// change.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {

@@ -30,7 +30,7 @@ pub enum Opening {
 /// The options of the console.
 #[derive(Debug, Clone)]
 pub struct ConsoleOptions {
-    /// The first activity.
+    /// The first activity of the console, such as the home screen or a mission.
     pub opening: Opening,
     pub backend: VehicleBackend,
     /// ArduPilot's SITL, if it is available for a choice on the home screen.

@@ -39,7 +39,7 @@ enum ParsedInput {
     Whole(Option<Input>, usize),
     /// The start of a paste, with its length.
     Paste(usize),
-    /// An incomplete input.
+    /// An incomplete key sequence.
     Partial,
 }
 

@@ -53,7 +53,7 @@ pub enum Role {
     Armed,
     /// A vehicle that can be armed.
     Ready,
-    /// An unacknowledged alert.
+    /// An alert that has not been acknowledged.
     Alert,
     /// Where vehicles may fly.
     Fence,

@@ -254,7 +254,7 @@ pub struct RcChannels {
 pub struct AutopilotVersion {
     /// Major and minor version, and the patch.
     pub firmware: (u8, u8, u8),
-    /// Bits of `MAV_PROTOCOL_CAPABILITY`.
+    /// The vehicle's capabilities, as bits of `MAV_PROTOCOL_CAPABILITY`.
     pub capabilities: u64,
     /// The board's unique id; it distinguishes two vehicles with the same system id.
     pub uid: u64,

@@ -52,13 +52,13 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
 }
 
-/// Hyperbolic cosine.
+/// Hyperbolic cosine of `x`.
 #[must_use]
 pub fn cosh(x: f64) -> f64 {
     libm::cosh(x)
 }
 
-/// Hyperbolic sine.
+/// Hyperbolic sine of `x`.
 #[must_use]
 pub fn sinh(x: f64) -> f64 {
     libm::sinh(x)
@@ -82,7 +82,7 @@ pub fn exp2(x: f64) -> f64 {
     libm::exp2(x)
 }
 
-/// Natural logarithm.
+/// Natural logarithm of `x`.
 #[must_use]
 pub fn ln(x: f64) -> f64 {
     libm::log(x)
@@ -121,7 +121,7 @@ pub fn powi(base: f64, exponent: i32) -> f64 {
     if exponent < 0 { 1.0 / product } else { product }
 }
 
-/// Cube root.
+/// Cube root of `x`.
 #[must_use]
 pub fn cbrt(x: f64) -> f64 {
     libm::cbrt(x)

@@ -22,7 +22,7 @@ pub const ROI: u16 = 80;
 pub const SPLINE_WAYPOINT: u16 = 82;
 /// Takes off vertically (VTOL).
 pub const VTOL_TAKEOFF: u16 = 84;
-/// Lands vertically (VTOL).
+/// Lands vertically, as a VTOL.
 pub const VTOL_LAND: u16 = 85;
 /// Waits for a time before the next navigation command.
 pub const DELAY: u16 = 93;

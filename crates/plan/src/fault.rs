@@ -87,11 +87,11 @@ pub enum Syntax {
 /// The value that the format requires in a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
-    /// Any number.
+    /// A number, written with digits.
     Number,
     /// A number or `null`.
     NumberOrNull,
-    /// A string.
+    /// A string in quotes.
     Text,
     /// A Boolean: `true` or `false`.
     Flag,

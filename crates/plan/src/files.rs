@@ -22,17 +22,17 @@ mod wpl;
 pub enum SourceFormat {
     /// `QGC WPL 110` or `120`: Mission Planner, MAVProxy, QGroundControl.
     Wpl,
-    /// QGroundControl's `.plan`.
+    /// QGroundControl's `.plan` files.
     QgcPlan,
     /// MAVProxy's old fence: a latitude and a longitude on each line, the first the return point.
     OldFence,
     /// MAVProxy's old rally points: `RALLY` lines.
     OldRally,
-    /// KML.
+    /// Google Earth's KML, without compression.
     Kml,
     /// KML in a zip archive.
     Kmz,
-    /// `GeoJSON`.
+    /// `GeoJSON`, as in RFC 7946.
     GeoJson,
 }
 
@@ -87,7 +87,7 @@ impl Default for ReadOptions {
 pub struct Loaded {
     /// The format that the content has.
     pub format: SourceFormat,
-    /// What it says.
+    /// The lists that the file contains.
     pub document: Document,
     /// Where each item stands.
     pub places: Places,

@@ -39,7 +39,7 @@ pub struct Collision {
     pub vehicle: usize,
     /// The thing that the vehicle hit: an obstacle or another vehicle.
     pub with: Met,
-    /// The vehicle's position.
+    /// The position of the vehicle.
     pub place: LatLon,
     /// Its altitude, metres above mean sea level.
     pub altitude_amsl_m: f64,

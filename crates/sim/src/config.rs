@@ -19,7 +19,7 @@ pub struct WorldConfig {
     pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
-    /// The obstacles.
+    /// The obstacles that vehicles can hit.
     pub obstacles: Vec<Obstacle>,
     /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
     /// GUIDED. Otherwise they are ready after about a second.

@@ -20,8 +20,8 @@ pub struct Input {
 pub enum InputKind {
     /// A ground station was attached to a serial port.
     Connected(Serial),
-    /// It was detached.
+    /// The ground station was detached.
     Disconnected,
-    /// It sent these bytes.
+    /// The ground station sent these bytes.
     Bytes(Vec<u8>),
 }

@@ -15,7 +15,7 @@ pub enum Tone {
     Met,
     /// An objective that was not reached.
     Missed,
-    /// An obstacle.
+    /// A condition that blocks or restricts the mission.
     Warning,
     /// The next thing to do.
     Hint,

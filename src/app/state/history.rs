@@ -25,7 +25,7 @@ pub enum Channel {
     Current,
     /// Charge left in the main pack, in percent.
     Remaining,
-    /// Throttle, in percent.
+    /// The throttle output, in percent.
     Throttle,
 }
 

@@ -35,7 +35,7 @@ pub struct NoticeLine {
 /// What a line stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LineContent {
-    /// Its notice.
+    /// The notice that the line repeats.
     Notice,
     /// The texts of vehicles that are counted and not listed.
     UnlistedTexts,

@@ -16,7 +16,7 @@ use crate::mission::{Mission, Report};
 use crate::scoring::Medal;
 use crate::store;
 
-/// A pilot that the catalogue is measured with.
+/// A pilot script that a mission is tested with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum CheckPilot {

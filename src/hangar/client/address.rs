@@ -16,7 +16,7 @@ pub struct HangarAddress {
 /// Why a text is not an address of a hangar.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HangarAddressError {
-    /// It requires encryption.
+    /// The address begins with `https:`, which no hangar supports.
     #[error(
         "a hangar does not speak HTTPS: use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` and http://127.0.0.1:{PORT}"
     )]

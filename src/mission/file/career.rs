@@ -22,7 +22,7 @@ const MEDALS: [(&str, Medal); 3] = [
     ("gold", Medal::Gold),
 ];
 
-/// The section `[requires]`.
+/// Reads the section `[requires]`.
 pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let missions_form = list(mission_id(), 0, usize::MAX);
     let missions = table.may("missions", missions_form, "missions that must be passed");
@@ -66,7 +66,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     })
 }
 
-/// The section `[rewards]`.
+/// Reads the section `[rewards]`.
 pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
     let credits_form = whole(0, MOST_CREDITS, "");
     let credits = table.or(

@@ -25,7 +25,7 @@ pub(super) enum RecordLine {
         #[serde(flatten)]
         change: RecordChange,
     },
-    /// A deed: [`Flight::act`](crate::mission::Flight::act).
+    /// An action of a vehicle in the mission: [`Flight::act`](crate::mission::Flight::act).
     Act {
         deed: Deed,
         vehicles: Vec<VehicleId>,
@@ -38,7 +38,7 @@ pub(super) enum RecordLine {
     },
     /// An inject of the instructor: [`Flight::inject`](crate::mission::Flight::inject).
     Inject { name: String },
-    /// A pause: [`Flight::note_pause`](crate::mission::Flight::note_pause).
+    /// A pause of the mission: [`Flight::note_pause`](crate::mission::Flight::note_pause).
     Pause { seconds: u64 },
     /// The trainee gave up: [`Flight::abandon`](crate::mission::Flight::abandon).
     Abandon,

@@ -43,7 +43,7 @@ pub(super) fn time(unix_us: u64) -> String {
 /// The tracks of one vehicle, by the message that contains its position.
 #[derive(Debug, Default)]
 struct Stated {
-    /// By `GLOBAL_POSITION_INT`.
+    /// Points from `GLOBAL_POSITION_INT`.
     global: Vec<TrackPoint>,
     /// By `LOCAL_POSITION_NED` from the origin of its estimator.
     local: Vec<TrackPoint>,

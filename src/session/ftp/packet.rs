@@ -2,7 +2,7 @@
 
 use super::fault::FtpNak;
 
-/// `FILE_TRANSFER_PROTOCOL.payload`.
+/// The field `payload` of `FILE_TRANSFER_PROTOCOL`.
 pub type FtpPayload = [u8; 251];
 
 /// The maximum number of bytes of data in one packet.
@@ -30,7 +30,7 @@ pub(super) enum FtpOpcode {
 /// A request to a vehicle's file server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct FtpRequest {
-    /// Its number among our requests; packets carry the lower 16 bits.
+    /// The request's number among ours; packets carry its lower 16 bits.
     pub sequence: u32,
     pub session: u8,
     pub opcode: FtpOpcode,

@@ -14,28 +14,28 @@ const PIECE: usize = 239;
 pub enum Sums {
     #[default]
     Right,
-    /// It returns wrong checksums.
+    /// The server returns wrong checksums.
     Wrong,
-    /// It does not know the request.
+    /// The server does not know the request.
     None,
 }
 
 /// How a server differs from `ArduPilot`'s.
 #[derive(Debug, Clone, Default)]
 pub struct Quirks {
-    /// It answers nothing.
+    /// The server never answers.
     pub is_silent: bool,
-    /// It refuses bursts with this code.
+    /// The server refuses bursts with this code.
     pub refuses_bursts: Option<u8>,
-    /// It ends a burst without a last packet that marks the end.
+    /// The server ends a burst without a last packet that marks the end.
     pub ends_without_word: bool,
-    /// It assigns this session, whatever the client requests.
+    /// The server assigns this session, whatever the client requests.
     pub session: Option<u8>,
-    /// It refuses to read from this offset on.
+    /// The server refuses to read from this offset on.
     pub refuses_from: Option<usize>,
-    /// It reports files as longer than they are, by this many bytes.
+    /// The server reports files as longer than they are, by this many bytes.
     pub estimate: usize,
-    /// It closes the file after this many packets of data.
+    /// The server closes the file after this many packets of data.
     pub forgets_after: Option<usize>,
     pub sums: Sums,
     /// Another client has a file open until this many requests have been refused.

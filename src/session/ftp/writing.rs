@@ -37,7 +37,7 @@ enum WritingStage {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum WritingNews {
     Nothing,
-    /// So many bytes have been written.
+    /// The number of bytes written so far.
     Wrote(u32),
     /// The file has been closed.
     Written,

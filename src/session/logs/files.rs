@@ -10,7 +10,7 @@ use crate::vehicle::Vehicle;
 
 /// The folders where `ArduPilot` stores logs: in SITL, and on boards.
 const FOLDERS: [&str; 2] = ["logs", "/APM/LOGS"];
-/// `MAV_PROTOCOL_CAPABILITY_FTP`.
+/// The bit `MAV_PROTOCOL_CAPABILITY_FTP`: the vehicle offers files.
 const CAPABILITY: u64 = 32;
 
 /// Whether a vehicle announces that it offers files.

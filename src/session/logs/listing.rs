@@ -36,7 +36,7 @@ impl Listing {
         }
     }
 
-    /// Adds an entry.
+    /// Adds an entry of the list that the vehicle sends.
     pub fn receive(&mut self, entry: &LOG_ENTRY_DATA, now: Duration) {
         let highest = self.announced.map_or(0, |(_, highest)| highest);
         // An answer to a repeated request has a smaller last number.
@@ -60,7 +60,7 @@ impl Listing {
         missing.is_none().then(|| logs().collect())
     }
 
-    /// Whether nothing more will come.
+    /// Whether the vehicle has stopped sending new entries.
     pub fn is_stalled(&self) -> bool {
         self.fruitless > FRUITLESS
     }

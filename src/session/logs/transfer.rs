@@ -23,7 +23,7 @@ const SLOW: f64 = 4000.0;
 const SILENCE: Duration = Duration::from_millis(600);
 /// Each fruitless request doubles the next wait, up to this factor.
 const LONGEST_WAIT: u32 = 2;
-/// If nothing new arrives for this long, nothing more will come.
+/// If nothing new arrives for this long, the transfer has stalled.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// The maximum number of gaps tracked; bytes that would split another one are dropped and requested later.
@@ -88,7 +88,7 @@ impl Transfer {
         &self.gaps
     }
 
-    /// Whether nothing more will come.
+    /// Whether the transfer has stalled.
     pub fn is_stalled(&self, now: Duration) -> bool {
         now >= self.news_at + PATIENCE
     }

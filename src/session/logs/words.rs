@@ -39,7 +39,7 @@ pub(super) fn list(logs: &[ListedLog]) -> Text {
     )
 }
 
-/// A complete log.
+/// A log that has been downloaded completely.
 #[derive(Debug, Clone)]
 pub(super) struct WholeLog {
     pub log: ListedLog,
@@ -66,7 +66,7 @@ pub(super) enum LogCarrier {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum FileCheck {
     Same,
-    /// It differs, although the log was read twice.
+    /// The checksum differs, although the log was read twice.
     Other,
     /// The vehicle has added to the file since: its checksum does not apply to the listed log.
     Grown,

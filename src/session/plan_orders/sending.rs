@@ -168,8 +168,8 @@ impl Sending {
     }
 }
 
-/// Whether an answer is about the list. The others tell of the transfer only, such as a vehicle that has waited too
-/// long for an item: it may take the same list the next time.
+/// Whether an answer is a verdict on the list. Other answers are about the transfer only, such as one from a vehicle
+/// that has waited too long for an item: it may accept the same list the next time.
 fn names_a_fault(result: MavMissionResult) -> bool {
     !matches!(
         result,

@@ -20,7 +20,7 @@ pub trait PlanShelf: Debug + Send + Sync {
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
 }
 
-/// The format of a file to write, by its name: a list of its own in `QGC WPL 110` unless the ending says otherwise.
+/// The format of a file to write, by its name: `QGC WPL 110` with one list, unless the extension says otherwise.
 pub(crate) fn format_of(file: &str, kind: ListKind) -> FileFormat {
     let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
     match FileFormat::of_ending(ending) {

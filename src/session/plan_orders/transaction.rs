@@ -1,8 +1,8 @@
-//! The transfer of one list, so that the vehicle holds the new list or the old one at the end.
+//! The transfer of one list, after which the vehicle holds either the new list or the old one.
 //!
 //! The vehicle's list is read and kept; the new one is written, read back and compared. If it differs, it is written
-//! again, and then the old one is put back. What a write has achieved is never taken from its answers, which may be
-//! lost, but from what is read afterwards. While the link is down, the transaction waits.
+//! again; if that fails, the old list is restored. Answers to a write may be lost, so its result is always determined
+//! by reading the list back. While the link is down, the transaction waits.
 
 use std::time::Duration;
 

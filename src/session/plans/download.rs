@@ -21,7 +21,7 @@ const TRIES_PER_FORM: u8 = 3;
 /// The longest list; `ArduPilot` stores some hundreds.
 const MOST_ITEMS: u16 = 5000;
 
-/// A download under way.
+/// A download in progress.
 #[derive(Debug, Clone)]
 pub(in crate::session) struct Download {
     pub kind: ListKind,
@@ -65,7 +65,7 @@ impl Download {
         }
     }
 
-    /// Its state for display.
+    /// The progress of the download, for display.
     pub fn transfer(&self) -> Transfer {
         Transfer::Coming {
             received: u16::try_from(self.items.len()).unwrap_or(u16::MAX),

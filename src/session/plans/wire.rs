@@ -170,14 +170,15 @@ fn item_float(data: &MISSION_ITEM_DATA) -> Item {
     item!(data, x, y)
 }
 
-/// The place of a `MISSION_ITEM`, which is in degrees, as integers; other parameters keep their value.
+/// The place of a `MISSION_ITEM`, given in degrees, as integers; other parameters keep their value.
 fn whole(place: [f32; 2], command: u16) -> [i32; 2] {
     let scale = if has_place(command) { 1e7 } else { 1.0 };
     place.map(|value| (f64::from(value) * scale).round() as i32)
 }
 
-/// An item whose command or frame is unknown to the dialect, by its layout on the wire: four parameters, x, y, z, the
-/// number, the command, target system and component, the frame, whether it is current, whether it goes on.
+/// An item whose command or frame is unknown to the dialect, read by its layout in MAVLink: four parameters, x, y, z,
+/// the number, the command, target system and component, the frame, whether it is current, whether to continue
+/// automatically.
 fn item_by_hand(payload: &[u8; 255], is_int: bool) -> Item {
     let word = |at: usize| {
         [

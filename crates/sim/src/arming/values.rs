@@ -14,7 +14,7 @@ const SPIN_MIN_MAX: f64 = 0.3;
 /// A calibrated stick reaches beyond these, in microseconds.
 const STICK_MIN_US: f64 = 1300.0;
 const STICK_MAX_US: f64 = 1700.0;
-/// The receiver's channels.
+/// The number of receiver channels that are checked.
 const CHANNELS: usize = 8;
 
 /// The reasons against arming that lie in parameters.

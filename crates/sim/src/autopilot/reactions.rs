@@ -15,7 +15,7 @@ const PAUSE: Duration = Duration::from_secs(4);
 /// The id of `FENCE_STATUS`.
 const FENCE_STATUS: u32 = 162;
 
-/// A failsafe check.
+/// A check that may trigger a failsafe.
 type Watch = fn(&mut Failsafe, &FailsafeInputs<'_>) -> Vec<Reaction>;
 
 impl Autopilot {

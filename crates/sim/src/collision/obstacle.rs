@@ -12,7 +12,7 @@ const CELL_M: f64 = 16.0;
 /// An obstacle that covers more cells than this is checked everywhere.
 const CELLS_MAX: f64 = 4096.0;
 
-/// An obstacle.
+/// A building, mast or other fixed body that vehicles can hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Obstacle {
     /// The position of its base's centre.
@@ -42,16 +42,16 @@ pub enum Placement {
 pub enum Shape {
     /// A rectangle, so that the obstacle is a box.
     Box {
-        /// Its length, metres.
+        /// The length of the box, in metres.
         length_m: f64,
-        /// Its width, metres.
+        /// The width of the box, in metres.
         width_m: f64,
         /// The direction of its length, degrees clockwise from north.
         heading_deg: f64,
     },
     /// A circle, so that the obstacle is an upright cylinder.
     Cylinder {
-        /// Its radius, metres.
+        /// The radius of the cylinder, in metres.
         radius_m: f64,
     },
 }

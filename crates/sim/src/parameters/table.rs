@@ -31,7 +31,7 @@ pub(super) struct SubTree {
 /// Every parameter, in the order of the list and by name.
 pub(super) struct ParameterTable {
     pub(super) rows: Vec<ParameterRow>,
-    /// In ascending order.
+    /// The sub-trees, in ascending order.
     pub(super) sub_trees: Vec<SubTree>,
     /// Places in `rows`, sorted by name.
     by_name: Vec<u16>,

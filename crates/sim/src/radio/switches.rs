@@ -53,7 +53,7 @@ impl SwitchPosition {
 /// A switch that has a new position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct SwitchMove {
-    /// Counted from 1.
+    /// The channel of the switch, counted from 1.
     pub(crate) channel: usize,
     pub(crate) function: u16,
     pub(crate) position: SwitchPosition,
@@ -69,7 +69,7 @@ struct Switch {
     was_read: bool,
 }
 
-/// All switches.
+/// The switches of all channels.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Switches([Switch; CHANNELS]);
 

@@ -11,7 +11,7 @@ pub(super) struct ScaleProgress {
     is_terminal: bool,
     said: String,
     said_at: Instant,
-    /// The present measurement.
+    /// The measurement in progress, as the line names it.
     subject: String,
     /// When this repeat began.
     begun: Instant,
