@@ -135,7 +135,7 @@ pub struct HangarSetup {
     /// The folder for the instances' folders.
     pub folder: PathBuf,
     pub limits: HangarLimits,
-    /// What happens to instances that end without a request.
+    /// Whether instances that end without a request are restarted.
     pub restart: Restart,
     /// The `sortie` program, which starts the instances.
     pub sortie: PathBuf,

@@ -142,7 +142,7 @@ impl LedgerRow {
         }
     }
 
-    /// What there is to say beside the state: the explanation, and what ended the effect.
+    /// A remark in addition to the state: the explanation, and what ended the effect.
     pub fn remark(&self) -> Option<Text> {
         let ended = self.ended_by.as_ref();
         let ended = ended.map(|by| text!("outcome-ended", by = by.clone()));

@@ -189,7 +189,7 @@ struct Console {
     program_answer: Option<Result<ProgramAnswer, ProgramFault>>,
     /// Events to handle, oldest first.
     inbox: VecDeque<Event>,
-    /// The rest of the previous session.
+    /// What remains of the previous session while it ends.
     ending: SessionEnding,
     /// Warnings to show at the start.
     warnings: Vec<Text>,

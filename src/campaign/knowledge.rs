@@ -66,13 +66,13 @@ pub enum Mastery {
 /// A requirement of mastery that is not met yet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lack {
-    /// This probability, in percent.
+    /// A higher probability that the skill is mastered: this one, in percent.
     Chance(u8),
-    /// This many more flights.
+    /// More flights: this many.
     Flights(usize),
-    /// This many more missions.
+    /// More missions: this many.
     Missions(usize),
-    /// Flights on this many more days.
+    /// Flights on more days: this many.
     Days(usize),
 }
 

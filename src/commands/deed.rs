@@ -80,7 +80,7 @@ pub enum Subject {
     },
 }
 
-/// A place as given.
+/// A place in the form in which it was given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spot {

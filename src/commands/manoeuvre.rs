@@ -64,7 +64,7 @@ pub enum Manoeuvre {
     },
 }
 
-/// A place as given.
+/// A place in the form in which it was given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Datum {
     Global(LatLon),
@@ -83,7 +83,7 @@ pub enum FarEnd {
     Vehicle(VehicleId),
 }
 
-/// An area as given.
+/// An area in the form in which it was given.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ground {
     Outline(Outline),

@@ -12,10 +12,10 @@ pub struct PlanCommand {
     pub deed: PlanDeed,
 }
 
-/// What is done with a list.
+/// An action on a list of the vehicle.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PlanDeed {
-    /// Replace it by that of a file.
+    /// Replace the list by that of a file.
     Upload { file: String },
     /// Write it into a new file.
     Download { file: String },

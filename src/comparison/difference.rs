@@ -19,7 +19,7 @@ pub struct Difference {
     pub what: Text,
     /// The value in the flight that is examined.
     pub own: Text,
-    /// The value in the other flight.
+    /// The value of the other flight.
     pub other: Text,
     /// The score gained over the other flight; `None` if the difference itself has no points.
     pub points: Option<f64>,

@@ -39,7 +39,7 @@ pub struct ForwardFeed {
 }
 
 impl ForwardFeed {
-    /// What the relay did with its frames so far.
+    /// The relay's counters so far.
     pub fn counts(&self) -> ForwardCounts {
         self.relay.counts(self.id)
     }
@@ -69,7 +69,7 @@ struct Exchange {
     vehicle: VehicleId,
 }
 
-/// What forwards send to the hub.
+/// The messages from forwards to the hub.
 pub(super) struct Overheard {
     pub news: mpsc::Receiver<StationNews>,
     pub frames: mpsc::Receiver<Inbound>,

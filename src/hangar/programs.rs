@@ -96,11 +96,11 @@ pub enum Missing {
     #[error("{by} names {}: {reason}", file.display())]
     Named {
         file: PathBuf,
-        /// Where it was named.
+        /// The option, variable or setting that names the file.
         by: String,
         reason: String,
     },
-    /// It is neither on the PATH nor in these folders.
+    /// The program is neither on the PATH nor in these folders.
     #[error("no {program} on the PATH nor in {}", list(.tried))]
     Nowhere {
         program: &'static str,

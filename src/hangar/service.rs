@@ -72,7 +72,7 @@ pub struct ServiceSetup {
     pub owner: Owner,
     /// The programs, for display.
     pub programs: Vec<Program>,
-    /// What happens to instances that end by themselves.
+    /// Whether instances that end on their own are restarted.
     pub restart: Restart,
     /// The limits of the hangar.
     pub limits: HangarLimits,
@@ -135,7 +135,7 @@ pub struct Status {
     pub capacity: Capacity,
     /// The limits of the hangar.
     pub limits: HangarLimits,
-    /// What happens to instances that end by themselves.
+    /// Whether instances that end on their own are restarted.
     pub restart: Restart,
     /// Processes that an earlier run of the service left behind.
     pub leftovers: Vec<String>,

@@ -15,19 +15,19 @@ const SILENCE: Duration = Duration::from_secs(10);
 /// The condition that an instance is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lack {
-    /// It has not connected.
+    /// The instance has not connected.
     Connection,
-    /// It has closed its connection and not reconnected.
+    /// The instance has closed its connection and not reconnected.
     Reconnection,
-    /// It is connected, but sends no heartbeat.
+    /// The instance is connected, but sends no heartbeat.
     Heartbeat,
-    /// It is connected, but silent.
+    /// The instance is connected, but silent.
     Sound,
     /// The list of parameters does not advance.
     Parameters,
-    /// It gets no position.
+    /// The vehicle has no position.
     Position,
-    /// It cannot be armed.
+    /// The vehicle cannot be armed.
     Readiness,
 }
 

@@ -45,7 +45,7 @@ pub enum ConsoleLine {
     Process {
         /// The action on the process.
         deed: ProcessDeed,
-        /// The vehicle whose process it is.
+        /// The vehicle that the process simulates.
         vehicle: VehicleId,
     },
     /// A command about the table of vehicles.
@@ -79,7 +79,7 @@ pub enum ConsoleLine {
 pub enum ForwardLine {
     /// Open one: its address and its filters.
     Add(String),
-    /// Close the one at this address.
+    /// Close the forward at this address.
     Remove(String),
 }
 
@@ -191,7 +191,7 @@ pub enum GhostLine {
 /// Another flight of the same mission.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostSource {
-    /// The trainee's best one.
+    /// The trainee's best flight.
     Best,
     /// The reference pilot's flight, flown now.
     Reference,

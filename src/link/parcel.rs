@@ -1,4 +1,4 @@
-//! The way of a message into a link's task.
+//! Messages and frames on their way to a link's task.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -29,16 +29,16 @@ pub struct StationNews {
     pub deed: Deed,
 }
 
-/// What a relay did with the frames of one forward, besides passing them on.
+/// The counters of one forward for frames that were not simply passed on.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct ForwardCounts {
     /// Frames to the stations that its filters left out.
     pub filtered: u64,
-    /// Frames of the stations that did not reach the vehicles because it is read-only.
+    /// Frames of the stations that did not reach the vehicles because the forward is read-only.
     pub held_back: u64,
     /// Frames of the stations whose receiver was never heard.
     pub unknown: u64,
-    /// Frames of the stations that came on a second way.
+    /// Frames of the stations that arrived a second time, by another way.
     pub repeated: u64,
 }
 

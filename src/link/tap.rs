@@ -20,7 +20,7 @@ pub struct Tap {
     census: Arc<Mutex<Census>>,
     /// The sink for every frame, if the link is recorded.
     sink: Option<FrameSink>,
-    /// Where its frames are shared with other ground stations, if they are.
+    /// The relay that shares the link's frames with other ground stations, if any.
     relay: Option<RelayPort>,
 }
 

@@ -1,4 +1,4 @@
-//! ATTITUDE.
+//! ATTITUDE: the vehicle's roll, pitch and yaw.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! `EKF_STATUS_REPORT`.
+//! `EKF_STATUS_REPORT`: flags and test ratios of the estimator.
 
 use mavlink::dialects::ardupilotmega::EKF_STATUS_REPORT_DATA;
 

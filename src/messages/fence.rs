@@ -1,4 +1,4 @@
-//! `FENCE_STATUS`.
+//! `FENCE_STATUS`: whether the fence is broken.
 
 use mavlink::dialects::ardupilotmega::{FENCE_STATUS_DATA, FenceBreach};
 

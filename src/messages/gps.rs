@@ -1,4 +1,4 @@
-//! `GPS_RAW_INT`.
+//! `GPS_RAW_INT`: fix, satellites and accuracy.
 
 use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
 

@@ -1,4 +1,4 @@
-//! Parameters that are heard in passing.
+//! `PARAM_VALUE`: values of parameters, requested or not.
 
 use std::str;
 

@@ -1,4 +1,4 @@
-//! `VFR_HUD` and WIND.
+//! `VFR_HUD` and WIND: speeds, climb, throttle and wind.
 
 use std::time::Duration;
 

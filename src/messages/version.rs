@@ -1,4 +1,4 @@
-//! `AUTOPILOT_VERSION`.
+//! `AUTOPILOT_VERSION`: firmware, capabilities and the id of the board.
 
 use mavlink::dialects::ardupilotmega::AUTOPILOT_VERSION_DATA;
 

@@ -1,4 +1,4 @@
-//! VIBRATION.
+//! VIBRATION: vibration levels and clipped accelerations.
 
 use mavlink::dialects::ardupilotmega::VIBRATION_DATA;
 

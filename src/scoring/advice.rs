@@ -82,7 +82,7 @@ enum RemedyTopic {
     Hints,
 }
 
-/// A piece of advice, and the flight as it would have been with it.
+/// A piece of advice, and the flight as it would have gone with it.
 struct Remedy<'a> {
     topic: RemedyTopic,
     text: Text,

@@ -197,7 +197,7 @@ impl<'a> LeftRun<'a> {
         })
     }
 
-    /// What it counts for in a career that stands like this.
+    /// What the flight counts for, given the state of the career.
     fn settle(&self, standing: &CareerStanding) -> SettledFlight {
         let claim = FlightClaim {
             mission: &self.mission,

@@ -240,7 +240,7 @@ impl Records {
             .collect()
     }
 
-    /// A record by what a user calls it: its number, the newest being 1, its name, or one of its files; a tlog of another
+    /// The record that a user names: by its number (the newest is 1), its name, or one of its files; a tlog of another
     /// program is a record, too. Without a folder of records, only files are found.
     ///
     /// # Errors

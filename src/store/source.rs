@@ -37,7 +37,7 @@ pub enum StoreError {
     /// It is too large.
     TooLarge {
         path: PathBuf,
-        /// The id of the message for what was expected.
+        /// The id of the message that names the expected kind of file.
         kind: &'static str,
     },
     /// It cannot be written.
@@ -46,7 +46,7 @@ pub enum StoreError {
     Exists { path: PathBuf },
     /// Neither a file nor a known name.
     Unknown {
-        /// The id of the message for what was expected.
+        /// The id of the message that names the expected kind of file.
         kind: &'static str,
         name: String,
         known: String,

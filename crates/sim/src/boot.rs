@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{EkfStatusFlags, GpsFixType};
 use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
 use super::mode::Mode;
 
-/// The firmware's version, as its banner tells it: the behaviour is that of this commit of `ArduPilot`.
+/// The firmware's version, as in its banner: the behaviour is that of this commit of `ArduPilot`.
 pub(super) const VERSION: &str = "ArduCopter V4.6.0-dev (fbb78585)";
 /// The hash of that commit in `AUTOPILOT_VERSION`.
 pub(super) const COMMIT: [u8; 8] = *b"fbb78585";
@@ -82,7 +82,7 @@ const REALISTIC: &[Entry] = &[
 
 /// Times of states without an event, in hundredths of a second.
 mod at {
-    /// In the quick boot.
+    /// Only in the quick boot.
     pub(super) const QUICK_EKF_STARTED: u32 = 50;
     pub(super) const FIRST_HEARTBEAT: u32 = 95;
     pub(super) const INITIALISED: u32 = 243;

@@ -33,7 +33,7 @@ const TERRAIN_US: i64 = 2_000_000;
 /// Messages that are this many intervals late are skipped.
 const LATE_INTERVALS: u64 = 4;
 
-/// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
+/// The stream groups of `REQUEST_DATA_STREAM`: for each, the suffix of its parameter's name, and its messages.
 const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
     (
         MavDataStream::MAV_DATA_STREAM_RAW_SENSORS,

@@ -34,7 +34,7 @@ pub struct LossMeter {
 #[derive(Debug, Clone)]
 struct Numbering {
     last: u8,
-    /// Which of the numbers behind the last one have not been heard.
+    /// Which of the numbers before the last one have not been heard.
     missing: [bool; 256],
     /// The newest number behind the last one, if the last frame was late.
     behind: Option<u8>,

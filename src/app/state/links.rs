@@ -57,9 +57,9 @@ pub struct ForwardSummary {
     pub dropped: u64,
     /// Messages to the stations that the filters left out.
     pub filtered: u64,
-    /// Messages of the stations that went nowhere: read-only, or their receiver is not known.
+    /// Messages from stations that were not passed on: the forward is read-only, or the receiver is unknown.
     pub held_back: u64,
-    /// Messages that came on a second way.
+    /// Messages that arrived a second time, by another way.
     pub repeated: u64,
 }
 

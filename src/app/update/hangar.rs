@@ -64,7 +64,7 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
     known.printed = Some((vehicle, lines));
 }
 
-/// Handles that all are ready: a user who waited in the hangar goes to the flight.
+/// Notes that all vehicles are ready: a user who waited in the hangar goes to the flight.
 fn begin(state: &mut State, count: usize) {
     let ready = Notice::general(
         state.now,

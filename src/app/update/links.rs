@@ -10,7 +10,7 @@ use crate::notice::Notice;
 use crate::text;
 use crate::vehicle::Severity;
 
-/// By then, a vehicle on the link should have been heard.
+/// The time within which a vehicle on a new link should be heard.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Stores the doctor's findings, and adds notices of those that need action.

@@ -12,7 +12,7 @@ pub struct FlightClaim<'a> {
     pub mission: &'a Mission,
     pub stake: Stake,
     pub seed: u64,
-    /// How the mission compares with that of the course; old reports do not tell, and count as they claim.
+    /// How the mission compares with that of the course; old reports lack this, and count as they claim.
     pub mission_file: Option<MissionFile>,
     /// The source of the commands; old records do not tell, and count as they claim.
     pub flown_by: Option<FlownBy>,
@@ -31,8 +31,8 @@ pub struct SettledFlight {
 }
 
 impl FlightClaim<'_> {
-    /// What the flight counts for in a career that stood like this before it. A flight that was meant as practice stays
-    /// practice; any other must be one that the career would have allowed, with the seed of its exam or its day.
+    /// What the flight counts for, given the state of the career before it. Practice stays practice; any other flight
+    /// must be one that the career would have allowed, with the seed of its exam or its day.
     pub fn settle(&self, trainee: AttemptTrainee<'_>) -> SettledFlight {
         let (day, stake) = day_and_stake(self.stake, self.seed, self.ended);
         if self.stake == Stake::Practice {

@@ -44,7 +44,7 @@ struct LoadCost {
     bytes_per_s: f64,
 }
 
-/// The counters at one end of a measurement.
+/// The counters at the beginning or the end of a measurement.
 struct LoadMark {
     at: Duration,
     cpu: Duration,

@@ -56,22 +56,22 @@ pub enum Unknown {
         status: ExitStatus,
         output: String,
     },
-    /// It never stops printing.
+    /// The program never stops printing.
     #[error("{} is not a SITL program: it never stops printing{}", file.display(), said(.output))]
     Flood { file: PathBuf, output: String },
     /// It sent no valid announcement.
     #[error("{} has not identified itself within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
-        /// How long it had.
+        /// The time that it had to answer.
         patience: Duration,
         output: String,
     },
-    /// It is a kind of vehicle that the hangar does not start.
+    /// The program simulates a vehicle that the hangar does not start.
     #[error("{} is {vehicle}, not a copter, plane, rover or sub", file.display())]
     OtherVehicle {
         file: PathBuf,
-        /// The name it gives.
+        /// The name of the vehicle, as the program states it.
         vehicle: String,
     },
 }

@@ -74,7 +74,7 @@ impl fmt::Display for FlightBackend {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FlightOutcome {
-    /// It is not over.
+    /// The flight is not over.
     #[default]
     Flying,
     /// All mandatory objectives are met.
@@ -124,9 +124,9 @@ pub enum FlownBy {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum MissionFile {
-    /// It is the course's mission.
+    /// The mission is that of the course.
     Course,
-    /// It has a different revision from that of the course's mission.
+    /// The mission has another revision than that of the course.
     OtherRevision,
     /// It has the same revision as the course's mission, but a different text.
     Altered,

@@ -60,7 +60,7 @@ impl Pin {
         }
     }
 
-    /// `None` if there are no values.
+    /// The range of the values; `None` if there are no values.
     pub fn extent(&self) -> Option<PinExtent> {
         let (_, now) = self.points.back()?;
         let values = || self.points.iter().map(|(_, value)| *value);

@@ -32,13 +32,13 @@ const SIGNS: [(Sign, &str); 4] = [
 /// The trainee's progress with a mission, most important first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sign {
-    /// It is recommended next.
+    /// The mission is recommended next.
     Next,
-    /// It is passed, and a skill that it trains is due for a refresher.
+    /// The mission is passed, and a skill that it trains is due for review.
     Due,
     Passed,
     Locked,
-    /// It can be flown.
+    /// The mission can be flown.
     Open,
 }
 

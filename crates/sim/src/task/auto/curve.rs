@@ -28,7 +28,7 @@ struct CurveStep {
     rise_s: f64,
 }
 
-/// Way, speed and acceleration along the line.
+/// Distance, speed and acceleration along the line.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Motion {
     pub(super) way_m: f64,
