@@ -150,7 +150,7 @@ pub enum Unwritable {
     #[error("rally point {0} is not above home")]
     RallyFrame(usize),
     /// The fence does not consist of complete polygons and circles; contains the first such item, counted from 0.
-    #[error("fence item {0} belongs to no whole area")]
+    #[error("fence item {0} belongs to no complete area")]
     FenceShape(usize),
     /// An infinite number, which JSON does not support; contains the list, and the item counted from 0.
     #[error("item {1} of the {0:?} list has an infinite number")]

@@ -128,7 +128,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
             Some(Unlock::Threat(name))
         }
         _ => {
-            let fault = "what is unlocked is written `part:ID`, `mission:ID` or `threat:ID`";
+            let fault = "write `part:ID`, `mission:ID` or `threat:ID`";
             faults.add(written.span(), fault);
             None
         }

@@ -88,7 +88,7 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
         && own.len() != pads.len()
     {
         let fault = format!(
-            "`vehicles` has {} for {} pads: one each",
+            "`vehicles` has {} entries for {} pads: write one for each",
             own.len(),
             pads.len()
         );

@@ -64,7 +64,7 @@ impl Report {
             return Some(format!("passed without the objective {:?}", missed.id));
         }
         if self.passed && self.given_up {
-            return Some("passed and given up".to_owned());
+            return Some("both passed and given up".to_owned());
         }
         let is_won = self.medal.is_some() && !self.passed;
         is_won.then(|| "a medal of a flight that did not pass".to_owned())

@@ -19,7 +19,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nvehicles = [{}, { loads = { kit = 1 } }]",
-        "27:12: `vehicles` has 2 for 1 pads: one each",
+        "27:12: `vehicles` has 2 entries for 1 pads: write one for each",
     ),
     (
         "max_vehicles = 1",
@@ -134,7 +134,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[rewards]\nunlock = [\"s_gpr\"]\n[fleet]",
-        "24:11: what is unlocked is written `part:ID`, `mission:ID` or `threat:ID`",
+        "24:11: write `part:ID`, `mission:ID` or `threat:ID`",
     ),
     (
         "[fleet]",

@@ -88,7 +88,7 @@ impl Argument {
         match self {
             Self::Number => "a number",
             Self::Zone => "the id of a zone",
-            Self::Place => "the id of a zone, or of what an event brings",
+            Self::Place => "the id of a zone, or of an object that an event spawns",
             Self::Objective => "the id of an objective",
             Self::Hazard => "the id of a hazard",
             Self::Sensor => "a sensor",
