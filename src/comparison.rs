@@ -225,7 +225,7 @@ impl FlightCourse {
         self.reached.resize(progress.objectives.len(), None);
         for (objective, reached) in progress.objectives.iter().zip(&mut self.reached) {
             if objective.is_reached() {
-                // It was reached since the last note.
+                // The objective was reached since the last note.
                 reached.get_or_insert(now.saturating_sub(SAMPLE_EVERY));
             }
         }

@@ -62,7 +62,7 @@ pub enum HeartbeatRole {
     GroundStation,
     /// A camera, a gimbal, a companion computer.
     Other,
-    /// It has sent no heartbeat.
+    /// The autopilot has sent no heartbeat.
     Silent,
 }
 

@@ -82,7 +82,7 @@ pub struct Instance {
     pub pid: Option<u32>,
     /// The number of restarts.
     pub restarts: u32,
-    /// Whether a program is attached to it.
+    /// Whether a program is attached to the instance.
     pub attached: bool,
     /// Resident memory in bytes.
     pub memory_bytes: u64,

@@ -10,7 +10,7 @@ use crate::vehicle::VehicleId;
 /// One line for the notice list, the log and the debrief's timeline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Notice {
-    /// When it happened, on the program's clock.
+    /// When the event happened, on the program's clock.
     pub at: Duration,
     /// The vehicle concerned, if any.
     pub vehicle: Option<VehicleId>,
@@ -26,9 +26,9 @@ pub struct Notice {
 /// Where a notice's text comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoticeSource {
-    /// This program says it.
+    /// The notice comes from this program.
     Program,
-    /// It repeats a vehicle's STATUSTEXT.
+    /// The notice repeats a vehicle's STATUSTEXT.
     Vehicle,
 }
 

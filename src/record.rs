@@ -38,7 +38,7 @@ const VERSION: u32 = 1;
 pub struct Head {
     /// The version of the format.
     pub sortie_flight: u32,
-    /// The program that recorded it.
+    /// The program that recorded the session.
     pub program: String,
     /// The time of day when it began: microseconds since 1970 (UTC). Stamps of the tlog count from 1970 as well.
     pub began_unix_us: u64,
@@ -182,7 +182,7 @@ impl Journal {
         Ok(journal)
     }
 
-    /// The bookmarks in it, oldest first.
+    /// The bookmarks in the journal, oldest first.
     pub fn bookmarks(&self) -> impl Iterator<Item = Moment> + '_ {
         self.lines.iter().filter_map(|line| match &line.what {
             Happening::Bookmark { text } => Some(Moment {

@@ -65,9 +65,9 @@ pub struct ReviewPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PointKind {
-    /// It went well and should stay so.
+    /// Something that went well and should be repeated.
     Sustain,
-    /// It should be done differently next time.
+    /// Something to do differently next time.
     Improve,
 }
 
@@ -100,7 +100,7 @@ impl PointKind {
 }
 
 impl ReviewPoint {
-    /// Whether its moment is at this time.
+    /// Whether the point's moment is at this time.
     pub fn is_at(&self, at: Duration) -> bool {
         self.at_ms == milliseconds(at)
     }

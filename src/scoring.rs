@@ -120,13 +120,13 @@ pub struct ObjectiveFact {
     pub measure: f64,
     /// Whether it was reached.
     pub met: bool,
-    /// Whether the mission fails without it.
+    /// Whether the mission fails without the objective.
     pub mandatory: bool,
     /// The measured result as text.
     pub result: Text,
     /// The target as text.
     pub target: Text,
-    /// Advice on how to reach it.
+    /// Advice on how to reach the objective.
     pub advice: Text,
     /// Its product, if it has one.
     pub product: Option<Product>,
@@ -139,7 +139,7 @@ pub struct Product {
     pub quality: f64,
     /// The reasons for the quality, as text.
     pub words: Text,
-    /// Advice to improve it; may be empty.
+    /// Advice on how to improve the product; may be empty.
     pub advice: Text,
     /// Whether the objective measures it, so that a better product reaches the objective.
     pub is_measured: bool,

@@ -143,7 +143,7 @@ impl Vehicle {
         }
     }
 
-    /// The address of messages to it.
+    /// The address for messages to the vehicle.
     pub fn address(&self) -> MavAddress {
         MavAddress {
             system: self.system,

@@ -20,7 +20,7 @@ pub struct Verb {
     pub precedence: Precedence,
     /// Its effect on the movement of its vehicles.
     pub movement: Movement,
-    /// How it counts in a score.
+    /// How commands with the verb count in a score.
     pub counts_as: CountsAs,
 }
 
@@ -41,7 +41,7 @@ impl Verb {
 /// Whether a command needs a confirmation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Danger {
-    /// It is sent at once.
+    /// The command is sent without a confirmation.
     None,
     /// It lists its targets and needs a second key.
     Confirm,
@@ -73,7 +73,7 @@ impl Retry {
 /// The precedence of an order over other orders to the same vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precedence {
-    /// It waits for the answers to earlier orders.
+    /// The order waits for the answers to earlier orders.
     InTurn,
     /// It waits for the answers to earlier orders, and later orders wait for its effect, on which they depend.
     Awaited,
@@ -110,7 +110,7 @@ impl Movement {
         self.arrival().is_some()
     }
 
-    /// Whether the next movement supersedes it.
+    /// Whether the next movement supersedes the order.
     pub fn gives_way(self) -> bool {
         match self {
             Self::None => false,
@@ -127,7 +127,7 @@ pub enum Arrival {
     Done,
     /// When the vehicle stands still at the target of an earlier order.
     AtTarget,
-    /// When it is on the ground.
+    /// The order is done when the vehicle is on the ground.
     Landed,
     /// When the vehicle is in the requested mode; for a landing mode, when it is on the ground.
     Mode,
@@ -146,7 +146,7 @@ pub enum CountsAs {
     Report,
     /// A message between trainee and mission: it does not count as a command.
     Word,
-    /// The same, allowed before launch only: a prediction or a goal.
+    /// As [`CountsAs::Word`], but allowed before launch only: a prediction or a goal.
     Pledge,
     /// A trainee's self-assessment: not part of the flight, and without effect on any score.
     SelfReport,

@@ -28,7 +28,7 @@ fr_650q_fold = quad 650 mm, folding
 fr_680h = hexa 680 mm, folding
 fr_750q_tube = quad 750 mm, carbon tubes
 fr_900h = hexa 900 mm, retracting legs
-fr_960h = hexa 960 mm, umbrella
+fr_960h = hexa 960 mm, umbrella fold
 fr_1045o = octo 1045 mm
 fr_1133h = hexa 1133 mm, heavy
 

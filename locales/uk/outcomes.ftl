@@ -36,7 +36,7 @@ outcome-no-answer = { $tries ->
 outcome-no-parameter = можливо, параметра { $name } немає
 outcome-value-became = { $name } = { $value } (потрібно було { $wanted })
 outcome-other-name = { $outcome } (так у цього апарата зветься { $name })
-outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, з протилежним змістом)
+outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, із протилежним значенням)
 outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-overtaken = режим { $mode }

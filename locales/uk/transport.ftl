@@ -2,7 +2,7 @@
 
 transport-connecting = з'єднується
 transport-up = працює
-transport-waiting = немає, наступна спроба за { $seconds } s
+transport-waiting = немає, наступна спроба через { $seconds } s
 transport-ended = завершено
 transport-is-up = канал { $link } працює
 transport-is-down = канал { $link }: { $reason }

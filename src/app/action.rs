@@ -9,7 +9,7 @@ use super::room_list::Room;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Action {
-    /// Go to a room; its name is that of the room.
+    /// Go to a room; the action has the room's name.
     #[strum(disabled)]
     Show(Room),
     /// Move the cursor or scroll; its name is that of the step.

@@ -39,7 +39,7 @@ pub enum Event {
     Tick {
         /// Time since the start of the program, without pauses of the session.
         now: Duration,
-        /// The same, including pauses.
+        /// Time since the start of the program, including pauses of the session.
         wall: Duration,
     },
     /// News of a vehicle.
@@ -113,14 +113,14 @@ pub enum VehicleEvent {
     },
     /// A command was given in a replay.
     Given {
-        /// The time it was given.
+        /// The time at which the order was given.
         at: Duration,
         /// The whole command in the console's grammar.
         line: String,
         verb: &'static Verb,
-        /// The risk that it brings.
+        /// The risk of the command.
         risk: Risk,
-        /// The vehicles that it addresses.
+        /// The vehicles that the command addresses.
         vehicles: Vec<VehicleId>,
     },
     /// An order made progress with one vehicle.

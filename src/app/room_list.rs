@@ -48,7 +48,7 @@ macro_rules! declare_rooms {
             /// Every room, in the order of the help.
             pub const ALL: [Self; [$($key),+].len()] = [$(Self::$Room),+];
 
-            /// The default key that opens it.
+            /// The default key that opens the room.
             pub const fn key(self) -> char {
                 match self {
                     $(Self::$Room => $key,)+

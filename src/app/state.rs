@@ -110,7 +110,7 @@ pub struct State<R> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     pub text: Text,
-    /// How serious it is.
+    /// The severity of the message.
     pub severity: Severity,
     at: Duration,
 }

@@ -21,7 +21,7 @@ const FRESH_SEEDS: u64 = 1_000_000;
 pub struct Attempt {
     /// The seed of the mission's world.
     pub seed: u64,
-    /// What it counts as in a career.
+    /// What the attempt counts as in a career.
     pub stake: Stake,
     /// The requested stake. The next attempt counts as this if possible.
     pub wanted: Stake,

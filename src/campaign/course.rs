@@ -18,14 +18,14 @@ pub struct Offer {
     pub tier: u8,
     /// The number of drones.
     pub vehicles: u8,
-    /// The mission that it is a drill for.
+    /// The mission that a drill prepares for; `None` if this is not a drill.
     pub drill_of: Option<String>,
     pub requires: Requires,
     /// Credits for a perfect first pass.
     pub credits: u32,
-    /// Parts that passing it unlocks.
+    /// Parts that passing the mission unlocks.
     pub parts: Vec<String>,
-    /// The skills that it trains.
+    /// The skills that the mission trains.
     pub skills: Vec<Skill>,
     /// The names of its objectives, by their ids.
     pub objectives: BTreeMap<String, Text>,

@@ -172,12 +172,12 @@ impl Knowledge {
         lacks
     }
 
-    /// The number of flights that showed it.
+    /// The number of flights that gave evidence.
     pub fn opportunities(&self) -> u32 {
         self.opportunities
     }
 
-    /// The number of missions that showed it.
+    /// The number of missions that gave evidence.
     pub fn missions(&self) -> usize {
         self.missions.len()
     }

@@ -38,7 +38,7 @@ pub struct TrainingAdvice {
     pub skill: Skill,
     /// The name of the skill on the screen.
     pub skill_title: Text,
-    /// Id of the mission that trains it best.
+    /// Id of the mission that trains the skill best.
     pub mission: String,
     /// The name of the mission on the screen.
     pub mission_title: Text,
@@ -55,7 +55,7 @@ pub struct MissionProgress {
     pub vehicles: u8,
     /// Whether it is locked, open or passed.
     pub state: MissionState,
-    /// Why it is locked, if it is.
+    /// Why the mission is locked, if it is.
     pub reasons: Vec<Text>,
     /// The number of attempts: flights by hand that were not practice.
     pub tries: usize,
@@ -92,9 +92,9 @@ pub struct SkillProgress {
     pub percent: u8,
     /// The state of the skill.
     pub mastery: Mastery,
-    /// The number of opportunities to show it.
+    /// The number of flights that gave evidence.
     pub opportunities: u32,
-    /// The number of missions that showed it.
+    /// The number of missions that gave evidence.
     pub missions: usize,
     /// The day on which it will be due, in days since 1970 (UTC), if it was ever mastered.
     pub due_day: Option<i64>,

@@ -32,7 +32,7 @@ pub(super) struct DoctorArguments {
 #[serde(rename_all = "lowercase")]
 enum CheckResult {
     Ok,
-    /// It works, with a remark.
+    /// The checked part works, with a remark.
     Note,
     /// Something does not work.
     Fault,

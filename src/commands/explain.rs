@@ -11,13 +11,13 @@ use crate::vehicle::Vehicle;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AckResult {
     Accepted,
-    /// Not now; it may work later.
+    /// Not possible now, but perhaps later.
     TemporarilyRejected,
-    /// Not possible with these parameters.
+    /// Not possible with the given parameters.
     Denied,
     /// The autopilot does not know the command.
     Unsupported,
-    /// It should have worked but did not.
+    /// The command was possible, but failed.
     Failed,
     /// In progress; another answer follows.
     InProgress,
@@ -26,7 +26,7 @@ pub enum AckResult {
     LongOnly,
     /// The command is only accepted as a `COMMAND_INT`.
     IntOnly,
-    /// Not possible with this frame.
+    /// Not possible with the given frame.
     UnsupportedFrame,
     /// A number unknown to this program.
     Other(u8),

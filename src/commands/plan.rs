@@ -17,7 +17,7 @@ pub struct PlanCommand {
 pub enum PlanDeed {
     /// Replace the list by that of a file.
     Upload { file: String },
-    /// Write it into a new file.
+    /// Write the list on board to a new file.
     Download { file: String },
     /// Remove all items of the list on board.
     Clear,

@@ -9,7 +9,7 @@ pub enum QueryCommand {
     /// Ask for a message at a rate on this link.
     Interval {
         message: u32,
-        /// Rate in Hz; 0 switches it off.
+        /// The rate in Hz; 0 stops the message.
         rate_hz: f64,
     },
     /// Ask for a message once.

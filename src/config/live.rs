@@ -20,7 +20,7 @@ pub enum LiveSetting {
 }
 
 impl LiveSetting {
-    /// Applies it to the settings in use.
+    /// Applies the change to the settings in use.
     pub fn apply(&self, config: &mut Config) {
         match self {
             Self::Theme(name) => config.theme.clone_from(name),

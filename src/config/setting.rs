@@ -16,7 +16,7 @@ pub struct Setting {
     /// Its name with its section, `alerts.bell`.
     pub name: &'static str,
     pub kind: SettingKind,
-    /// The environment variable that sets it.
+    /// The environment variable that sets the value.
     pub variable: Option<&'static str>,
     /// Its purpose, as a comment in a configuration file.
     pub about: &'static str,

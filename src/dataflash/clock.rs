@@ -83,7 +83,7 @@ pub enum Misfit {
 /// How well a log matches one boot.
 struct BootFit {
     alignment: Alignment,
-    /// The number of armings that they share.
+    /// The number of armings that the log and the record share.
     armed: usize,
     common_us: u64,
 }
@@ -226,7 +226,7 @@ impl VehicleClock {
         let within = |times: &[u64]| times.iter().any(|at| common.contains(at));
         let same = logged.iter().filter(|at| self.has_armed_at(**at)).count();
         let is_quiet = !within(&logged) && !within(&self.armed_us);
-        // Some logs and some recordings never contain it.
+        // Some logs and recordings never contain armings.
         let is_unsaid = logged.is_empty() || self.armed_us.is_empty();
         let is_sure = alignment.by == AlignedBy::GpsTime;
         (same > 0 || is_quiet || (is_sure && is_unsaid)).then_some(same)

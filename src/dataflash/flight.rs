@@ -108,7 +108,7 @@ pub struct LoggedFlight {
     pub span_us: Option<(u64, u64)>,
     /// When the autopilot booted, by GPS time: microseconds since 1970 (UTC).
     pub booted_unix_us: Option<u64>,
-    /// When it was armed.
+    /// When the vehicle was armed, in microseconds since boot.
     pub armed_us: Vec<u64>,
     pub damage: LogDamage,
 }

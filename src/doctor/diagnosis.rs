@@ -46,7 +46,7 @@ pub struct LinkFinding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Weight {
     Fatal,
-    /// Something does not work as it should.
+    /// A part of the link does not work as it should.
     Fault,
     Remark,
     /// Not a fault, or too early to tell.
@@ -97,7 +97,7 @@ pub enum Cause {
     Lossy(u8),
     /// A recording is played, so there are no answers.
     Recording,
-    /// It is too early to tell.
+    /// The observation is too short for a finding.
     Listening,
     /// This many vehicles are heard, and it is too early to expect an answer.
     Unanswered(usize),

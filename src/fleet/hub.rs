@@ -155,7 +155,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
             Some(news) = overheard.news.recv() => hub.overhear(&news).await,
-            // The relay has passed them on.
+            // The relay has already passed these frames on.
             Some(_) = overheard.frames.recv() => {}
             () = tokio::time::sleep(TRIED_AGAIN_AFTER), if hub.has_wants() => {}
         }

@@ -258,7 +258,7 @@ impl Router {
             && (now.saturating_sub(at) >= SAME_WITHIN || self.order.len() >= MOST_REMEMBERED)
         {
             self.order.pop_front();
-            // It may have been passed on again since.
+            // The same content may have been passed on again since.
             if self
                 .passed
                 .get(&oldest)

@@ -41,7 +41,7 @@ pub enum ClientError {
         address: HangarAddress,
         source: io::Error,
     },
-    /// It does not answer in time.
+    /// The service does not answer in time.
     #[error("{address} has not answered within {seconds} s")]
     Late {
         address: HangarAddress,
@@ -50,7 +50,7 @@ pub enum ClientError {
     /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar { address: HangarAddress, why: String },
-    /// It requires a token, or a different one.
+    /// The service requires a token, or another one.
     #[error(
         "{address} requires its token ({why}): copy its token file here and name it with --hangar-token FILE"
     )]

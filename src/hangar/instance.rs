@@ -63,9 +63,9 @@ enum ProcessEnd {
     Fault(String, Duration),
     /// It cannot be started, and another attempt would not help.
     Hopeless(String),
-    /// It was ended permanently.
+    /// The process was ended permanently.
     Stopped(Option<oneshot::Sender<()>>),
-    /// It was ended to be started again.
+    /// The process was ended to be started again.
     Restart,
 }
 
@@ -280,7 +280,7 @@ impl InstanceTask {
 
     async fn end(&mut self, running: &mut RunningProcess) {
         self.show(SitlStage::Stopping);
-        // An error means that it has ended.
+        // An error means that the process has ended.
         drop(running.end().await);
     }
 

@@ -107,7 +107,7 @@ impl InstanceProbe {
         self.judge(now);
     }
 
-    /// The bytes to send to it now.
+    /// The bytes to send to the vehicle now.
     pub fn say(&mut self, now: Duration) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.session.poll(now);

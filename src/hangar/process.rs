@@ -106,7 +106,7 @@ pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
 pub(super) struct Connection {
     /// The address of the client.
     pub peer: SocketAddr,
-    /// The address it connected to.
+    /// The address to which the process connected.
     pub local: SocketAddr,
 }
 

@@ -26,7 +26,7 @@ const BUILDS_AT_HOME: [&str; 4] = [
     "dev/ardupilot",
 ];
 const BUILDS_HERE: [&str; 3] = ["", "ardupilot", "../ardupilot"];
-/// The name of such a folder in messages.
+/// The name of a build folder in messages.
 const BUILD: &str = "usual build folder";
 const BUILD_FOLDER: &str = "build/sitl/bin";
 
@@ -85,7 +85,7 @@ impl Places {
 pub struct FoundProgram {
     /// The file, by its absolute path.
     pub file: PathBuf,
-    /// Where it was named or found.
+    /// The option, setting or search that led to the program.
     pub by: String,
 }
 

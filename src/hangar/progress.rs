@@ -46,7 +46,7 @@ impl StartProgress {
         self.forget();
     }
 
-    /// Handles bytes from it.
+    /// Handles bytes from the vehicle.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.stages.heard(now);
         let Some(probe) = &mut self.probe else {

@@ -30,7 +30,7 @@ pub enum HangarRefusal {
     /// A program is already attached to the instance.
     #[error("another client is attached to instance {0} already")]
     Attached(InstanceId),
-    /// The host does not allow it.
+    /// The host does not allow the instance to start.
     #[error("cannot start instance {id}: {what}: {source}")]
     Host {
         id: InstanceId,

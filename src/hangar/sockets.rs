@@ -30,7 +30,7 @@ pub struct ListeningSocket {
 }
 
 impl ListeningSocket {
-    /// Whether only this machine can reach it.
+    /// Whether only this machine can reach the socket.
     pub fn is_loopback(&self) -> bool {
         self.at.ip().to_canonical().is_loopback()
     }

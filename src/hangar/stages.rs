@@ -57,7 +57,7 @@ impl Stages {
         }
     }
 
-    /// Notes a connection: it boots.
+    /// Notes a connection, which begins with a boot.
     pub fn connected(&mut self, now: Duration) {
         self.connected = Some(true);
         self.again(now);
@@ -77,7 +77,7 @@ impl Stages {
         self.heard = now;
     }
 
-    /// Notes bytes from it.
+    /// Notes bytes from the vehicle.
     pub fn heard(&mut self, now: Duration) {
         self.heard = now;
     }

@@ -43,7 +43,7 @@ pub enum TokenError {
     /// The file belongs to another user.
     #[error("the token file {path} belongs to another user: name another with --token-file")]
     Foreign { path: PathBuf },
-    /// The file contains something else.
+    /// The file contains no valid token.
     #[error(
         "{path} contains no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is created"
     )]

@@ -77,7 +77,7 @@ pub enum ConsoleLine {
 /// A command about forwards.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ForwardLine {
-    /// Open one: its address and its filters.
+    /// Open a forward, given by its address and its filters.
     Add(String),
     /// Close the forward at this address.
     Remove(String),

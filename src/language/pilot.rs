@@ -93,7 +93,7 @@ fn with_all(statement: &Statement) -> String {
 /// An action of a script.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PilotEvent {
-    /// Carry this out now.
+    /// Carry out this line now.
     Do(Statement),
     /// A wait timed out; the script continues.
     WaitTimedOut {

@@ -13,10 +13,10 @@ use crate::verb::Verb;
 pub struct VerbRow {
     /// The properties of its orders.
     pub verb: Verb,
-    /// Where it is allowed.
+    /// Where the verb is allowed.
     pub scope: Scope,
     pub aliases: &'static [&'static str],
-    /// Lines that use it.
+    /// Examples of lines with the verb.
     pub examples: &'static [&'static str],
     pub forms: &'static [Form],
 }

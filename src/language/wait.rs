@@ -69,9 +69,9 @@ pub enum Situation {
     Disarmed,
     /// The last movement order was carried out: it has reached its target, or completed its part of a joint manoeuvre.
     Arrived,
-    /// It is on the ground.
+    /// The vehicle is on the ground.
     Landed,
-    /// It is in the air.
+    /// The vehicle is in the air.
     Airborne,
     Ready,
 }

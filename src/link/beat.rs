@@ -31,7 +31,7 @@ impl LinkBeat {
         Self { pace, last, timer }
     }
 
-    /// Makes it due at once.
+    /// Makes the heartbeat due at once.
     pub fn hasten(&mut self) {
         self.timer.reset_immediately();
     }
@@ -46,7 +46,7 @@ impl LinkBeat {
         is_handy
     }
 
-    /// Waits until it is overdue. Cancel-safe.
+    /// Waits until the heartbeat is overdue. Cancel-safe.
     pub async fn due(&mut self) {
         self.timer.tick().await;
         self.last = Instant::now();

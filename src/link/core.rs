@@ -48,7 +48,7 @@ pub(super) struct LinkCore {
 /// The transport's next action.
 #[derive(Debug)]
 pub(super) enum LinkWork {
-    /// Send these; at least one.
+    /// Send these parcels; at least one.
     Send(Vec<(To, Parcel)>),
     /// Do nothing, but check again whether reading is allowed.
     Nothing,
@@ -60,7 +60,7 @@ pub(super) enum LinkWork {
 pub(super) enum ConnectionEnd {
     /// The link was cancelled, or the receiver of its frames is gone.
     Cancelled,
-    /// It failed for this reason; another attempt follows.
+    /// The connection failed for this reason; another attempt follows.
     Lost(Text),
     /// It must not be reopened; the reason is given unless this is the regular end.
     Final(Option<Text>),

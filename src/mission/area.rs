@@ -19,17 +19,17 @@ pub struct Area {
 /// The meaning of an area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AreaKind {
-    /// The task takes place in it.
+    /// The task takes place in the area.
     Task,
     /// Vehicles must stay inside.
     Geofence,
     /// Vehicles must stay outside.
     NoFly,
-    /// Satellite navigation fails or misleads in it.
+    /// Satellite navigation fails or misleads in the area.
     Jamming,
-    /// People are on the ground in it.
+    /// People are on the ground in the area.
     People,
-    /// Radio is weak in it, or behind it.
+    /// Radio is weak in the area, or behind it.
     Radio,
 }
 

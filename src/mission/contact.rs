@@ -17,16 +17,16 @@ pub(crate) struct Contact {
     pub name: String,
     /// Where the detectors place it: the mean of their looks.
     pub at: Point,
-    /// The kind that detectors take it for.
+    /// The kind of object that the detectors report.
     pub kind: FindKind,
-    /// The sensors that have seen it, by id.
+    /// The sensors that have seen the contact, by id.
     pub sensors: BTreeSet<&'static str>,
-    /// The vehicle that saw it first.
+    /// The vehicle that saw the contact first.
     pub by: VehicleId,
     /// Mission time of the first look, and of the last.
     pub first: Duration,
     pub last: Duration,
-    /// The number of looks that saw it.
+    /// The number of looks that saw the contact.
     pub looks: u32,
     /// Whether it has been reported.
     pub reported: bool,
@@ -36,7 +36,7 @@ pub(crate) struct Contact {
     pub object: Option<ObjectId>,
 }
 
-/// One look at one thing.
+/// One look of a detector at an object.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sighting {
     pub at: Point,
@@ -56,7 +56,7 @@ pub(crate) enum Seen {
     New(usize),
     /// A second kind of sensor has now seen it.
     Confirmed(usize),
-    /// It turns out to need no report.
+    /// The contact turns out to need no report.
     Harmless(usize),
     Again,
 }
@@ -165,7 +165,7 @@ impl Contact {
         }
     }
 
-    /// Whether two kinds of sensors have seen it.
+    /// Whether two kinds of sensors have seen the contact.
     pub fn is_confirmed(&self) -> bool {
         self.sensors.len() > 1
     }

@@ -37,7 +37,7 @@ pub(crate) struct Craft {
     /// Height above home, in metres.
     pub height_m: f64,
     pub speed_m_s: f64,
-    /// The course that it flies or last flew.
+    /// The course that the vehicle flies or flew last.
     pub course: CraftCourse,
     /// Whether its prearm checks pass.
     pub ready: bool,
@@ -57,7 +57,7 @@ pub(crate) struct Craft {
     pub sensors: Vec<&'static Sensor>,
     /// Its sensors that measure a field.
     pub probes: Vec<Probe>,
-    /// Position and height while it is not heard.
+    /// Position and height while the vehicle is not heard.
     unheard: Option<(Point, f64)>,
     /// Energy reading at the beginning and now, in Wh.
     energy_wh: Option<(f64, f64)>,

@@ -70,7 +70,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// The fire, if it is one.
+    /// The fire, for hazards of this kind.
     fn fire(&self) -> Option<&Fire> {
         None
     }

@@ -6,7 +6,7 @@ use crate::text::Text;
 /// Automatic advice for a phase of the flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hint {
-    /// The phase that it is for.
+    /// The phase in which the hint is shown.
     pub phase: Phase,
     /// Its goal: it is shown until this holds.
     pub(crate) until: Option<Expression>,

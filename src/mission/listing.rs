@@ -62,7 +62,7 @@ pub struct Listing {
     pub most_speedup: f64,
     /// Requirements before the mission is offered.
     pub requires: Requires,
-    /// Credits, experience and unlocks for passing it.
+    /// Credits, experience and unlocks for passing the mission.
     pub rewards: Rewards,
     /// The limit on the fleet's price, and the drones that the mission lends.
     pub outlay: Outlay,
@@ -88,7 +88,7 @@ impl Listing {
 /// The equipment that some of the vehicles share.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FitListing {
-    /// The vehicles that carry it.
+    /// The vehicles that carry this equipment.
     pub vehicles: Vec<VehicleId>,
     pub sensors: Vec<Text>,
     /// Their loads with the count of each; in seconds for spray.
@@ -103,12 +103,12 @@ pub struct ObjectiveListing {
     pub target: Text,
     /// Its share of the objectives' points.
     pub value: f64,
-    /// Whether the mission fails without it.
+    /// Whether the mission fails without the objective.
     pub mandatory: bool,
 }
 
 impl Mission {
-    /// The information shown before it is flown.
+    /// The information shown before the mission is flown.
     pub fn listing(&self) -> Listing {
         let weight = |component: Component| {
             let weight = self.scoring.weights.of(component);

@@ -53,7 +53,7 @@ struct Glance {
     chance: Chance,
     last: Duration,
     blind: bool,
-    /// Whether this pass has detected it.
+    /// Whether this pass has detected the object.
     found: bool,
 }
 

@@ -57,7 +57,7 @@ pub struct FitLine {
     /// The required value with its unit.
     pub required: Text,
     pub has: Text,
-    /// Whether the design meets it.
+    /// Whether the design meets the need.
     pub met: bool,
     /// Whether the task is impossible without it; otherwise it is only risky or slow.
     pub is_block: bool,

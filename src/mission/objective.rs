@@ -45,7 +45,7 @@ pub(crate) struct Objective {
     pub title: Text,
     /// Its share of the objectives' points, 0 to 1.
     pub value: f64,
-    /// Whether the mission fails without it.
+    /// Whether the mission fails without the objective.
     pub mandatory: bool,
     pub kind: Box<dyn ObjectiveKind>,
 }
@@ -82,17 +82,17 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
     /// The skill that it shows in a mission with this many vehicles: swarm skills need several.
     fn skill(&self, vehicles: usize) -> Option<Skill>;
 
-    /// What counts as an attempt at it.
+    /// The conditions for an attempt at the objective.
     fn trying(&self) -> Trying {
         Trying::Progress
     }
 
-    /// The survey that it needs, if any.
+    /// The survey that the objective needs, if any.
     fn survey(&self) -> Option<&SurveyPlan> {
         None
     }
 
-    /// The find that it requires, if any.
+    /// The find that the objective requires, if any.
     fn sought(&self) -> Option<Sought> {
         None
     }
@@ -195,7 +195,7 @@ pub(crate) struct ObjectiveStanding {
     pub outlook: Option<Text>,
     /// The target as text.
     pub target: Text,
-    /// Advice on how to reach it.
+    /// Advice on how to reach the objective.
     pub advice: Text,
 }
 

@@ -40,7 +40,7 @@ pub struct MissionSummary {
 pub struct CareerTerms {
     /// Requirements before the mission is offered.
     pub requires: Requires,
-    /// Credits, experience and unlocks for passing it.
+    /// Credits, experience and unlocks for passing the mission.
     pub rewards: Rewards,
 }
 

@@ -144,21 +144,21 @@ impl ObjectiveProgress {
 pub struct ShownContact {
     /// Its name, such as `c1`.
     pub name: String,
-    /// The kind that detectors take it for.
+    /// The kind of object that the detectors report.
     pub kind: FindKind,
     pub at: LatLon,
-    /// How well it is confirmed.
+    /// How well the contact is confirmed.
     pub trust: Trust,
 }
 
 /// How well a contact is confirmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Trust {
-    /// One kind of sensor has seen it.
+    /// One kind of sensor has seen the contact.
     Seen,
-    /// Two kinds of sensors have seen it.
+    /// Two kinds of sensors have seen the contact.
     Confirmed,
-    /// The trainee has reported it.
+    /// The trainee has reported the contact.
     Reported,
 }
 

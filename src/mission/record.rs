@@ -64,7 +64,7 @@ pub struct Head {
     /// The built drones that flew, as TOML in the order of the seats; empty for the mission's own.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub designs: Vec<String>,
-    /// The program that recorded it.
+    /// The program that recorded the flight.
     pub program: String,
     pub source: String,
 }

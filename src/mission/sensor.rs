@@ -26,7 +26,7 @@ pub(crate) struct Sensor {
 /// The function of a sensor.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Work {
-    /// It measures a quantity at its position.
+    /// The sensor measures a quantity at its position.
     Probe(ProbeSpec),
     Detector(DetectorSpec),
 }

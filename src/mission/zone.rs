@@ -41,7 +41,7 @@ impl Zone {
 /// The effect of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ZoneKind {
-    /// Objectives refer to it.
+    /// An area that objectives refer to.
     Task,
     /// Vehicles must stay inside, below the ceiling.
     Geofence {

@@ -32,11 +32,11 @@ pub enum ParameterType {
 /// Why a value does not fit a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterUnfit {
-    /// It is infinite or not a number.
+    /// The value is infinite or not a number.
     NotFinite,
     /// It has a fraction, but the vehicle stores a whole number.
     NotWhole(ParameterType),
-    /// It lies outside the range of the type.
+    /// The value is outside the range of the type.
     OutOfRange {
         kind: ParameterType,
         /// The minimum value of the type.

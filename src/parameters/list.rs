@@ -17,7 +17,7 @@ pub struct ListedParameter {
     pub value: f32,
     /// The value when the parameter was first heard.
     pub original: f32,
-    /// The type that the vehicle stores it in.
+    /// The type in which the vehicle stores the value.
     pub kind: ParameterType,
     /// Its index in the vehicle's list, if the vehicle has sent one.
     pub index: Option<u16>,
@@ -35,7 +35,7 @@ impl ListedParameter {
 pub struct HeardParameter<'a> {
     pub name: &'a str,
     pub value: f32,
-    /// The type it is stored in.
+    /// The type in which the value is stored.
     pub kind: ParameterType,
     /// The index in the list; `None` if the value was sent on its own.
     pub index: Option<u16>,

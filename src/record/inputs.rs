@@ -294,7 +294,7 @@ impl StoredInputs {
         !self.is_whole() && !self.is_damaged
     }
 
-    /// The time that it covers.
+    /// The time that the log covers.
     pub fn lasts(&self) -> Duration {
         self.lines.last().map_or(Duration::ZERO, InputLine::at)
     }

@@ -155,12 +155,12 @@ impl RowLine {
 /// A notice to the operator, in English.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoticeLine {
-    /// The vehicle that it is about, if any.
+    /// The vehicle that the notice is about, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<VehicleId>,
     /// Its severity: a `MAV_SEVERITY`.
     pub severity: u8,
-    /// The alert that it is about, if any.
+    /// The alert that the notice is about, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kind: Option<AlertKind>,
     pub text: String,

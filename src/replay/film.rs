@@ -36,7 +36,7 @@ pub struct Film {
     review: Review,
     /// The fault of the review.
     review_fault: Option<Text>,
-    /// The logs that have been joined to it.
+    /// The logs that have been joined to the recording.
     logs: Vec<JoinedLog>,
     /// The faults of the journal, of the run and of those logs, which leave them out.
     faults: Vec<Text>,
@@ -162,7 +162,7 @@ impl Film {
         journal.flat_map(Journal::bookmarks).collect()
     }
 
-    /// The logs that have been joined to it.
+    /// The logs that have been joined to the recording.
     pub fn logs(&self) -> &[JoinedLog] {
         &self.logs
     }

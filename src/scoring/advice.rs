@@ -22,7 +22,7 @@ const GOOD_QUALITY: f64 = 0.9;
 
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Improvement {
-    /// The points that it would have gained.
+    /// The points that the advice would have gained.
     pub points: u16,
     /// The advice as text.
     pub text: Text,
@@ -98,7 +98,7 @@ impl Remedy<'_> {
         mended
     }
 
-    /// The points that it would gain.
+    /// The points that the advice would have gained.
     fn gain(&self, rules: &ScoreRules, facts: &Facts) -> u16 {
         let after = score(rules, &self.mended(facts)).points;
         after.saturating_sub(score(rules, facts).points)

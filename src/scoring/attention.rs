@@ -12,11 +12,11 @@ use crate::text::Text;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum AlertLevel {
-    /// It can wait a minute.
+    /// The alert can wait a minute.
     Caution,
-    /// It can wait half a minute.
+    /// The alert can wait half a minute.
     Warning,
-    /// It must be answered within seconds.
+    /// The alert must be answered within seconds.
     Critical,
 }
 

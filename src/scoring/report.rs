@@ -114,7 +114,7 @@ pub struct ObjectiveReport {
     /// Its id in the mission file.
     pub id: String,
     pub title: Text,
-    /// Whether the mission fails without it.
+    /// Whether the mission fails without the objective.
     pub mandatory: bool,
     /// Whether it was reached.
     pub met: bool,
@@ -215,7 +215,7 @@ pub struct TryReport {
 pub struct HintReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// How much it reveals, 1 to 3.
+    /// How much the hint reveals, 1 to 3.
     pub level: u8,
     /// The text of the hint.
     pub text: Text,
@@ -306,7 +306,7 @@ pub struct EventReport {
     pub at_s: f64,
     /// The kind of event.
     pub kind: EventKind,
-    /// The vehicle, if it concerns one.
+    /// The vehicle, if the event concerns one.
     pub vehicle: Option<u16>,
     /// The event as text.
     pub text: Text,

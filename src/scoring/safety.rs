@@ -89,7 +89,7 @@ impl SafetyKind {
         matches!(self, Self::Injury | Self::AircraftHit)
     }
 
-    /// Advice to avoid it.
+    /// Advice on how to follow the rule.
     pub(super) fn advice(self) -> SafetyAdvice {
         match self {
             Self::Geofence => SafetyAdvice::StayInside,

@@ -13,7 +13,7 @@ const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 /// A vehicle's answer to a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Acknowledgement {
-    /// The `MAV_CMD` that it answers.
+    /// The `MAV_CMD` that the message acknowledges.
     pub command: u16,
     pub result: AckResult,
     /// The progress, 0 to 100; 255 if unknown.

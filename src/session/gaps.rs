@@ -10,7 +10,7 @@ pub struct FileBytes {
 }
 
 impl FileBytes {
-    /// The range of the file that they cover.
+    /// The range of the file that the bytes cover.
     pub fn range(&self) -> Range<u32> {
         self.at..self.at + self.bytes.len() as u32
     }

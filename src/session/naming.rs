@@ -69,7 +69,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
 /// Asks a vehicle which of two names it has for the next order's parameter.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Search {
-    /// The order that it is for.
+    /// The order whose parameter is searched for.
     entry: Option<EntryId>,
     tries: u8,
     asked: Duration,

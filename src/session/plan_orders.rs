@@ -62,7 +62,7 @@ pub(super) struct PlanOrders {
     job: Option<Job>,
 }
 
-/// The order that is carried out.
+/// The order in progress, and its transfer.
 #[derive(Debug, Clone)]
 struct Job {
     order: VehicleCommand,

@@ -39,7 +39,7 @@ struct AskedSetting {
     value: f64,
     holds: bool,
     tries: u32,
-    /// When it is due to be sent again.
+    /// When the setting is due to be sent again.
     due: Duration,
 }
 
@@ -72,7 +72,7 @@ impl Settings {
         }
     }
 
-    /// Whether all of them are confirmed.
+    /// Whether all settings are confirmed.
     pub fn are_settled(&self) -> bool {
         self.wanted.values().all(|setting| setting.holds)
     }

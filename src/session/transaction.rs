@@ -155,7 +155,7 @@ impl Transaction {
         self.phase == TransactionPhase::Done
     }
 
-    /// Whether a newer movement supersedes it.
+    /// Whether a newer movement supersedes the command.
     pub fn gives_way_to_movement(&self) -> bool {
         self.order.verb.movement.gives_way()
     }

@@ -37,9 +37,9 @@ impl FormationShape {
 /// A place in a formation, relative to the first vehicle and its heading.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Offset {
-    /// Metres ahead of it.
+    /// Metres ahead of the first vehicle.
     pub forward_m: f64,
-    /// Metres to the right of it.
+    /// Metres to the right of the first vehicle.
     pub right_m: f64,
 }
 

@@ -29,9 +29,9 @@ pub enum SitlStage {
     Parameters,
     /// Its navigation filter has a position.
     Position,
-    /// It can be armed.
+    /// The vehicle can be armed.
     Ready,
-    /// It is being ended.
+    /// The process is being ended.
     Stopping,
     /// Its process has ended.
     Ended,

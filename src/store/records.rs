@@ -148,7 +148,7 @@ impl RecordFiles {
         Ok(serde_json::from_slice(&first)?)
     }
 
-    /// Whether a console is still writing it.
+    /// Whether a console is still writing the record.
     pub fn is_written(&self) -> bool {
         self.journal.as_deref().is_some_and(is_written)
     }

@@ -179,9 +179,9 @@ pub(super) struct FileSignature {
 /// Why the signature of a file is not valid.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SignatureFault {
-    /// It cannot be read.
+    /// The signature cannot be read.
     Unreadable(String),
-    /// It is not a signature in minisign's format.
+    /// The text is not a signature in minisign's format.
     Damaged,
     /// It was made with a different key from the given one.
     OtherKey { key: String },

@@ -32,15 +32,15 @@ impl Source {
 #[derive(Debug, thiserror::Error)]
 #[error("{}", Text::from(self))]
 pub enum StoreError {
-    /// It cannot be read.
+    /// The file cannot be read.
     Unreadable { path: PathBuf, error: io::Error },
-    /// It is too large.
+    /// The file is too large.
     TooLarge {
         path: PathBuf,
         /// The id of the message that names the expected kind of file.
         kind: &'static str,
     },
-    /// It cannot be written.
+    /// The file cannot be written.
     Unwritable { path: PathBuf, error: io::Error },
     /// A file exists that must not be lost.
     Exists { path: PathBuf },
@@ -51,7 +51,7 @@ pub enum StoreError {
         name: String,
         known: String,
     },
-    /// It was read, but has faults.
+    /// The file was read, but has faults.
     Faulty {
         file: Source,
         /// Every fault, with its position.

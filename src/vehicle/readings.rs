@@ -269,7 +269,7 @@ pub struct LinkQuality {
     pub last_heard: Option<Duration>,
     /// Whether it has been silent for `session::LOST_AFTER` or longer.
     pub lost: bool,
-    /// Frames received from it.
+    /// The number of frames received from the vehicle.
     pub received: u64,
     /// Frames missing according to the gaps in its sequence numbers.
     pub missing: u64,

@@ -11,7 +11,7 @@ macro_rules! parts {
     };
 }
 
-/// A row of such a table.
+/// One row of a table of parts.
 macro_rules! part {
     (Spec [id; spec; power_w, mass_g, credits]
      [$id:literal; $spec:expr; $power_w:literal, $mass_g:literal, $credits:literal]) => {

@@ -75,7 +75,7 @@ pub enum FindingSeverity {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignFinding {
     pub kind: FindingKind,
-    /// The slot in which it can be fixed.
+    /// The slot in which the problem can be fixed.
     pub slot: PartSlot,
     /// The problem and its reason, as text.
     pub text: Text,

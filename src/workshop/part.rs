@@ -202,7 +202,7 @@ pub struct Radio {
     pub power_dbm: f64,
     /// Its frequency in megahertz.
     pub frequency_mhz: f64,
-    /// The weakest signal that it can decode.
+    /// The weakest signal that the radio can decode.
     pub sensitivity_dbm: f64,
     /// Gain of the antenna on the drone.
     pub air_dbi: f64,
@@ -215,7 +215,7 @@ pub struct Radio {
 }
 
 impl Part {
-    /// The slot for it.
+    /// The slot that the part belongs in.
     pub fn slot(&self) -> PartSlot {
         match self.spec {
             Spec::Frame(_) => PartSlot::Frame,

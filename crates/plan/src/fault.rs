@@ -31,7 +31,7 @@ pub enum FaultKind {
     Fields {
         /// The number on the line.
         found: usize,
-        /// The number that it should have.
+        /// The number of fields that the line should have.
         expected: usize,
     },
     /// A word in place of a number.
@@ -112,7 +112,7 @@ pub enum Expected {
 pub enum ArchiveFault {
     /// The archive is damaged.
     Damaged,
-    /// It contains no `.kml` file.
+    /// The archive contains no `.kml` file.
     NoKml,
     /// It is compressed by a method other than deflate.
     Method,

@@ -98,7 +98,7 @@ pub(super) struct FailsafeInputs<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RadioInputs {
     pub(super) fault: RadioFault,
-    /// A ground station overrides it.
+    /// Whether a ground station overrides the receiver.
     pub(super) is_overridden: bool,
     /// Whether it was ever heard since the boot.
     pub(super) was_heard: bool,

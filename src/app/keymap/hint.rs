@@ -13,7 +13,7 @@ use crate::text::Text;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyHint {
     pub keys: HintKeys,
-    /// The message that says what they do.
+    /// The id of the message that describes the keys.
     pub about: &'static str,
 }
 

@@ -34,11 +34,11 @@ pub struct Ledger {
 pub enum Outcome {
     #[default]
     Any,
-    /// Those that failed for a vehicle.
+    /// Commands that failed for a vehicle.
     Failed,
-    /// Those under way for a vehicle.
+    /// Commands still in progress for a vehicle.
     UnderWay,
-    /// Those that every vehicle has completed.
+    /// Commands that every vehicle has completed.
     Done,
 }
 

@@ -19,7 +19,7 @@ pub struct Standing {
     pub since: Duration,
     /// Whether it is acknowledged.
     pub acknowledged: bool,
-    /// When it ended, while it may still return.
+    /// When the condition ended, while it may still return.
     ended: Option<Duration>,
 }
 
@@ -30,7 +30,7 @@ pub struct Pressing<'a> {
     pub first: &'a Standing,
     /// The vehicles that have the same kind of alert, sorted.
     pub vehicles: Vec<VehicleId>,
-    /// Whether all have the same text.
+    /// Whether all alerts have the same text.
     pub alike: bool,
     /// The number of alerts of other kinds.
     pub others: usize,

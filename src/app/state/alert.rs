@@ -22,11 +22,11 @@ const VIBRATION_LIMIT: f32 = 60.0;
 /// A condition that needs attention now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
-    /// What it is about.
+    /// The condition that raises the alert.
     pub kind: AlertKind,
-    /// How serious it is.
+    /// The severity of the alert.
     pub severity: Severity,
-    /// A few words, the most important ones first.
+    /// The cause in a few words, the most important ones first.
     pub text: Text,
 }
 

@@ -26,9 +26,9 @@ const OLD_NEWS: Duration = Duration::from_secs(10);
 /// An alert that may need a signal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BellCall {
-    /// What it is about.
+    /// The condition that raised the alert.
     pub kind: AlertKind,
-    /// How serious it is.
+    /// The severity of the alert.
     pub severity: Severity,
     /// The vehicle, if any.
     pub vehicle: Option<VehicleId>,

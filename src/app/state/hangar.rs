@@ -27,7 +27,7 @@ pub struct Instance {
     pub fault: Option<String>,
     /// The missing thing, or the next step.
     pub hint: Option<String>,
-    /// The last lines that it printed, oldest first.
+    /// The last lines that the process printed, oldest first.
     pub output: Vec<String>,
     /// Its folder on its host.
     pub folder: String,
@@ -82,7 +82,7 @@ pub struct Hangar {
     pub(in crate::app) instances: Vec<Instance>,
     /// The expected number of processes.
     pub(in crate::app) expected: usize,
-    /// Why they could not be started.
+    /// Why the processes could not be started.
     pub(in crate::app) fault: Option<Text>,
     /// The output of the process on the screen.
     pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
@@ -101,7 +101,7 @@ impl Hangar {
         self.expected
     }
 
-    /// Why they could not be started.
+    /// Why the processes could not be started.
     pub fn fault(&self) -> Option<&Text> {
         self.fault.as_ref()
     }
@@ -131,7 +131,7 @@ impl Hangar {
         self.instances.iter().filter(ready).count()
     }
 
-    /// Whether all expected ones are ready now.
+    /// Whether all expected processes are ready now.
     pub fn is_ready(&self) -> bool {
         self.expected > 0 && self.ready() >= self.expected
     }

@@ -41,9 +41,9 @@ pub struct ForwardSummary {
     pub name: String,
     /// Whether it carries data.
     pub up: bool,
-    /// Why it carries no data.
+    /// Why the forward passes no data.
     pub error: Option<Text>,
-    /// The number of stations at its other end.
+    /// The number of stations at the forward's other end.
     pub peers: usize,
     /// Bytes received from the stations.
     pub received_bytes: u64,
@@ -71,9 +71,9 @@ pub struct LinkSummary {
     pub state: Text,
     /// Whether it carries data.
     pub up: bool,
-    /// Why it carries no data.
+    /// Why the link carries no data.
     pub error: Option<Text>,
-    /// The number of senders at its other end.
+    /// The number of senders at the link's other end.
     pub peers: usize,
     /// Bytes per second received.
     pub bytes_in_per_s: f64,

@@ -27,7 +27,7 @@ pub struct NoticeLine {
     /// The number of notices.
     pub count: u32,
     pub vehicles: BTreeSet<VehicleId>,
-    /// The time of the last one.
+    /// The time of the last notice on the line.
     last: Duration,
     content: LineContent,
 }

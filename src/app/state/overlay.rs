@@ -115,7 +115,7 @@ pub struct Confirm {
     pub(in crate::app) answer: String,
     /// The part typed so far.
     pub(in crate::app) typed: String,
-    /// Whether a wrong key has cancelled it.
+    /// Whether a wrong key has cancelled the question.
     pub(in crate::app) cancelled: bool,
     pub(in crate::app) then: Consequence,
 }
@@ -153,12 +153,12 @@ impl Confirm {
         &self.typed
     }
 
-    /// Whether a wrong key has cancelled it.
+    /// Whether a wrong key has cancelled the question.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled
     }
 
-    /// Whether a single key answers it.
+    /// Whether a single key answers the question.
     pub fn wants_one_key(&self) -> bool {
         self.answer.chars().count() == 1
     }

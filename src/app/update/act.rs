@@ -44,7 +44,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
             let requests = standing::change_aids(state);
             return requested(state, requests);
         }
-        // Only prompts and some rooms have these.
+        // Only prompts and some rooms handle these actions.
         Action::View(_)
         | Action::Line(_)
         | Action::Start(_)

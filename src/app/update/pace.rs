@@ -106,7 +106,7 @@ fn is_anything_under_way(state: &State) -> bool {
 
 /// The state before an event, to decide whether the event needs attention.
 pub struct Watch {
-    /// The reason in the event itself.
+    /// A reason that the event itself states.
     reason: Option<Text>,
     alerts: BTreeSet<(VehicleId, AlertKind)>,
 }

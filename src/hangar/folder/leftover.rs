@@ -100,7 +100,7 @@ pub struct Leftover {
     pub program: String,
     /// The id of its process.
     pub pid: u32,
-    /// The folder in which it ran.
+    /// The folder in which the process ran.
     pub folder: String,
     /// Whether it was ended.
     pub ended: bool,

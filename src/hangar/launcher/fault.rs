@@ -25,7 +25,7 @@ pub(in crate::hangar) enum LaunchError {
     /// The interpreter of the program is missing.
     #[error("{0} exists, but its interpreter or its loader is missing")]
     NoInterpreter(PathBuf),
-    /// The system does not allow it.
+    /// The system does not allow this user to run the program.
     #[error(
         "this user may not run {0}: allow it with chmod +x, and check whether its disk is mounted noexec"
     )]
@@ -33,7 +33,7 @@ pub(in crate::hangar) enum LaunchError {
     /// The file is being written.
     #[error("{0} is being written: try again when its build has finished")]
     Busy(PathBuf),
-    /// It exceeds the memory limit.
+    /// The program exceeds the memory limit.
     #[error(
         "{program} does not fit into {memory_mib} MiB: raise the limit of an instance's memory"
     )]

@@ -83,7 +83,7 @@ impl RunningProcess {
 
     /// Signals its group, or the process alone if it does not lead one yet.
     fn signal(&self, signal: Signal) {
-        // An error means that it is gone.
+        // An error means that the process is gone.
         if killpg(self.pid, signal).is_err() {
             let _ = kill(self.pid, signal);
         }

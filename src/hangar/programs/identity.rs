@@ -47,7 +47,7 @@ pub enum Unknown {
     /// The host has no scratch folder or port for it.
     #[error("cannot try {}: {error}", file.display())]
     Host { file: PathBuf, error: io::Error },
-    /// The host cannot run it.
+    /// The host cannot run the program.
     #[error("{0}")]
     Start(String),
     #[error("{} is not a SITL program: it has ended ({status}){}", file.display(), said(.output))]
@@ -59,11 +59,11 @@ pub enum Unknown {
     /// The program never stops printing.
     #[error("{} is not a SITL program: it never stops printing{}", file.display(), said(.output))]
     Flood { file: PathBuf, output: String },
-    /// It sent no valid announcement.
+    /// The program sent no valid announcement.
     #[error("{} has not identified itself within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
-        /// The time that it had to answer.
+        /// The time that the program had to answer.
         patience: Duration,
         output: String,
     },
@@ -117,7 +117,7 @@ pub(super) async fn identify_by(
     let mut trial = IdentityTrial::new(started.map_err(|error| Unknown::Start(error.to_string()))?);
     let heard = timeout(patience, trial.hear(&listener)).await;
     let identity = judge(program, patience, heard.ok(), &trial);
-    // An error means that it has ended.
+    // An error means that the program has ended.
     drop(trial.process.end().await);
     identity
 }

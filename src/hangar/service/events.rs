@@ -29,7 +29,7 @@ pub struct InstanceSnapshot {
 /// A change of an instance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InstanceChange {
-    /// It is new, or has changed.
+    /// The instance is new, or has changed.
     Vehicle(Box<Instance>),
     Gone(InstanceId),
 }

@@ -13,13 +13,13 @@ pub struct MessageTally {
     pub count: u64,
     /// Their bytes on the wire.
     pub bytes: u64,
-    /// The time of the first one.
+    /// The time of the first message.
     pub first_at: Duration,
-    /// The time of the last one.
+    /// The time of the last message.
     pub last_at: Duration,
     /// Whether the checksum of the last one was verified by the dialect.
     pub is_verified: bool,
-    /// The last one, byte by byte.
+    /// The last message, byte by byte.
     pub last: Vec<u8>,
     /// Whether the checksum of the first one was verified.
     pub(super) was_admitted_verified: bool,

@@ -19,7 +19,7 @@ pub(crate) struct Spawn {
     pub path: Vec<Point>,
     pub speed_m_s: f64,
     pub height_m: f64,
-    /// The distance that vehicles must keep from it.
+    /// The distance that vehicles must keep from the mover.
     pub keep_out_m: f64,
     /// The maximum by which the seed shifts the whole path, on each axis.
     pub jitter_m: f64,

@@ -66,7 +66,7 @@ impl Element {
 pub(crate) struct Change {
     pub element: Element,
     pub to: Target,
-    /// The time over which it takes effect.
+    /// The time over which the change takes effect.
     pub ramp: Duration,
     /// How long it lasts before it reverts; `None` for the rest of the flight.
     pub lasts: Option<Duration>,
@@ -128,7 +128,7 @@ impl Drift {
         }
     }
 
-    /// The element that it changes.
+    /// The element of the weather that changes.
     pub fn element(&self) -> Element {
         self.change.element
     }

@@ -27,7 +27,7 @@ pub(super) struct JournalEntry {
     pub kind: EventKind,
     pub severity: Severity,
     pub vehicle: Option<VehicleId>,
-    /// The vehicle alert that it raises, if any.
+    /// The vehicle alert that the occurrence raises, if any.
     pub alert: Option<AlertKind>,
     pub about: Option<JournalSubject>,
     pub text: Text,

@@ -92,7 +92,7 @@ impl Threats {
         }
     }
 
-    /// The engine that runs them.
+    /// The engine that runs the threats.
     pub fn engine(&self) -> &Engine {
         &self.engine
     }

@@ -30,7 +30,7 @@ impl Substance {
         ("smoke", Self::Smoke),
     ];
 
-    /// The quantity that measures it.
+    /// The quantity that sensors measure for the substance.
     pub fn quantity(self) -> Quantity {
         match self {
             Self::Vapour => Quantity::Vapour,

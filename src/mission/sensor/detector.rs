@@ -6,7 +6,7 @@ use crate::mission::weather::Light;
 /// The type of a detector.
 #[derive(Debug, PartialEq)]
 pub(crate) enum DetectorSpec {
-    /// It senses objects directly below it.
+    /// The sensor detects objects directly below it.
     Ground(Ground),
     Camera(Camera),
 }
@@ -14,7 +14,7 @@ pub(crate) enum DetectorSpec {
 /// A sensor head that passes close over the ground.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Ground {
-    /// Width of the strip that it covers.
+    /// The width of the strip that the sensor covers.
     pub swath_m: f64,
     /// Its detection of mines on one pass.
     pub mines: MineSpec,

@@ -81,7 +81,7 @@ pub enum FlightOutcome {
     Passed,
     /// A mandatory objective is not met.
     Failed,
-    /// The time was up before they were met.
+    /// The time was up before the objectives were met.
     #[serde(rename = "timed out")]
     TimedOut,
     /// The trainee gave up.

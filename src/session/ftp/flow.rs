@@ -33,7 +33,7 @@ struct RequestedBurst {
     sequence: u32,
     at: u32,
     begun: Duration,
-    /// The offset that it has reached.
+    /// The offset that the burst has reached.
     reached: u32,
 }
 
@@ -50,7 +50,7 @@ enum Bursts {
 #[derive(Debug, Clone)]
 pub(super) struct FileFlow {
     session: u8,
-    /// The number of the request that opened it.
+    /// The number of the request that opened the file.
     opened: u32,
     /// The number of the last request.
     newest: u32,

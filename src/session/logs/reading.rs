@@ -173,7 +173,7 @@ impl Reading {
     fn unchecked(&mut self, fault: FtpFault) -> FileCheck {
         let reason = Text::from(fault);
         if fault == FtpFault::Silent {
-            // Later logs need not try it again.
+            // Later logs need not try MAVFTP again.
             self.files = LogFiles::none(reason.clone());
         }
         FileCheck::Unknown(Some(reason))

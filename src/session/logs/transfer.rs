@@ -34,7 +34,7 @@ const MOST_GAPS: usize = 10_000;
 struct Stream {
     range: Range<u32>,
     begun: Duration,
-    /// The offset that it has reached.
+    /// The offset that the stream has reached.
     reached: u32,
 }
 

@@ -133,7 +133,7 @@ impl Transaction {
         self.report(RowState::Accepted, remark, now, output);
     }
 
-    /// Ends it with the vehicle's reason.
+    /// Ends the command with the vehicle's reason.
     pub(super) fn refuse(
         &mut self,
         result: AckResult,

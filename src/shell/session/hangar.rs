@@ -37,7 +37,7 @@ enum ProcessNews {
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
     Launched(Vec<LaunchedVehicle>),
-    /// They could not be launched.
+    /// The vehicles could not be launched.
     NotLaunched(Text),
     Failed(Text),
     /// The output of a vehicle's process, from the line with this number on.

@@ -49,7 +49,7 @@ impl SessionLinks {
         })
     }
 
-    /// Their state, if it has changed.
+    /// The state of all links, if it has changed.
     pub fn changed(&mut self, vehicles: &[watch::Receiver<Arc<Vehicle>>]) -> Option<Event> {
         // An ended link no longer changes, but its last state must still be shown.
         let links = self.all.iter();

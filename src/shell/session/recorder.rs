@@ -18,7 +18,7 @@ pub(super) struct FlightRecorder {
     /// Waiting inputs of simulated vehicles.
     inputs: InputSink,
     began_unix_us: u64,
-    /// When it began, on the program's clock.
+    /// When the recording began, on the program's clock.
     began_at: Duration,
     recording: Option<Recording>,
     /// An error to report.

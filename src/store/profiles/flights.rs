@@ -14,11 +14,11 @@ use crate::scoring::{FlightBackend, Report, TryReport};
 pub struct RunEntry {
     /// Its unique id: the name of its recording.
     pub id: String,
-    /// When it ended, in UTC.
+    /// When the flight ended, in UTC.
     pub when: String,
     /// Its entry in the career.
     pub flight: CareerFlight,
-    /// Everything about it: revision, seed, ledger, events, score.
+    /// The report: revision, seed, ledger, events, score.
     pub report: Report,
     /// The airframes that flew, a TOML design for each drone that was built; empty for the mission's own drones.
     pub airframes: Vec<String>,
@@ -29,7 +29,7 @@ pub struct RunEntry {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PastRun {
     pub id: String,
-    /// When it ended, in UTC.
+    /// When the flight ended, in UTC.
     pub when: String,
     /// Revision of the mission.
     pub revision: u32,

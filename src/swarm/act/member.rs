@@ -14,7 +14,7 @@ pub(in crate::swarm) struct Member {
     pub id: VehicleId,
     /// Its position at the start.
     pub from: DVec3,
-    /// The height at which it crosses.
+    /// The height at which the vehicle crosses, in metres.
     pub layer_m: f64,
     /// The start of its work.
     pub to: DVec3,

@@ -42,7 +42,7 @@ pub(crate) struct FenceHealth {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NewBreach {
     kinds: u8,
-    /// Whether to report it to ground stations.
+    /// Whether to report the breach to ground stations.
     pub(crate) is_told: bool,
 }
 

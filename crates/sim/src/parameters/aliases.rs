@@ -3,7 +3,7 @@
 /// How the values of a renamed parameter correspond.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AliasSense {
-    /// Both firmwares use the same values.
+    /// Both firmware versions use the same values.
     Same,
     /// The values are inverted: 0 in one firmware is 1 in the other.
     Opposite,

@@ -18,9 +18,9 @@ pub enum Node {
     Link(usize),
     /// A system at one end of the link, or this program.
     System(usize, Direction, u32, SystemId),
-    /// One of its components.
+    /// A component of the system.
     Component(usize, FrameSource),
-    /// One of its messages.
+    /// A message of the component.
     Message(usize, TallyKey),
 }
 
@@ -78,11 +78,11 @@ type Systems = BTreeMap<Node, BTreeMap<Node, Vec<Branch>>>;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
     pub node: Node,
-    /// The rate of all messages below it.
+    /// The rate of all messages below the branch.
     pub rate: Rate,
     /// The number of messages received.
     pub count: u64,
-    /// The time since the last one.
+    /// The time since the last message.
     pub age: Option<Duration>,
     /// Whether it is open; `None` for a message.
     pub is_open: Option<bool>,

@@ -75,7 +75,7 @@ impl Batch {
         left
     }
 
-    /// Whether a command belongs to it.
+    /// Whether a command belongs to the batch.
     pub fn has(&self, entry: EntryId) -> bool {
         self.under_way.iter().any(|(known, _)| *known == entry)
     }

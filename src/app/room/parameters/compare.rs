@@ -61,7 +61,7 @@ impl Comparison {
 /// Which marks to toggle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marks {
-    /// The one of the row under the cursor.
+    /// The parameter in the row under the cursor.
     UnderCursor,
     /// Those not marked yet, so that all are marked.
     Unmarked,

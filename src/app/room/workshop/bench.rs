@@ -39,7 +39,7 @@ pub struct SlotRow {
     pub slot: PartSlot,
     /// Its part; `None` where one could be added.
     pub part: Option<&'static Part>,
-    /// How many of it are in the slot.
+    /// The number of pieces of the part in the slot.
     pub count: usize,
 }
 

@@ -19,7 +19,7 @@ pub(super) struct Schedule {
 /// The state of one event.
 #[derive(Debug, Clone, Copy, Default)]
 struct EventWatch {
-    /// The time at which it is due.
+    /// The time at which the event is due.
     due: Option<Duration>,
     /// Whether its condition held at the last evaluation.
     held: bool,

@@ -54,7 +54,7 @@ impl FireLevel {
         }
     }
 
-    /// The message that explains it.
+    /// The message that explains the level.
     const fn about(self) -> &'static str {
         match self {
             Self::Scorched => "map-fire-scorched",
