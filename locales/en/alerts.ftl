@@ -1,4 +1,4 @@
-# What is wrong with vehicles, and what can be done about alerts.
+# Alerts of vehicles, and commands about alerts.
 
 alert-motors-stopped = MOTORS STOPPED in the air
 alert-crashed = CRASHED, disarmed

@@ -1,4 +1,4 @@
-# Words that several subjects share.
+# Words used by several files.
 
 count-vehicles = { $count ->
     [one] { $count } vehicle

@@ -1,4 +1,4 @@
-# What the console itself says.
+# Questions, notices and labels of the console itself.
 
 ask-quit = QUIT
 ask-leave = LEAVE the session

@@ -35,7 +35,7 @@ debrief-nothing = Nothing left to gain.
 # At most 5 columns.
 debrief-good = good
 
-# What the trainee had said before launch.
+# Prediction and goal, stated before launch.
 debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice

@@ -1,4 +1,4 @@
-# The link doctor: what ails a link, and what to try.
+# The link doctor: faults of a link, and remedies.
 
 doctor-notice = { $link }: { $finding }. { $advice }
 

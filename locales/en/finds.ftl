@@ -28,18 +28,18 @@ detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false repor
 detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report
 detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
 
-# Passing over a zone.
+# Covering a zone.
 coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
 coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
 
-# Keeping a distance.
+# Keeping a distance from a structure.
 standoff-result = right distance { $share } % of { $near } s, too close { $close } s
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 
-# Bringing things.
+# Delivering loads.
 deliver-kits = { $done } helped, { $lost } too late
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target } people

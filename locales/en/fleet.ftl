@@ -1,4 +1,4 @@
-# Missions flown with built drones: why a fleet may not fly one, and what a mission needs of a drone.
+# Missions flown with built drones: why a fleet cannot fly one, and the requirements for each drone.
 fleet-many = the mission has { $seats ->
     [one] { $seats } seat
    *[other] { $seats } seats

@@ -1,4 +1,4 @@
-# The flight screen: table, telemetry, notices; and what stands at the edges of every screen.
+# The flight screen: table, telemetry, notices; also the header and footer of every screen.
 
 prompt-filter = show only
 

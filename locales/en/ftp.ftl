@@ -1,4 +1,4 @@
-# Why something about a vehicle's files (MAVFTP) fails.
+# Errors of a vehicle's files (MAVFTP).
 ftp-fail = the vehicle refuses it without giving a reason
 ftp-system = error { $number } of the vehicle's file system
 ftp-invalid-size = the vehicle rejects the size of the request

@@ -1,4 +1,4 @@
-# Lines of the command language: what is wrong with one, and what could come next.
+# Lines of the command language: faults and completions.
 
 grammar-no-command = a command is missing
 grammar-no-command-help = such as `all arm` or `1-3 takeoff 20`

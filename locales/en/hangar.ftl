@@ -61,7 +61,7 @@ hangar-plain-given-up = the vehicles did not start: the flight ends here
 hangar-plain-none = no processes simulate these vehicles
 hangar-here = here
 
-# Hangars that are services elsewhere.
+# Hangars on other machines.
 
 hangar-far = hangar { $hangar }: { $error }
 hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`

@@ -20,13 +20,13 @@ load-too-high = { $height } m is too high: at most { $limit } m
 load-sample = { $sensor } { $value } { $unit }
 load-sample-speed = samples need a speed of { $limit } m/s or less
 
-# What loads do to a fire.
+# Effects of loads on a fire.
 fire-put-out = the fire there is out
 fire-goes-on = the fire there is still burning
 fire-wetted = the ground there is wet
 fire-none-there = nothing burns there
 
-# Finding where something is.
+# Locating a source.
 locate-reports = reported: { $count }
 locate-off = { $distance } m off
 locate-missed = not found
@@ -44,7 +44,7 @@ perimeter-next = map in { $seconds } s
 perimeter-target = { $fit } at { $times } s
 perimeter-advice = scan the whole edge shortly before the map is taken; leave the downwind front for last
 
-# Fire and what it must not reach.
+# Protecting an area from a fire.
 protect-safe = nothing burnt
 protect-still = nothing burnt so far
 protect-burnt = { $lost } of { $all } cells burnt
@@ -56,7 +56,7 @@ contain-target = { $percent } %
 contain-quality = drop and spray over flames and dry fuel only, slowly and low
 contain-advice = Start with the front that runs downwind: the fire doubles every minute.
 
-# Radiation that vehicles gather.
+# The radiation dose of vehicles.
 dose-most = highest dose { $dose } uSv
 dose-target = { $limit } uSv
 dose-advice = Stay high and keep moving: the dose falls with the square of the distance and with the time.

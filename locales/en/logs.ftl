@@ -1,4 +1,4 @@
-# Logs of vehicles, and what they add to a record.
+# Logs of vehicles, joined to records.
 log-is-none = not a DataFlash log: it has no format records
 log-is-empty = the log contains no flight data
 log-cut-off = the log is cut off: its last { $bytes } bytes are an incomplete record

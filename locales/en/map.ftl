@@ -47,7 +47,7 @@ action-goto-here = write `goto` with the place under the cursor
 action-trails = show or hide the trails
 action-legend = show or hide the legend
 action-next-sensor = show samples of the next sensor
-# What signs mean: at most 24 columns.
+# Meanings of the signs: at most 24 columns.
 map-legend-seen = contact, one sensor
 map-legend-confirmed = contact, two sensors
 map-legend-reported = reported

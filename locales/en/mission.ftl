@@ -1,4 +1,4 @@
-# How a mission goes: progress, notices, events.
+# The course of a mission: progress, notices, events.
 
 mission-passed = passed
 mission-failed = failed
@@ -114,7 +114,7 @@ mission-reward-threat = threat { $threat }
 mission-lines = lines { $first } to { $last } of { $count }   { $key } scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
 
-# What a mission answers to deeds.
+# A mission's answers to commands.
 deed-over = the mission is over
 deed-launched = only possible before takeoff
 deed-no-position = its position is unknown
@@ -198,14 +198,14 @@ mission-marks-count = reports { $count }
 mission-pledge-line = your plan: { $words }
 mission-said-score = { $points } points
 
-# What is urgent, over the whole width of the screen; short in the header.
+# Urgent alerts, over the full width of the screen; shorter in the header.
 mission-alert = ! { $seconds } s: { $text }
 mission-alert-short = ! { $seconds } s
 mission-urgent-more = and { $count } more urgent
 mission-radio-weak = ! weak radio link to { $vehicle }: { $margin } dB
 inject-done = injected: { $what }
 
-# Tries, hints and what is carried, in the room of the mission.
+# Tries, hints and equipment, in the room of the mission.
 mission-tries = your tries
 mission-try = { $score } points, { $medal }
 mission-try-best = { $score } points, { $medal }, the best

@@ -1,4 +1,4 @@
-# What becomes of commands: states in a few words, and what there is to say about them.
+# Outcomes of commands: states in a few words, and explanations.
 
 state-queued = queued
 state-sent = sent
@@ -49,7 +49,7 @@ outcome-forgotten = the vehicle was forgotten
 outcome-not-heard = not sent: no such vehicle in contact
 outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
-# What was awaited in the telemetry; goes into outcome-not-seen and its like.
+# Expected effects, inserted into outcome-not-seen and similar messages.
 effect-nothing = an effect
 effect-armed = armed
 effect-disarmed = disarmed

@@ -1,4 +1,4 @@
-# Parameters: the room, files, and what is wrong with a value.
+# Parameters: the room, files, and faults of values.
 
 action-changed-parameters = show only changed ones, or those of the file
 action-save-parameters = save the parameters to a file

@@ -1,4 +1,4 @@
-# Why a command makes no sense for a vehicle now, or why the vehicle refused it. The vehicle is named beside it.
+# Why a command is not possible for a vehicle now, or why the vehicle refused it. The vehicle is named next to it.
 
 refused-not-heard = not in contact yet
 refused-not-guided = { $verb } needs GUIDED: it is in { $mode }; use `{ $vehicle } guided` first

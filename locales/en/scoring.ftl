@@ -1,4 +1,4 @@
-# Points, what moved them, and how to get more.
+# Points, the reasons for them, and how to earn more.
 
 scoring-objective = objective
 scoring-quality = quality
@@ -14,7 +14,7 @@ scoring-gold = gold
 scoring-silver = silver
 scoring-bronze = bronze
 
-# What moved a component.
+# The reasons for the value of a component.
 scoring-all-met = { $count ->
     [one] the objective is met
    *[other] all { $count } objectives met
@@ -45,7 +45,7 @@ scoring-rejected = { $count } rejected
 scoring-unsafe = { $count } unsafe
 scoring-twice = { $count } given twice
 
-# What would have brought more.
+# Advice for more points.
 scoring-improve-quality = Raise the quality from { $from } to { $to } ({ $now }).
 scoring-improve-quality-how = Raise the quality from { $from } to { $to } ({ $now }): { $how }.
 scoring-be-faster = Save { $seconds } s to reach par.

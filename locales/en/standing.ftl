@@ -1,4 +1,4 @@
-# The profile of the trainee, the progress so far, and what comes next.
+# The trainee's profile, progress, and next step.
 
 room-standing = standing
 action-standing = show your progress: skills, scores, credits
@@ -33,7 +33,7 @@ home-seed-none = a seed is a whole number, 0 or more
 ask-exam = START the exam
 ask-exam-reason = one seed for all trainees, real time, no hints, no pause; the result counts
 
-# What a mission means to the career: names and what they say.
+# The role of a mission in the career: labels and values.
 mission-career = for your career
 fact-stage = state
 fact-locked = locked: { $why }
@@ -124,7 +124,7 @@ days-today = today
 days-ahead = in { $count } d
 days-ago = { $count } d ago
 
-# How much advice the console gives unasked.
+# How much advice the console gives automatically.
 aids-full-about = advice: full; every hint and all feedback
 aids-fading-about = advice: fading; fewer hints as your skills grow
 aids-none-about = advice: none; only hints on request

@@ -1,4 +1,4 @@
-### What several vehicles do together.
+### Manoeuvres of several vehicles.
 
 swarm-usual-spacing = line spacing { $metres } m (default)
 swarm-gaps = { $metres } m of the lines cross gaps in the area

@@ -1,4 +1,4 @@
-# What is heard of vehicles: notices, and words for what they report.
+# Telemetry of vehicles: notices, and words for reported values.
 
 heard-mode = mode { $mode }
 heard-armed = armed

@@ -23,7 +23,7 @@ threat-battery-cell = a battery cell fails
 threat-person = a person enters the area
 threat-aircraft = an aircraft crosses the area
 
-# The objective of a link that must hold.
+# The objective to keep a link.
 link-target = { $margin } dB for { $percent } %
 link-kept = { $percent } % of { $seconds } s
 link-none = no time in the area

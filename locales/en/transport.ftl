@@ -1,4 +1,4 @@
-# Links: their states, what is wrong with them, and what is wrong with their addresses.
+# Links: their states, their faults, and faults of their addresses.
 
 transport-connecting = connecting
 transport-up = up

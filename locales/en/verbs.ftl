@@ -1,4 +1,4 @@
-# What the verbs do, and what their arguments mean.
+# The verbs and their arguments.
 
 verb-arm = start the motors
 verb-disarm = stop the motors on the ground; refused in flight

@@ -1,4 +1,4 @@
-# Датчики, що знаходять.
+# Датчики, що виявляють об'єкти.
 mission-sensor-camera = камера
 mission-sensor-zoom = камера із зумом
 mission-sensor-thermal = тепловізор

@@ -1,4 +1,4 @@
-# Why something about a vehicle's files (MAVFTP) fails.
+# Помилки файлів апарата (MAVFTP).
 ftp-fail = апарат відмовляє, не називаючи причини
 ftp-system = помилка { $number } файлової системи апарата
 ftp-invalid-size = апарат вважає розмір запиту неправильним

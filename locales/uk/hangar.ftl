@@ -62,7 +62,7 @@ hangar-plain-given-up = апарати не запустилися: політ �
 hangar-plain-none = ці апарати не симулює жоден процес
 hangar-here = тут
 
-# Ангари, що є службами деінде.
+# Ангари на інших машинах.
 
 hangar-far = ангар { $hangar }: { $error }
 hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`

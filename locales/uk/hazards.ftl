@@ -1,10 +1,10 @@
-# What continuous hazards are measured with, what is let go of over them, and the objectives about them.
+# Неперервні небезпеки: датчики, вантажі та цілі.
 
 mission-sensor-monoxide = CO
 mission-sensor-methane = CH4
 mission-sensor-dose-rate = потужність дози
 
-# Loads.
+# Вантажі.
 load-ball = кулі
 load-spray = розчин
 load-kit = набори
@@ -20,13 +20,13 @@ load-too-high = { $height } m — це зависоко: щонайбільше 
 load-sample = { $sensor } { $value } { $unit }
 load-sample-speed = проби беруть на швидкості не більш як { $limit } m/s
 
-# What loads do to a fire.
+# Дія вантажів на вогонь.
 fire-put-out = там вогонь погашено
 fire-goes-on = там вогонь не згас
 fire-wetted = там земля мокра
 fire-none-there = там нічого не горить
 
-# Finding where something is.
+# Пошук джерела.
 locate-reports = повідомлено: { $count }
 locate-off = похибка { $distance } m
 locate-missed = не знайдено
@@ -35,13 +35,13 @@ locate-quality = повідомляйте лише про те, у чому вп
 locate-target = { $count } з точністю { $within } m
 locate-advice = Перетніть ділянку з двох боків, летіть повільно там, де покази найбільші, і повідомте про місце: `mark peak`.
 
-# The edge of a fire.
+# Край пожежі.
 perimeter-none = карти ще немає
 perimeter-next = карта через { $seconds } s
 perimeter-target = { $fit } на { $times } s
 perimeter-advice = огляньте весь край незадовго до зняття карти; фронт за вітром лишіть наостанок
 
-# Fire and what it must not reach.
+# Захист ділянки від пожежі.
 protect-safe = нічого не згоріло
 protect-still = поки що нічого не згоріло
 protect-burnt = згоріло клітинок: { $lost } з { $all }
@@ -53,7 +53,7 @@ contain-target = { $percent } %
 contain-quality = скидайте й розпилюйте лише над полум'ям і сухим паливом, повільно й низько
 contain-advice = Почніть із фронту, що йде за вітром: пожежа подвоюється щохвилини.
 
-# Radiation that vehicles gather.
+# Доза опромінення апаратів.
 dose-most = найбільша доза { $dose } uSv
 dose-target = { $limit } uSv
 dose-advice = Тримайтеся вище й не зупиняйтеся: доза падає з квадратом відстані та з часом.

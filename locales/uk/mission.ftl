@@ -213,7 +213,7 @@ mission-urgent-more = і ще термінового: { $count }
 mission-radio-weak = ! слабкий зв'язок з { $vehicle }: { $margin } dB
 inject-done = введено: { $what }
 
-# Спроби, підказки та спорядження в кімнаті завдання.
+# Спроби, підказки та спорядження на екрані завдання.
 mission-tries = ваші спроби
 mission-try = балів: { $score }, { $medal }
 mission-try-best = балів: { $score }, { $medal }, найкраща

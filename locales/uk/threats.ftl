@@ -1,4 +1,4 @@
-# Threats: rules of the air, alerts, injects.
+# Загрози: правила польотів, тривоги, введені події.
 
 threat-collision = зіткнення з апаратом { $other }
 threat-separation = { $distance } m до апарата { $other }
@@ -23,7 +23,7 @@ threat-battery-cell = відмовив елемент акумулятора
 threat-person = на ділянку заходить людина
 threat-aircraft = ділянку перетинає літак
 
-# The objective of a link that must hold.
+# Ціль: утримати зв'язок.
 link-target = { $margin } dB протягом { $percent } %
 link-kept = { $percent } % із { $seconds } s
 link-none = часу на ділянці немає

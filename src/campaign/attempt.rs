@@ -54,7 +54,7 @@ pub struct AttemptTrainee<'a> {
     pub course: &'a MissionCourse,
 }
 
-/// The means of an attempt.
+/// The circumstances of an attempt that decide how it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AttemptMeans {
     /// How the mission compares with that of the course.

@@ -28,12 +28,12 @@ impl Order {
     }
 }
 
-/// The action of an order, by who carries it out.
+/// The action of an order, grouped by the part that carries it out.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Act {
-    /// The autopilot of each target.
+    /// Carried out by the autopilot of each target.
     Command(Command),
-    /// The mission, for each target.
+    /// Carried out by the mission, for each target.
     Deed(Deed),
     Manoeuvre(Manoeuvre),
 }

@@ -25,7 +25,7 @@ pub enum FlightPace {
 pub struct FlightDriver {
     flight: Flight,
     pace: FlightPace,
-    /// Since when the vehicles are expected to be heard.
+    /// The time from which the vehicles are expected to be heard.
     awaited: Option<Duration>,
     /// When the mission began.
     begun: Option<Duration>,

@@ -25,7 +25,7 @@ use meter::InstanceMeter;
 
 /// The time between queries to a booting instance.
 const PROBE_EVERY: Duration = Duration::from_millis(50);
-/// The time between all other checks.
+/// The interval of the checks that no event triggers.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 /// The number of lines of output shown when an instance has ended.
 const LINES_SHOWN: usize = 20;

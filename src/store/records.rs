@@ -47,7 +47,7 @@ pub struct RecordLimits {
 }
 
 impl Default for RecordLimits {
-    /// 200 records, and 4 GiB: seven hours with 32 vehicles.
+    /// At most 200 records and 4 GiB, which is enough for seven hours with 32 vehicles.
     fn default() -> Self {
         Self {
             count: 200,

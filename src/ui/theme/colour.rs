@@ -1,4 +1,4 @@
-//! Colours for terminals with fewer of them.
+//! Converts colours for terminals that support fewer colours.
 
 use ratatui::style::Color;
 

@@ -53,7 +53,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
 
 /// The earth's magnetic field at the place of the measurements (north, east, down), in milligauss.
 const FIELD_MGAUSS: DVec3 = DVec3::new(232.0, 52.0, -528.0);
-/// Degrees Celsius times 100 of the inertial sensors.
+/// The temperature of the inertial sensors, in hundredths of a degree Celsius.
 const IMU_CDEG: i16 = 2700;
 
 /// Fix type, satellites, and the errors of position (metres) and velocity (metres per second).
