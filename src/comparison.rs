@@ -41,7 +41,7 @@ pub struct ComparedFlight {
     pub bookmarks: Vec<FlightBookmark>,
 }
 
-/// A bookmark of a flight.
+/// A bookmark, with its mission time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FlightBookmark {
     pub at: Duration,

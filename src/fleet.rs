@@ -36,7 +36,7 @@ const EVENTS_KEPT: usize = 4096;
 /// The maximum number of requests in the queue to the hub.
 const REQUESTS_KEPT: usize = 1024;
 
-/// An event of the fleet.
+/// News from the fleet for the console.
 #[derive(Debug)]
 pub enum FleetEvent {
     /// A vehicle was heard for the first time; its state can be watched from now on.

@@ -105,7 +105,7 @@ pub struct Instance {
     pub port: Option<u16>,
 }
 
-/// The limits of a hangar.
+/// Limits for the instances of a hangar, to protect its host.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Limits)]
 pub struct HangarLimits {

@@ -23,7 +23,7 @@ use crate::vehicle::{VehicleId, Vehicles};
 #[cfg(test)]
 mod tests;
 
-/// Work for the owner of an operator.
+/// A task that an operator hands to its owner.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Dispatch {
     /// Apply a change of a row to the ledger.

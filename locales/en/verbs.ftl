@@ -126,7 +126,7 @@ argument-workload = 1 (almost nothing) to 5 (too much)
 argument-goal-time = time to finish within
 argument-goal-battery = battery to land with
 argument-goal-score = points to reach
-argument-goal-component = component without faults
+argument-goal-component = component to keep free of faults
 
 # Commands of the console itself.
 verb-show = go to a room

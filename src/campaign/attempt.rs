@@ -46,7 +46,7 @@ pub struct AttemptTerms<'a> {
     pub random: Option<u64>,
 }
 
-/// The trainee of an attempt.
+/// The career of the trainee who makes an attempt.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTrainee<'a> {
     pub standing: &'a CareerStanding,

@@ -44,7 +44,7 @@ pub struct TrainingAdvice {
     pub mission_title: Text,
 }
 
-/// The progress with a mission.
+/// The results of a trainee in one mission.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MissionProgress {
     /// The id of the mission.
@@ -71,7 +71,7 @@ pub struct MissionProgress {
     pub trend: Option<f64>,
 }
 
-/// The state of a mission.
+/// Whether a mission is locked, open or passed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum MissionState {
@@ -82,7 +82,7 @@ pub enum MissionState {
     Passed,
 }
 
-/// The progress of a skill.
+/// How well a trainee masters a skill.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
     pub skill: Skill,
@@ -96,7 +96,7 @@ pub struct SkillProgress {
     pub opportunities: u32,
     /// The number of missions that gave evidence.
     pub missions: usize,
-    /// The day on which it will be due, in days since 1970 (UTC), if it was ever mastered.
+    /// The day on which the skill will be due, in days since 1970 (UTC), if it was ever mastered.
     pub due_day: Option<i64>,
 }
 

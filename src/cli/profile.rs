@@ -77,7 +77,7 @@ enum ProfileCommand {
                             sortie profile export anna --output anna.json\n  \
                             sortie profile delete anna --yes")]
     Delete {
-        /// The name of the profile.
+        /// The profile to delete.
         name: String,
         /// Delete the profile without asking for confirmation.
         #[arg(long)]

@@ -7,7 +7,7 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// The answer to a request.
+/// The message that answers a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
     /// `COMMAND_ACK` of this `MAV_CMD`.

@@ -14,7 +14,7 @@ use crate::geo::LatLon;
 use crate::vehicle::{Mode, VehicleClass};
 use crate::wire::Content;
 
-/// The aim of a manoeuvre.
+/// The state that a manoeuvre should reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Aim {
     /// Climb to a height above the origin, in metres.
@@ -40,7 +40,7 @@ pub struct Manoeuvre {
     pub last_asked_s: f64,
     /// The time of the next command.
     pub to_s: f64,
-    /// The aim of the manoeuvre.
+    /// The state that the manoeuvre should reach.
     pub aim: Aim,
 }
 

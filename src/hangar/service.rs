@@ -122,7 +122,7 @@ pub struct Program {
     pub identity: String,
 }
 
-/// The status of a service.
+/// The answer to `GET /status`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Status {
     /// The version of the program.

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::process;
 
-/// The protocol of a socket.
+/// The transport protocol of a socket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Protocol {

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::text;
 use crate::text::Text;
 
-/// A list of names.
+/// The kinds of names that a line may contain and that only the console knows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameList {
     /// The rooms of the console.

@@ -169,7 +169,7 @@ impl<'a> ObjectiveScene<'a> {
         }
     }
 
-    /// The survey of an objective.
+    /// The survey that belongs to an objective, by the objective's id.
     pub fn survey(&self, id: &str) -> Option<&Survey> {
         self.surveys.iter().find(|survey| survey.plan.id == id)
     }

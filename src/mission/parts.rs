@@ -44,7 +44,7 @@ pub struct CareerTerms {
     pub rewards: Rewards,
 }
 
-/// The rules of a flight.
+/// The limits that vehicles must keep during a flight.
 #[derive(Debug)]
 pub struct FlightRules {
     pub time_limit: Duration,

@@ -123,7 +123,7 @@ pub struct ObjectiveProgress {
     pub fraction: f64,
 }
 
-/// The state of an objective.
+/// Whether an objective is open, met or missed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ObjectiveState {
     Open,

@@ -223,7 +223,7 @@ impl PathLine {
         paths.iter().map(line).collect()
     }
 
-    /// The path of a line.
+    /// The path in the form of the map.
     pub fn path(&self) -> Path {
         let points = self.points.iter();
         Path {
@@ -256,7 +256,7 @@ impl LossLine {
         }
     }
 
-    /// The fault of a line.
+    /// The fault in the form of the radio model.
     pub fn fault(&self) -> RadioFault {
         RadioFault {
             loss: self.loss,

@@ -34,7 +34,7 @@ pub struct Film {
     clock: Arc<MissionClock>,
     run: Option<Stored>,
     review: Review,
-    /// The fault of the review.
+    /// Why the review could not be read, if so.
     review_fault: Option<Text>,
     /// The logs that have been joined to the recording.
     logs: Vec<JoinedLog>,

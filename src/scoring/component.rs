@@ -111,7 +111,7 @@ impl Weights {
     }
 }
 
-/// One component of a score.
+/// The value of a component, and the points that it earns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentScore {
     pub component: Component,

@@ -13,7 +13,7 @@ const FULL_SHARE: f64 = 0.5;
 /// The share of idle time at which a vehicle earns no points for being busy.
 const MOST_IDLE: f64 = 0.3;
 
-/// The use of one vehicle.
+/// The times of one vehicle in the air, with a task and without.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleUse {
     pub vehicle: VehicleId,

@@ -77,7 +77,7 @@ pub enum FtpEvent {
     Wrote(u32),
     /// The file has been closed: the task is done.
     Written,
-    /// The task is over.
+    /// The task has failed.
     Failed(FtpFault),
 }
 

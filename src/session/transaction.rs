@@ -26,7 +26,7 @@ pub(super) enum Progress {
     Ended,
 }
 
-/// The phase of a transaction.
+/// What a command is waiting for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TransactionPhase {
     /// Sent, awaiting the answer.

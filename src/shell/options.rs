@@ -27,7 +27,7 @@ pub enum Opening {
     Replay(PathBuf),
 }
 
-/// The options of the console.
+/// The settings and files with which the console starts.
 #[derive(Debug, Clone)]
 pub struct ConsoleOptions {
     /// The first activity of the console, such as the home screen or a mission.

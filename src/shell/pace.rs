@@ -17,7 +17,7 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// Ticks for a speed-up.
+    /// The ticks of a flight at a speed-up.
     pub fn of(speedup: f64) -> Self {
         let mut ticks = tokio::time::interval(tick_every(speedup));
         ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);

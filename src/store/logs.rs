@@ -27,7 +27,7 @@ const MOST_ALIKE: usize = 100;
 /// The maximum size of a list of gaps, in bytes.
 const LONGEST_GAPS: u64 = 16 * 1024 * 1024;
 
-/// A folder of logs.
+/// A folder into which logs of vehicles are downloaded.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LogFolder {
     folder: PathBuf,
@@ -41,7 +41,7 @@ impl LogFolder {
         }
     }
 
-    /// The folder of a log.
+    /// The path of the folder in which a log is stored.
     fn folder_of(&self, log: &VehicleLog) -> PathBuf {
         match &log.folder {
             Some(folder) => user_path(folder),

@@ -67,7 +67,7 @@ pub fn short_clock(time: Duration) -> String {
     text.strip_prefix('0').map_or(text.clone(), str::to_owned)
 }
 
-/// The role of a severity.
+/// The theme role that draws a severity.
 pub fn severity_role(severity: Severity) -> Role {
     match severity {
         Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => {

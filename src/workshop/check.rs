@@ -62,7 +62,7 @@ impl FindingKind {
     }
 }
 
-/// The severity of a finding.
+/// How serious a finding about a design is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FindingSeverity {
     /// The design can be flown with this risk.

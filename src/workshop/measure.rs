@@ -19,9 +19,9 @@ pub enum Measure {
     Thrust,
     /// The thrust as a multiple of the weight.
     Ratio,
-    /// The power of the hover.
+    /// The electrical power in the hover.
     HoverPower,
-    /// The current of the hover.
+    /// The current from the battery in the hover.
     HoverCurrent,
     /// The hover time with the usable part of the charge.
     HoverTime,

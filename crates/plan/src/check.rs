@@ -166,7 +166,7 @@ pub enum FindingKind {
         /// The limit, in metres.
         most_m: f32,
     },
-    /// Home breaks the fence.
+    /// Home is outside an inclusion area or inside an exclusion area.
     HomeBreaksFence {
         /// The area, counted from 0.
         area: usize,

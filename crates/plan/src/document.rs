@@ -56,7 +56,7 @@ impl Default for Origin {
 }
 
 impl Document {
-    /// One of the lists.
+    /// The items of one list.
     pub fn list(&self, kind: ListKind) -> &Vec<Item> {
         match kind {
             ListKind::Plan => &self.plan,
@@ -65,7 +65,7 @@ impl Document {
         }
     }
 
-    /// One of the lists, to be changed.
+    /// The items of one list, for changing them.
     pub fn list_mut(&mut self, kind: ListKind) -> &mut Vec<Item> {
         match kind {
             ListKind::Plan => &mut self.plan,

@@ -142,7 +142,7 @@ pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     insert(items, at, &[waypoint])
 }
 
-/// A change of heights.
+/// How the heights of several items change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HeightChange {
     /// Sets all heights to this value, in metres.

@@ -85,7 +85,7 @@ impl Default for ReadOptions {
 /// A file that was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loaded {
-    /// The format that the content has.
+    /// The format that was recognised.
     pub format: SourceFormat,
     /// The lists that the file contains.
     pub document: Document,

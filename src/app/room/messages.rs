@@ -46,7 +46,7 @@ pub struct Messages {
     turned: BTreeSet<Node>,
 }
 
-/// The traffic of one link.
+/// The messages of one link: their counts, and the frames of the fields drawn as graphs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkTraffic {
     pub name: String,

@@ -50,7 +50,7 @@ pub fn unflown(state: &State) -> Option<&Listing> {
     shown(state).filter(|_| !has_begun)
 }
 
-/// The mission that is shown.
+/// The mission in the room: the one in flight, otherwise the one chosen on the home screen.
 pub fn shown(state: &State) -> Option<&Listing> {
     if state.session.activity.is_some() {
         return state.flown_mission();

@@ -24,7 +24,6 @@ const VIBRATION_LIMIT: f32 = 60.0;
 pub struct Alert {
     /// The condition that raises the alert.
     pub kind: AlertKind,
-    /// The severity of the alert.
     pub severity: Severity,
     /// The cause in a few words, the most important ones first.
     pub text: Text,

@@ -52,7 +52,7 @@ pub enum Activity {
     Mission {
         id: String,
         title: Text,
-        /// The stake of the flight.
+        /// What the flight counts as in a career.
         stake: Stake,
     },
     /// Simulated vehicles without a task.

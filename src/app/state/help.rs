@@ -15,7 +15,7 @@ pub const SHORT_USAGE: usize = 22;
 const SHORT_SUMMARY: usize = 49;
 /// The width of a usage that has a line to itself.
 const USAGE_WIDTH: usize = 64;
-/// The width of a note.
+/// The maximum number of columns of a note.
 const NOTE_WIDTH: usize = 66;
 
 /// One line of the help.

@@ -9,7 +9,7 @@ use crate::language::{self, Channel, ConsoleLine, Context, Groups, Meaning, Targ
 use crate::text;
 use crate::vehicle::VehicleClass;
 
-/// A line of a macro.
+/// A line of a macro, with the macro's name and the line's number for faults.
 #[derive(Clone, Copy)]
 struct MacroLine<'a> {
     name: &'a str,

@@ -196,7 +196,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
     }
 }
 
-/// An order that is sent.
+/// An order entered in the ledger, and the effect that sends it.
 #[must_use = "the shell has to carry the effect out"]
 pub struct SentOrder {
     pub entry: EntryId,

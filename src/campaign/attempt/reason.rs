@@ -33,7 +33,7 @@ pub enum PracticeReason {
 }
 
 impl PracticeReason {
-    /// The reason as text.
+    /// The reason in the words of the screens.
     pub fn text(&self) -> Text {
         match self {
             Self::ChosenSeed => text!("practice-seed"),

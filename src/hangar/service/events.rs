@@ -26,7 +26,7 @@ pub struct InstanceSnapshot {
     pub vehicles: Vec<Instance>,
 }
 
-/// A change of an instance.
+/// A change that the stream of events reports.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InstanceChange {
     /// The instance is new, or has changed.

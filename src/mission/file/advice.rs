@@ -83,7 +83,10 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         return Some(OneAdvice::Shown(Hint { phase, until, text }));
     };
     if until.is_some() {
-        table.fault_of("until", "a hint with a `level` has no `until`: use `objective` instead");
+        table.fault_of(
+            "until",
+            "a hint with a `level` has no `until`: use `objective` instead",
+        );
     }
     if let Some(id) = &objective {
         table.draft().check_declared("objective", id);

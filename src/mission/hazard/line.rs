@@ -89,7 +89,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let wire = Wire::new(pylons, height_m, sag_m);
     // Half of the length must stay free; otherwise random placement finds no room.
     if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
-        table.fault_of("min_gap", "the line is too short for this many defects and stains with this gap");
+        table.fault_of(
+            "min_gap",
+            "the line is too short for this many defects and stains with this gap",
+        );
     }
     Some(Box::new(PowerLine {
         wire,

@@ -35,7 +35,7 @@ use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 
-/// The start of free flight.
+/// The position and heading of the first vehicle in free flight.
 const FREE_FLIGHT_START: Start = Start {
     at: LatLon::new(50.4501, 30.5234),
     altitude_amsl_m: 180.0,

@@ -92,7 +92,7 @@ pub fn draw_line(line: &PageLine, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, panel.area, 0, &Line::styled(text, style));
 }
 
-/// The role of a tone.
+/// The theme role that draws a tone.
 pub fn tone_role(tone: Tone) -> Role {
     match tone {
         Tone::Title => Role::Title,

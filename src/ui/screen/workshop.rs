@@ -141,7 +141,7 @@ fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
     Some((format!("{sign}{difference}"), role))
 }
 
-/// The title of the mission.
+/// The title of the mission that the fleet is built for.
 fn mission_title(state: &State, look: &Look) -> String {
     let mission = crate::app::room::workshop::mission(state);
     let title = mission.map_or_else(|| text!("bench-no-mission"), |it| it.title.clone());

@@ -62,7 +62,7 @@ pub fn battery_role(left_percent: u8) -> Role {
     }
 }
 
-/// The role of a link.
+/// The theme role for the quality of a link.
 pub fn link_role(link: &LinkQuality) -> Role {
     if link.lost {
         Role::Danger

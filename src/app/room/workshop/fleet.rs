@@ -10,7 +10,7 @@ use crate::text::Text;
 use crate::vehicle::Severity as Weight;
 use crate::workshop::{Design, FindingSeverity};
 
-/// A seat of a fleet.
+/// A drone's place in the fleet of a mission, and the design for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seat<'a> {
     /// Its number, from 1.

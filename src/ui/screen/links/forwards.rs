@@ -13,7 +13,7 @@ use crate::ui::widget::{below, clip, put};
 
 /// Columns of the figures behind the name.
 const FIGURES: usize = 58;
-/// Rows of the frame.
+/// The rows that the frame of the pane takes.
 const FRAME_ROWS: u16 = 2;
 
 /// Draws a line for each forward; returns the rest below.
