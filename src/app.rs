@@ -87,7 +87,7 @@ impl App {
         }
     }
 
-    /// What the console shows.
+    /// The state that the screens show.
     pub fn state(&self) -> &State {
         &self.state
     }

@@ -77,7 +77,7 @@ pub enum Command {
     Raw(RawCommand),
 }
 
-/// What a command changes of a vehicle's setup, apart from its flight.
+/// The change that a command makes to a vehicle's setup, apart from its flight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Setup<'command> {
     /// The parameter with this name.
@@ -91,7 +91,7 @@ pub enum Setup<'command> {
 }
 
 impl Command {
-    /// What it changes of the vehicle's setup, if it does.
+    /// The change that the command makes to the vehicle's setup, if any.
     pub fn setup(&self) -> Option<Setup<'_>> {
         match self {
             Self::Parameter(ParameterCommand::Set { name, .. }) => Some(Setup::Parameter(name)),

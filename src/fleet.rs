@@ -68,7 +68,7 @@ enum FleetRequest {
     Forget(VehicleId),
 }
 
-/// What the fleet stores: frames and logs.
+/// The data that the fleet stores: frames and logs.
 #[derive(Debug, Clone, Default)]
 pub struct Keeping {
     /// The recorder of the frames of all links.

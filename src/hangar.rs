@@ -90,7 +90,7 @@ pub struct Instance {
     pub cpu_ms: u64,
     /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// What is missing, when a stage takes long, or the next step after its end.
+    /// The missing condition, when a stage takes long, or the next step after the instance has ended.
     #[serde(default)]
     pub hint: Option<String>,
     /// Connections of other processes that were refused.

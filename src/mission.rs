@@ -166,7 +166,7 @@ impl Mission {
         })
     }
 
-    /// What a flight must do to count as an attempt at an objective; `None` for an unknown id.
+    /// The condition for an attempt at an objective; `None` for an unknown id.
     pub(crate) fn trying(&self, objective: &str) -> Option<Trying> {
         let mut objectives = self.objectives.iter();
         let found = objectives.find(|it| it.id == objective);

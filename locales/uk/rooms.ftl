@@ -83,4 +83,4 @@ action-abandon = припинити завдання
 action-next-section = перейти до наступного розділу
 action-previous-section = перейти до попереднього розділу
 action-drill = виконати вправу до завдання
-action-truth-map = показати справжній стан на карті або текст
+action-truth-map = показати на карті, що було насправді, або текст

@@ -270,7 +270,7 @@ pub enum TerminalEffect {
 pub struct PaceChange {
     /// The new speed-up of simulated time over the wall clock.
     pub speedup: f64,
-    /// What ended a speed-up; `None` if the trainee asked for the change.
+    /// The reason for the end of a speed-up; `None` if the trainee asked for the change.
     pub because: Option<Text>,
 }
 

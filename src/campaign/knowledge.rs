@@ -182,7 +182,7 @@ impl Knowledge {
         self.missions.len()
     }
 
-    /// Updates it with a flight's outcome, 0 to 1.
+    /// Updates the knowledge with a flight's outcome, 0 to 1.
     pub(super) fn observe(&mut self, outcome: f64, tier: u8, mission: &str, day: i64) {
         let before = self.chance(day);
         if self.mastery(day) == Mastery::Due && outcome >= SUCCESS {

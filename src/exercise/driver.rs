@@ -1,4 +1,4 @@
-//! The begin of a mission, and the clock of its time.
+//! Decides when a mission begins, and which clock counts its time.
 
 use std::time::Duration;
 

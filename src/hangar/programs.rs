@@ -47,7 +47,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// The places from the environment.
+    /// The places that environment variables name.
     pub fn of_environment() -> Self {
         Self {
             path: env::var_os("PATH"),

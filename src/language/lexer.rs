@@ -12,7 +12,7 @@ pub struct Word<'a> {
 }
 
 impl Word<'_> {
-    /// Whether it is this word, ignoring case.
+    /// Whether the word equals another one, ignoring case.
     pub fn is(&self, other: &str) -> bool {
         self.text.eq_ignore_ascii_case(other)
     }

@@ -55,7 +55,7 @@ pub(crate) enum Trigger {
     Instructor,
 }
 
-/// What an event does.
+/// An action of an event.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Action {
     Say(Text),

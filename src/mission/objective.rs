@@ -59,7 +59,7 @@ pub(crate) struct Sought {
     pub within_m: f64,
 }
 
-/// What counts as an attempt at an objective. Without an attempt, the trainee has not failed at it.
+/// The condition for an attempt at an objective. Without an attempt, the trainee has not failed at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trying {
     Always,
@@ -191,7 +191,7 @@ pub(crate) struct ObjectiveStanding {
     pub product: Option<Product>,
     /// The result as text.
     pub result: Text,
-    /// What is still missing, during the flight; `None` if the result contains everything.
+    /// The missing part of the objective, during the flight; `None` if the result contains everything.
     pub outlook: Option<Text>,
     /// The target as text.
     pub target: Text,

@@ -32,7 +32,7 @@ const LISTS: u8 = 4;
 /// How many times a list is read again because the number of parameters has changed.
 const RESTARTS: u8 = 3;
 
-/// What a download waits for.
+/// The phase of a download.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum DownloadPhase {
     Idle,

@@ -26,7 +26,7 @@ pub(super) enum Progress {
     Ended,
 }
 
-/// What a command is waiting for.
+/// The phase of a command: sent, answered, or waiting for its effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TransactionPhase {
     /// Sent, awaiting the answer.

@@ -161,7 +161,7 @@ impl<'a> Matching<'a> {
 
 /// Moves points apart until no two are nearer than `spacing_m`, each as little as its neighbours allow.
 pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
-    /// A factor slightly above 1, so that the last shifts come to an end.
+    /// A factor slightly above 1, so that repeated shifts end instead of approaching their goal forever.
     const BEYOND: f64 = 1.001;
     const ROUNDS: usize = 2000;
     let mut points = points.to_vec();

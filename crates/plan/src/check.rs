@@ -56,7 +56,7 @@ impl VehicleKind {
     }
 }
 
-/// What is known about the vehicle.
+/// The known facts about the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CheckOptions {
     /// The kind of vehicle; `None` for the kind that the file names, or else a copter.

@@ -15,7 +15,7 @@ pub struct Document {
     pub fence: Vec<Item>,
     /// Places other than home where RTL may end.
     pub rally: Vec<Item>,
-    /// What the ground station knew about the vehicle, if the format stores it.
+    /// The ground station's data about the vehicle, if the format stores them.
     pub origin: Option<Origin>,
 }
 
@@ -30,7 +30,7 @@ pub struct Home {
     pub z: f32,
 }
 
-/// What a `.plan` file says about the vehicle.
+/// The data about the vehicle in a `.plan` file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Origin {
     /// The number of a `MAV_AUTOPILOT`.

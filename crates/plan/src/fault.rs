@@ -107,7 +107,7 @@ pub enum Expected {
     Word(&'static str),
 }
 
-/// What is wrong with a KMZ archive.
+/// The faults of a KMZ archive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArchiveFault {
     /// The archive is damaged.

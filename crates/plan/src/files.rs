@@ -64,7 +64,7 @@ impl FileFormat {
     }
 }
 
-/// What to assume where a file does not say it.
+/// The values to assume where a file lacks them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReadOptions {
     /// The height above home of shapes without heights, in metres.
@@ -91,7 +91,7 @@ pub struct Loaded {
     pub document: Document,
     /// Where each item stands.
     pub places: Places,
-    /// What was assumed or left out.
+    /// The values that were assumed or left out.
     pub notes: Vec<Note>,
     /// The text to which all places refer: the file, or what is in the archive.
     pub text: String,
@@ -116,7 +116,7 @@ impl Places {
     }
 }
 
-/// What a reader of one format makes of a text.
+/// The result of reading a text in one format.
 #[derive(Debug, Default)]
 struct Parsed {
     document: Document,

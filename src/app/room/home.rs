@@ -30,7 +30,7 @@ impl Home {
     }
 }
 
-/// What the home screen offers.
+/// An entry of the home screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeItem {
     /// The mission with this index in [`State::missions`].

@@ -36,7 +36,7 @@ const OTHER_ROWS: u16 = ROWS_ABOVE + 2;
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
 pub struct Map {
-    /// What the view is fixed to.
+    /// The content on which the view is fixed.
     pub(in crate::app) aim: Aim,
     /// The position of the cursor; `None` for the centre of the view.
     pub(in crate::app) cursor: Option<LatLon>,
@@ -55,7 +55,7 @@ pub struct Map {
     pub(in crate::app) overview: Overview,
 }
 
-/// What the view is fixed to.
+/// The content on which the view is fixed: everything, a place or a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Aim {
     /// Everything, at the scale that fits.
@@ -68,7 +68,7 @@ pub enum Aim {
 }
 
 impl Map {
-    /// What the view is fixed to.
+    /// The content on which the view is fixed.
     pub fn aim(&self) -> Aim {
         self.aim
     }

@@ -32,7 +32,7 @@ pub struct NoticeLine {
     content: LineContent,
 }
 
-/// What a line stands for.
+/// The content of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LineContent {
     /// The notice that the line repeats.

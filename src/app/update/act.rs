@@ -160,7 +160,7 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
     state.session.choice.selection = there.into_iter().collect();
 }
 
-/// What would be lost if the session ended now; `None` once the mission is over.
+/// The loss if the session ended now; `None` once the mission is over.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // A mission that has not begun is only cancelled.

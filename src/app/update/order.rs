@@ -105,7 +105,7 @@ fn moves_nothing(state: &State, statement: &Statement) -> bool {
     }
 }
 
-/// What Enter does with an order, as text.
+/// The effect of Enter on an order, as text.
 pub fn announced(state: &State, order: &Order) -> Text {
     if order.verb.counts_as.is_said_to_mission() {
         let key = state.keymap.key(Action::Submit, Place::Prompt);

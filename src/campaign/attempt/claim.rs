@@ -5,7 +5,7 @@ use crate::campaign::{Stake, daily_seed};
 use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile};
 
-/// What a record or a report claims about a finished flight.
+/// The claims of a record or a report about a finished flight.
 #[derive(Debug, Clone, Copy)]
 pub struct FlightClaim<'a> {
     /// The mission as it was flown.
@@ -20,7 +20,7 @@ pub struct FlightClaim<'a> {
     pub ended: i64,
 }
 
-/// What a finished flight counts for.
+/// The purpose for which a finished flight counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SettledFlight {
     pub stake: Stake,

@@ -63,7 +63,7 @@ type UnheardLine = (i32, i32, i64);
 /// Voltage in mV, charge in mAh, energy in hJ, percent.
 type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 
-/// What has been written about a vehicle so far.
+/// The state of a vehicle as written to the record so far.
 #[derive(Debug, Default)]
 pub(super) struct WatchedVehicle {
     /// The latest values written; `None` before the first.

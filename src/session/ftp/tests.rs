@@ -9,7 +9,7 @@ use super::*;
 
 const STEP: Duration = Duration::from_millis(10);
 
-/// What happens to packets on their way.
+/// The faults of the way between client and server: loss, repetition, delay.
 #[derive(Debug, Clone, Copy, Default)]
 struct Channel {
     loss: f64,

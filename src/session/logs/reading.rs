@@ -115,7 +115,7 @@ impl Reading {
         &mut self.transfer
     }
 
-    /// Handles the result of received bytes.
+    /// Stores received bytes, or starts over if they show that the stored ones belong to another log.
     pub fn note(&mut self, received: Received) {
         match received {
             Received::Nothing => {}

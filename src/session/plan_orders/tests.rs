@@ -229,7 +229,7 @@ impl Rig {
         self.state().expect("a row")
     }
 
-    /// What the vehicle holds, as another program reads it over a good link.
+    /// The vehicle's lists, as another program reads them over a good link.
     fn on_board(&mut self, kind: ListKind) -> Vec<Item> {
         let mut other = Session::new(1, 1, self.now);
         let port = self.world.connect(0);
@@ -335,7 +335,7 @@ fn a_list_that_another_program_has_changed_is_replaced_only_by_a_second_order() 
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
 
-/// What became of many transfers over a link that loses messages and is cut once.
+/// The results of many transfers over a link that loses messages and is cut once.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Tally {
     new: usize,

@@ -20,7 +20,7 @@ const FOLD_TIME: std::time::Duration = std::time::Duration::from_secs(10);
 /// The number of commands and notices listed on demand.
 const LISTED: usize = 20;
 
-/// What has been printed so far.
+/// The state of the flight as printed so far.
 #[derive(Debug, Default)]
 pub struct PlainReport {
     /// The newest printed notice, and its count.

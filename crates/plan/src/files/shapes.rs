@@ -1,4 +1,4 @@
-//! What KML and `GeoJSON` have in common: features with a geometry and data.
+//! The common part of KML and `GeoJSON`: features with a geometry and data.
 //!
 //! Features of other programs are shapes: lines become the plan, polygons the fence, points rally points. What this
 //! program wrote has every field of an item as data; the key `sortie` names the list. Drawings are only to look at.

@@ -16,7 +16,7 @@ impl Career {
         Some(self.course.stage(offer, &self.standing, self.day))
     }
 
-    /// What to train next, and the mission or drill that does it.
+    /// The skill to train next, and the mission or drill that trains it.
     pub fn next(&self) -> Option<(Skill, &Offer)> {
         self.course.next(&self.standing, self.day)
     }

@@ -17,7 +17,7 @@ const RUNG_HALF_WIDTH: f64 = 0.35;
 /// Bits of the dots of a braille pattern, column by column from the top.
 const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-/// What is visible at a point of the indicator.
+/// The picture at a point of the indicator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum HorizonCell {
     Sky,
@@ -46,7 +46,7 @@ impl HorizonView {
         }
     }
 
-    /// What is visible at a point `right` and `up` of the centre; lines are `dot` thick.
+    /// The picture at a point `right` and `up` of the centre; lines are `dot` thick.
     ///
     /// When the vehicle rolls to the right, it turns clockwise, so the view turns counterclockwise: up points to the
     /// left of the indicator, and the horizon rises to the right.

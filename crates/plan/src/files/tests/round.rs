@@ -127,7 +127,7 @@ fn home() -> impl Strategy<Value = Option<Home>> {
     prop::option::of(some)
 }
 
-/// What every format can hold.
+/// A document that every format can hold.
 pub(super) fn document() -> impl Strategy<Value = Document> {
     (home(), plan_items(), whole_fence(), rally()).prop_map(|(home, plan, fence, rally)| Document {
         home,
