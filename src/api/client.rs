@@ -179,6 +179,7 @@ fn mission(state: &State) -> Option<MissionView> {
     let progress = session.mission()?;
     Some(MissionView::new(
         progress,
+        session.places(),
         session.is_over(),
         state.locale(),
     ))

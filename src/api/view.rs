@@ -1,5 +1,6 @@
 //! States of the console as programs see them. Units are in the names; what is not known is `null`.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -193,7 +194,7 @@ pub struct MissionView {
     pub contacts: Vec<ContactView>,
     /// Alerts that want an answer.
     pub alerts: Vec<String>,
-    /// The named places.
+    /// The places that lines may name.
     pub places: Vec<NamedPlaceView>,
 }
 
@@ -235,7 +236,13 @@ pub struct NamedPlaceView {
 }
 
 impl MissionView {
-    pub(super) fn new(progress: &Progress, over: bool, locale: &Locale) -> Self {
+    /// `known` are the places that are known from the start.
+    pub(super) fn new(
+        progress: &Progress,
+        known: &BTreeMap<String, LatLon>,
+        over: bool,
+        locale: &Locale,
+    ) -> Self {
         let objectives = progress.objectives.iter().map(|it| ObjectiveView {
             title: locale.text(&it.title),
             detail: locale.text(&it.detail),
@@ -254,6 +261,7 @@ impl MissionView {
             lon_deg: it.at.lon_deg,
         });
         let alerts = progress.alerts.iter();
+        let places = known.iter().chain(&progress.places);
         Self {
             title: locale.text(&progress.title),
             elapsed_s: progress.elapsed.as_secs_f64(),
@@ -264,7 +272,7 @@ impl MissionView {
             readings: readings.collect(),
             contacts: contacts.collect(),
             alerts: alerts.map(|it| locale.text(&it.text)).collect(),
-            places: progress.places.iter().map(NamedPlaceView::from).collect(),
+            places: places.map(NamedPlaceView::from).collect(),
         }
     }
 }

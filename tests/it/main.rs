@@ -1,5 +1,6 @@
 //! The one integration-test binary.
 
+mod api;
 mod arducopter;
 mod bench_scale;
 mod budgets;
