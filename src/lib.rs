@@ -10,6 +10,7 @@
 //! | shell | [`cli`] | the subcommands, their options and what they print |
 //! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
 //! | | [`terminal`] | keys in, cells out: which features the terminal has, and its speed |
+//! | | [`api`] | the interface for programs: their requests, and states as JSON lines |
 //! | | [`replay`] | a recorded flight as the events that the console received then, from any moment on |
 //! | | [`ui`] | screens and widgets: state in, cells out |
 //! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert is active, rings and is muted |
