@@ -68,6 +68,12 @@ verify-own-airframes = the flight counts, but its airframes are not those of the
 verify-beyond-inputs = the record continues beyond the end of the input log
 verify-too-many = the input log names { $count } drones: no flight has more than 255 vehicles
 verify-other-parameter = { $name } does not have the value that the mission requires
+verify-altered = the record was changed after the flight: its checksum does not match
+verify-programs = the files of the record name different programs, { $one } and { $other }
+verify-other-profile = the journal and the run name different profiles
+verify-stated = only stated in the record, not proved: program { $program }, profile { $profile }, date { $when }, what it was flown by and counted for
+verify-stated-guest = only stated in the record, not proved: program { $program }, no profile, date { $when }, what it was flown by and counted for
+verify-stated-free = only stated in the record, not proved: program { $program }
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`
 sign-file = { $path }: { $error }

@@ -69,6 +69,12 @@ verify-own-airframes = політ заліковий, але дрони не т�
 verify-beyond-inputs = запис триває далі, ніж журнал вхідних даних
 verify-too-many = у журналі вхідних даних дронів: { $count }; більше ніж 255 апаратів у польоті не буває
 verify-other-parameter = значення { $name } не те, якого вимагає завдання
+verify-altered = запис змінено після польоту: контрольна сума не збігається
+verify-programs = файли запису називають різні програми: { $one } і { $other }
+verify-other-profile = журнал і політ завдання називають різні профілі
+verify-stated = лише зазначено в записі, не доведено: програма { $program }, профіль { $profile }, дата { $when }, чим керували і за що зараховано
+verify-stated-guest = лише зазначено в записі, не доведено: програма { $program }, без профілю, дата { $when }, чим керували і за що зараховано
+verify-stated-free = лише зазначено в записі, не доведено: програма { $program }
 
 # `sortie records key` і `sign`, підписи в `sortie verify`
 sign-file = { $path }: { $error }

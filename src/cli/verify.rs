@@ -2,12 +2,14 @@
 
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::Args;
 use serde::Serialize;
 
 use super::Failure;
 use super::settings::CliSettings;
+use crate::mission::Mission;
 use crate::mission::record::{Divergence, Rescored, Stored, refly};
 use crate::notice::sanitised;
 use crate::record::{Head, StoredInputs, Subject};
@@ -35,9 +37,6 @@ pub(super) struct VerifyArguments {
     #[arg(long)]
     json: bool,
 }
-
-/// The exit code of a flight that cannot be flown again, and whose telemetry gives the recorded score.
-const RESCORED: u8 = 3;
 
 /// The result of a verification.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -72,8 +71,13 @@ struct VerifyDocument {
     /// The kind of difference, in English.
     what: Option<String>,
     flown_by: Option<FlyingHand>,
-    /// The program that flew the original.
+    /// The program that flew the original, as the record states.
     program: String,
+    /// The pilot's profile and the date of the flight, as the record states; `None` without a mission.
+    profile: Option<String>,
+    when: Option<String>,
+    /// The fields of this document that are only stated in the record: no comparison covers them.
+    unproved: &'static [&'static str],
     #[serde(flatten)]
     signature: SignatureDocument,
     /// The instructor's desk that witnessed the flight.
@@ -156,10 +160,25 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
     let inputs = files.inputs.as_deref().map(read).transpose()?;
     let inputs = inputs.as_deref().map(StoredInputs::read).transpose()?;
-    match files.run.as_deref() {
-        Some(run) => judge_run(&Stored::read(&read(run)?)?, inputs.as_ref()),
-        None => judge_free(files.head().ok().as_ref(), inputs.as_ref()),
-    }
+    let journal = files.head().ok();
+    let Some(run) = files.run.as_deref() else {
+        return judge_free(journal.as_ref(), inputs.as_ref());
+    };
+    let stored = Stored::read(&read(run)?)?;
+    let head = &stored.head;
+    let mission = head.flown()?;
+    let document = judge_run(&stored, &mission, inputs.as_ref(), journal.as_ref())?;
+    let document = VerifyDocument {
+        mission: Some(mission.id),
+        seed: Some(head.seed),
+        score: Some(stored.rescore()?.report.score),
+        recorded_score: stored.end().map(|end| end.score),
+        flown_by: head.flown_by.map(FlyingHand::from),
+        profile: head.profile.clone(),
+        when: Some(head.when.clone()),
+        ..document
+    };
+    Ok(document.stating(&["program", "profile", "when", "flown_by"]))
 }
 
 /// Compares a flight without a mission, of which only the flight itself can be repeated.
@@ -170,61 +189,68 @@ fn judge_free(head: Option<&Head>, inputs: Option<&StoredInputs>) -> Result<Veri
     };
     let difference = refly(&mut inputs.head.world(), inputs);
     let program = inputs.head.program.clone();
-    Ok(match difference {
+    let document = match difference.or_else(|| contradiction(head?, inputs)) {
         None => VerifyDocument {
             words: text!("verify-verified-flight", length = clock(inputs.lasts())),
             is_good: true,
             ..VerifyDocument::new(Verdict::Verified, program)
         },
         Some(difference) => VerifyDocument::differing(difference, program),
-    })
+    };
+    Ok(document.stating(&["program"]))
 }
 
-fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDocument, Text> {
+/// The difference if the journal of a flight names another program than its input log.
+fn contradiction(head: &Head, inputs: &StoredInputs) -> Option<Divergence> {
+    let [one, other] = [&head.program, &inputs.head.program].map(String::as_str);
+    let what = || text!("verify-programs", one = one, other = other);
+    (one != other).then(|| at_the_start(what()))
+}
+
+/// A difference that concerns the record as a whole.
+fn at_the_start(what: Text) -> Divergence {
+    Divergence {
+        at: Duration::ZERO,
+        vehicle: None,
+        what,
+    }
+}
+
+fn judge_run(
+    stored: &Stored,
+    mission: &Mission,
+    inputs: Option<&StoredInputs>,
+    journal: Option<&Head>,
+) -> Result<VerifyDocument, Text> {
     let head = &stored.head;
-    let mission = head.flown()?;
-    let program = head.program.clone();
-    let is_known = match store::mission_file(&mission) {
+    let is_known = match store::mission_file(mission) {
         MissionFile::Course | MissionFile::Own => true,
         MissionFile::OtherRevision | MissionFile::Altered => false,
     };
     // The head names the mission apart from its text.
-    let is_named = head.mission == mission.id && head.revision == mission.rev;
-    let document = if !is_known || !is_named {
-        let hash = format!("{:016x}", crate::hash::fnv1a(head.source.as_bytes()));
-        VerifyDocument {
+    if !is_known || head.mission != mission.id || head.revision != mission.rev {
+        return Ok(VerifyDocument::of_other_mission(stored));
+    }
+    let inputs = inputs.filter(|_| head.backend == FlightBackend::Embedded);
+    let verification = inputs.map(|inputs| stored.verify(inputs)).transpose()?;
+    let difference = verification
+        .as_ref()
+        .and_then(|it| it.difference.clone())
+        .or_else(|| stored.misstatement(journal).map(at_the_start));
+    let program = head.program.clone();
+    Ok(match (difference, verification) {
+        (Some(difference), _) => VerifyDocument::differing(difference, program),
+        (None, Some(verification)) => VerifyDocument {
             words: text!(
-                "verify-other-mission",
-                mission = head.mission.as_str(),
-                hash = hash
+                "verify-verified",
+                mission = mission.id.as_str(),
+                seed = head.seed.to_string(),
+                score = verification.rescored.report.score
             ),
-            ..VerifyDocument::new(Verdict::OtherMission, program)
-        }
-    } else if let (Some(inputs), FlightBackend::Embedded) = (inputs, head.backend) {
-        let verification = stored.verify(inputs)?;
-        match verification.difference {
-            None => VerifyDocument {
-                words: text!(
-                    "verify-verified",
-                    mission = mission.id.as_str(),
-                    seed = head.seed.to_string(),
-                    score = verification.rescored.report.score
-                ),
-                is_good: true,
-                ..VerifyDocument::new(Verdict::Verified, program)
-            },
-            Some(difference) => VerifyDocument::differing(difference, program),
-        }
-    } else {
-        rescored(&stored.rescore()?, head.backend, program)
-    };
-    Ok(VerifyDocument {
-        mission: Some(mission.id.clone()),
-        seed: Some(head.seed),
-        score: Some(stored.rescore()?.report.score),
-        recorded_score: stored.end().map(|end| end.score),
-        flown_by: head.flown_by.map(FlyingHand::from),
-        ..document
+            is_good: true,
+            ..VerifyDocument::new(Verdict::Verified, program)
+        },
+        (None, None) => rescored(&stored.rescore()?, head.backend, program),
     })
 }
 
@@ -257,6 +283,9 @@ impl VerifyDocument {
             what: None,
             flown_by: None,
             program,
+            profile: None,
+            when: None,
+            unproved: &[],
             signature: SignatureDocument::default(),
             witnessed: None,
             words: Text::default(),
@@ -264,11 +293,48 @@ impl VerifyDocument {
         }
     }
 
-    fn exit_code(&self) -> ExitCode {
-        match (self.is_good, self.verdict) {
-            (true, Verdict::Rescored) => ExitCode::from(RESCORED),
-            (is_good, _) => ExitCode::from(u8::from(!is_good)),
+    fn of_other_mission(stored: &Stored) -> Self {
+        let head = &stored.head;
+        let hash = format!("{:016x}", crate::hash::fnv1a(head.source.as_bytes()));
+        let words = text!(
+            "verify-other-mission",
+            mission = head.mission.as_str(),
+            hash = hash
+        );
+        Self {
+            words,
+            ..Self::new(Verdict::OtherMission, head.program.clone())
         }
+    }
+
+    /// Success only for a flight that matches its record, or whose telemetry gives the recorded score.
+    fn exit_code(&self) -> ExitCode {
+        ExitCode::from(u8::from(!self.is_good))
+    }
+
+    /// Names the fields that no comparison covers, if the record is good otherwise.
+    fn stating(mut self, unproved: &'static [&'static str]) -> Self {
+        if !self.is_good {
+            return self;
+        }
+        let program = sanitised(&self.program);
+        let stated = match (&self.profile, &self.when) {
+            (Some(profile), Some(when)) => text!(
+                "verify-stated",
+                program = program,
+                profile = sanitised(profile),
+                when = sanitised(when)
+            ),
+            (None, Some(when)) => text!(
+                "verify-stated-guest",
+                program = program,
+                when = sanitised(when)
+            ),
+            (_, None) => text!("verify-stated-free", program = program),
+        };
+        self.words = Text::joined("\n", vec![self.words, stated]);
+        self.unproved = unproved;
+        self
     }
 
     /// Adds the result of the signatures. With a requested key, every file must be signed by it.

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
+use crate::hash::RunningHash;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
 use crate::record::{EntryLine, RowLine};
 use crate::scoring::{FlightBackend, FlownBy, Medal, Report};
@@ -133,10 +134,17 @@ impl End {
     }
 }
 
+/// The checksum of the lines with a hash, as the end of a record states it.
+fn checksum(lines: RunningHash) -> String {
+    format!("{:016x}", lines.value())
+}
+
 /// Writes the record of a flight while it is flown.
 #[derive(Debug)]
 pub(super) struct Recorder {
     written: String,
+    /// The hash of everything written so far.
+    sum: RunningHash,
     watched: BTreeMap<VehicleId, WatchedVehicle>,
     /// Ledger entries that may still change, with their rows as last written.
     open: BTreeMap<EntryId, Vec<(RowState, u8)>>,
@@ -153,6 +161,7 @@ impl Recorder {
     pub fn new(head: &Head) -> Self {
         let mut recorder = Self {
             written: String::new(),
+            sum: RunningHash::default(),
             watched: BTreeMap::new(),
             open: BTreeMap::new(),
             newest: None,
@@ -237,14 +246,21 @@ impl Recorder {
             sim_time_s: report.sim_time_s,
         };
         let t = self.stepped.unwrap_or_default().as_millis() as u64;
-        self.write(&RecordLine::End { t, change, end });
+        let checksum = Some(checksum(self.sum));
+        self.write(&RecordLine::End {
+            t,
+            change,
+            end,
+            checksum,
+        });
     }
 
     fn write(&mut self, line: &impl Serialize) {
         // Plain data with string keys only: serialising cannot fail.
-        if let Ok(line) = serde_json::to_string(line) {
+        if let Ok(mut line) = serde_json::to_string(line) {
+            line.push('\n');
+            self.sum.add(line.as_bytes());
             self.written.push_str(&line);
-            self.written.push('\n');
         }
     }
 

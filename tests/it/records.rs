@@ -324,6 +324,14 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
     );
 }
 
+/// A record as versions without a checksum wrote it.
+fn without_checksum(record: &str) -> String {
+    const FIELD: &str = ",\"checksum\":\"";
+    let (before, after) = record.split_once(FIELD).expect("it has a checksum");
+    let (_, rest) = after.split_once('"').expect("it ends");
+    format!("{before}{rest}")
+}
+
 #[test]
 fn a_record_is_verified_as_long_as_it_is_not_edited() {
     let data = tempfile::tempdir().expect("a temporary folder");
@@ -375,20 +383,34 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
         (
             "\"flown_by\":\"bundled-pilot\"",
             "\"flown_by\":\"hand\"",
-            "verified",
+            "differs",
+        ),
+        ("\"program\":\"", "\"program\":\"9.", "other_program"),
+        (
+            "\"program\":",
+            "\"profile\":\"Another\",\"program\":",
+            "differs",
         ),
     ] {
         assert!(record.contains(from), "{from}");
         fs::write(&file, record.replacen(from, to, 1)).expect("it is written");
-        let code = i32::from(verdict != "verified");
-        assert_eq!(verify(code)["verdict"], verdict, "{from}");
+        assert_eq!(verify(1)["verdict"], verdict, "{from}");
     }
     fs::write(&file, &record).expect("it is written");
     fs::remove_file(name.replace(".run.", ".inputs.")).expect("it was there");
     assert_eq!(verify(1)["verdict"], "rescored");
-    // A record that claims to be of ArduPilot is scored again, but not verified.
+    // A record that claims to be of ArduPilot is scored again, but not verified. Its checksum no longer matches, so it
+    // is one without a checksum, as older versions wrote them.
     let relabelled = record.replacen("\"backend\":\"embedded\"", "\"backend\":\"ardupilot\"", 1);
     assert_ne!(relabelled, record);
-    fs::write(&file, relabelled).expect("it is written");
-    assert_eq!(verify(3)["verdict"], "rescored");
+    fs::write(&file, &relabelled).expect("it is written");
+    assert_eq!(verify(1)["verdict"], "differs");
+    fs::write(&file, without_checksum(&relabelled)).expect("it is written");
+    let rescored = verify(0);
+    assert_eq!(rescored["verdict"], "rescored");
+    let unproved = rescored["unproved"].as_array().expect("a list");
+    assert!(unproved.contains(&"profile".into()), "{unproved:?}");
+    let other = without_checksum(&relabelled).replacen("\"score\":", "\"score\":1", 1);
+    fs::write(&file, other).expect("it is written");
+    assert_eq!(verify(1)["verdict"], "rescored");
 }

@@ -48,6 +48,9 @@ pub(super) enum RecordLine {
         #[serde(flatten)]
         change: RecordChange,
         end: End,
+        /// The checksum of all lines before it, in hexadecimal; `None` in records older than this field.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        checksum: Option<String>,
     },
 }
 
@@ -82,6 +85,19 @@ impl RecordLine {
         match self {
             Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
             Self::Act { .. }
+            | Self::Lose { .. }
+            | Self::Inject { .. }
+            | Self::Pause { .. }
+            | Self::Abandon => None,
+        }
+    }
+
+    /// The checksum of all lines before it, if the line is the end and has one.
+    pub(super) fn checksum(&self) -> Option<&str> {
+        match self {
+            Self::End { checksum, .. } => checksum.as_deref(),
+            Self::Tick { .. }
+            | Self::Act { .. }
             | Self::Lose { .. }
             | Self::Inject { .. }
             | Self::Pause { .. }

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{End, Head, RecordChange, RecordLine, VERSION};
+use super::{End, Head, RecordChange, RecordLine, VERSION, checksum};
 use crate::diagnostic::Diagnostic;
+use crate::hash::RunningHash;
 use crate::ledger::{EntryId, Given, Ledger, RowState, RowUpdate};
 use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::notice::Notice;
@@ -23,6 +24,8 @@ pub struct Stored {
     /// The fault of the rest of the file, after the readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
+    /// Whether the lines before the end have another checksum than the one that the end states.
+    is_altered: bool,
 }
 
 /// A record scored again.
@@ -55,22 +58,28 @@ impl Stored {
             head,
             damage: None,
             lines: Arc::default(),
+            is_altered: false,
         };
         let mut lines = Vec::new();
         let mut since = 0;
+        let mut sum = RunningHash::default();
+        sum.add(first.as_bytes());
         for (index, line) in all.enumerate() {
             let is_over = lines
                 .last()
                 .is_some_and(|it: &RecordLine| it.end().is_some());
-            let line = serde_json::from_str(line)
+            let read = serde_json::from_str(line)
                 .ok()
-                .filter(|line: &RecordLine| line.time().is_none_or(|t| t >= since));
-            let Some(line) = line.filter(|_| !is_over) else {
+                .filter(|read: &RecordLine| read.time().is_none_or(|t| t >= since));
+            let Some(read) = read.filter(|_| !is_over) else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
                 break;
             };
-            since = line.time().unwrap_or(since);
-            lines.push(line);
+            since = read.time().unwrap_or(since);
+            let stated = read.checksum();
+            stored.is_altered = stated.is_some_and(|stated| stated != checksum(sum));
+            sum.add(line.as_bytes());
+            lines.push(read);
         }
         stored.lines = Arc::new(lines);
         if stored.damage.is_none() && stored.end().is_none() {
@@ -83,6 +92,12 @@ impl Stored {
     pub(super) fn has_pauses(&self) -> bool {
         let mut lines = self.lines.iter();
         lines.any(|line| matches!(line, RecordLine::Pause { .. }))
+    }
+
+    /// Whether the record was changed after the flight: its end states another checksum. Records from before
+    /// checksums existed have none.
+    pub fn is_altered(&self) -> bool {
+        self.is_altered
     }
 
     /// The recorded result, if the flight was flown to its end.

@@ -4,6 +4,7 @@ use crate::geo::LatLon;
 use crate::language;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
+use crate::record::{Head as JournalHead, Subject};
 use crate::scoring::{FlightBackend, FlownBy};
 use crate::vehicle::{Unheard, Vehicle};
 
@@ -56,6 +57,47 @@ fn a_record_scores_again_as_it_was_scored() {
     assert_eq!(again.report.objectives, report.objectives);
     assert_eq!(again.report.attempt, 3);
     assert_eq!(again.before.map(|end| end.score), Some(report.score));
+}
+
+#[test]
+fn a_record_that_was_changed_afterwards_has_another_checksum() {
+    let (_, text) = eventful();
+    let is_altered = |text: &str| Stored::read(text).expect("a good record").is_altered();
+    assert!(!is_altered(&text));
+    for (from, to) in [
+        ("\"program\":\"", "\"program\":\"9."),
+        ("\"program\":", "\"profile\":\"Another\",\"program\":"),
+        ("14:03:22Z", "15:03:22Z"),
+        ("10.70V", "12.70V"),
+    ] {
+        let edited = text.replacen(from, to, 1);
+        assert_ne!(edited, text);
+        assert!(is_altered(&edited), "{from}");
+    }
+    // Without its end, a record has no checksum.
+    let (cut, _) = text.split_once("{\"end\"").expect("an end");
+    assert!(!is_altered(cut));
+}
+
+#[test]
+fn a_journal_with_another_program_or_profile_is_named() {
+    let (_, text) = eventful();
+    let stored = Stored::read(&text).expect("a good record");
+    let journal = || JournalHead::new(Subject::Mission(stored.head.mission.clone()), 0);
+    assert_eq!(stored.misstatement(None), None);
+    assert_eq!(stored.misstatement(Some(&journal())), None);
+    let other = JournalHead {
+        program: "9.9.9".to_owned(),
+        ..journal()
+    };
+    let said = stored.misstatement(Some(&other)).expect("another program");
+    assert!(said.to_string().contains("9.9.9"), "{said}");
+    let other = JournalHead {
+        profile: Some("Another".to_owned()),
+        ..journal()
+    };
+    let said = stored.misstatement(Some(&other)).expect("another profile");
+    assert!(said.to_string().contains("profile"), "{said}");
 }
 
 #[test]

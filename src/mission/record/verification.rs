@@ -11,7 +11,7 @@ use super::observed::ObservedVehicle;
 use super::{End, Reenactment, Rescored, Stored};
 use crate::ledger::RowState;
 use crate::mission::{Stake, TICK};
-use crate::record::StoredInputs;
+use crate::record::{Head as JournalHead, StoredInputs};
 use crate::scoring::Report;
 use crate::session::Want;
 use crate::sim::{STEP, WorldConfig};
@@ -41,6 +41,19 @@ pub struct Verification {
 }
 
 impl Stored {
+    /// What shows that the record was changed after the flight, without flying it again: its checksum, or a program or
+    /// profile that the journal of the same flight names differently; `None` if nothing does.
+    pub fn misstatement(&self, journal: Option<&JournalHead>) -> Option<Text> {
+        if self.is_altered() {
+            return Some(text!("verify-altered"));
+        }
+        let journal = journal?;
+        if journal.program != self.head.program {
+            return Some(other_program(&self.head.program, &journal.program));
+        }
+        (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
+    }
+
     /// Flies the record again from the inputs of its simulated vehicles.
     ///
     /// # Errors
@@ -69,6 +82,7 @@ impl Stored {
         let difference = check
             .run(self)
             .and_then(|()| check.compare_end(self, &rescored))
+            .and_then(|()| check.compare_programs(self, inputs))
             .err();
         Ok(Verification {
             difference,
@@ -316,6 +330,15 @@ impl RecordCheck {
         }
     }
 
+    /// Whether the record and its input log name the same program.
+    fn compare_programs(&self, stored: &Stored, inputs: &StoredInputs) -> Result<(), Divergence> {
+        let (one, other) = (&stored.head.program, &inputs.head.program);
+        if one == other {
+            return Ok(());
+        }
+        Err(self.reflight.differs(None, other_program(one, other)))
+    }
+
     /// Whether the refusals and the score follow from the flight.
     fn compare_end(&mut self, stored: &Stored, rescored: &Rescored) -> Result<(), Divergence> {
         self.compare_wanted()?;
@@ -379,6 +402,11 @@ impl RecordCheck {
             None => Err(self.reflight.differs(None, text!("record-no-end"))),
         }
     }
+}
+
+/// Two files of a record name different programs.
+fn other_program(one: &str, other: &str) -> Text {
+    text!("verify-programs", one = one, other = other)
 }
 
 /// The number of simulator steps up to a time.

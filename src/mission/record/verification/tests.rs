@@ -133,6 +133,15 @@ fn another_mission_text_is_named() {
 }
 
 #[test]
+fn files_that_name_different_programs_are_named() {
+    let newer = edited("\"program\":\"", "\"program\":\"9.");
+    let forged = with_line(RUN, &["sortie_run"], &newer);
+    assert_named(&forged, INPUTS, "different programs");
+    let forged = with_line(INPUTS, &["sortie_inputs"], &newer);
+    assert_named(RUN, &forged, "different programs");
+}
+
+#[test]
 fn shortened_records_are_named() {
     let half = |text: &str| {
         let lines = text.lines().count() / 2;
