@@ -27,6 +27,10 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 parameters-title = vehicle { $vehicle }
 parameters-title-compared = vehicle { $vehicle } and { $other }
 parameters-of-vehicle = vehicle { $vehicle }
+parameters-on = { $count ->
+    [1] vehicle { $vehicles }
+   *[other] vehicles { $vehicles }
+}
 parameters-no-vehicle = No vehicle yet: this room shows the parameters of vehicles in contact.
 parameters-asking = requesting the vehicle's parameters ...
 parameters-recorded = { $received } of { $count } recorded up to this moment

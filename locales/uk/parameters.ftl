@@ -29,6 +29,10 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 parameters-title = апарат { $vehicle }
 parameters-title-compared = апарат { $vehicle } порівняно з: { $other }
 parameters-of-vehicle = апарат { $vehicle }
+parameters-on = { $count ->
+    [1] апарат { $vehicles }
+   *[other] апарати { $vehicles }
+}
 parameters-no-vehicle = Апаратів ще немає: тут з'являться параметри тих, що вийдуть на зв'язок.
 parameters-asking = запит параметрів в апарата ...
 parameters-recorded = до цього моменту записано { $received } з { $count }

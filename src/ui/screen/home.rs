@@ -37,7 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainee = panel.at(draw_heads(state, panel, buffer));
     draw_trainee(state, trainee, buffer);
     let body = trainee.below(1);
-    let most = (body.area.width * 2 / 5).clamp(LIST_LEAST, LIST_MOST);
+    let most = (body.area.width * 9 / 20).clamp(LIST_LEAST, LIST_MOST);
     let list = list::wanted_width(state, body.look).clamp(LIST_LEAST, most);
     list::draw(state, body.columns(1, list), buffer);
     let before = list + 3;

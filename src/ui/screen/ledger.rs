@@ -60,7 +60,8 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().ledger();
     let is_opened = room.is_opened();
     let inner = panel.focused(&title(state, panel.look), !is_opened, buffer);
-    let width = usize::from(inner.width);
+    // The last column is for the marks of a list that continues.
+    let width = usize::from(inner.width).saturating_sub(1);
     put(buffer, inner, 0, &headings(panel.look, width));
     let list = below(inner, 1);
     if room.shown().is_empty() {

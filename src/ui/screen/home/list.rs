@@ -130,7 +130,7 @@ impl Sign {
             Self::Next => "home-is-next",
             Self::Due | Self::Passed | Self::Open => return None,
         };
-        Some(format!(" {:>8}", look.say(id)))
+        Some(format!(" {}", look.say(id)))
     }
 
     fn role(self) -> Role {
@@ -175,7 +175,7 @@ fn item_line(
     let room = columns.saturating_sub(3 + width(&best));
     let role = sign.map_or(Role::Text, Sign::role);
     let name = aligned(text, room, false);
-    (format!("{cursor}{mark}{name}{best}"), role)
+    (format!("{cursor}{mark}{name}{best} "), role)
 }
 
 /// The best score of the flights that count, with its medal in stars.

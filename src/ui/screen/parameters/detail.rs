@@ -90,9 +90,14 @@ impl ParameterState {
 
     fn lines(self, ids: &[VehicleId], panel: Panel<'_>) -> Vec<Line<'static>> {
         let value = self.value.unwrap_or_else(|| "-".to_owned());
+        let whose = text!(
+            "parameters-on",
+            count = ids.len(),
+            vehicles = ranges(ids.iter().copied())
+        );
         let mut spans = vec![
             Span::styled(
-                format!(" {}  ", ranges(ids.iter().copied())),
+                format!(" {}: ", panel.text(&whose)),
                 panel.style(Role::Selected),
             ),
             Span::styled(value, panel.style(Role::Text)),
