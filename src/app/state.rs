@@ -59,7 +59,7 @@ pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
-pub use links::{Connections, ForwardSummary, LinkSummary};
+pub use links::{Connections, ForwardSummary, LinkCounters, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};

@@ -79,10 +79,24 @@ pub(super) struct Cast {
 /// The traffic of the recording's link.
 #[derive(Debug, Clone, Copy, Default)]
 struct Traffic {
+    received: Flow,
+    sent: Flow,
+    /// The time of the last summary, since which the traffic is counted.
+    since: Duration,
+}
+
+/// The traffic in one direction.
+#[derive(Debug, Clone, Copy, Default)]
+struct Flow {
     bytes: u64,
     messages: u64,
-    /// The counts and the time of the last summary.
-    before: (u64, u64, Duration),
+}
+
+impl Flow {
+    fn add(&mut self, bytes: &[u8]) {
+        self.bytes += bytes.len() as u64;
+        self.messages += 1;
+    }
 }
 
 impl Stage {
@@ -319,23 +333,30 @@ impl Stage {
 
     /// The state of the recording's link, once a second.
     fn summarise(&mut self, now: Duration) -> Option<Event> {
-        let traffic = &mut self.cast.traffic;
-        let (bytes, messages, since) = traffic.before;
+        let Traffic {
+            received,
+            sent,
+            since,
+        } = self.cast.traffic;
         let span = now.saturating_sub(since);
         if span < Duration::from_secs(1) {
             return None;
         }
-        let per_s = |now: u64, before: u64| (now - before) as f64 / span.as_secs_f64();
+        let per_s = |count: u64| count as f64 / span.as_secs_f64();
+        self.cast.traffic = Traffic {
+            since: now,
+            ..Traffic::default()
+        };
         let summary = LinkSummary {
             name: self.film.name(),
             state: LinkState::Up.text(),
             up: true,
-            peers: 1,
-            bytes_in_per_s: per_s(traffic.bytes, bytes),
-            messages_in_per_s: per_s(traffic.messages, messages),
+            bytes_in_per_s: per_s(received.bytes),
+            bytes_out_per_s: per_s(sent.bytes),
+            messages_in_per_s: per_s(received.messages),
+            messages_out_per_s: per_s(sent.messages),
             ..LinkSummary::default()
         };
-        traffic.before = (traffic.bytes, traffic.messages, now);
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
@@ -355,16 +376,16 @@ impl Stage {
 impl Cast {
     /// Passes a frame to its vehicle and to the census.
     fn take_in(&mut self, bytes: &[u8], at: Duration) {
-        self.traffic.bytes += bytes.len() as u64;
-        self.traffic.messages += 1;
         let mut decoder = Decoder::new();
         decoder.push(bytes);
         let Some(frame) = decoder.next_frame() else {
             return;
         };
         let way = if frame.system == GROUND_STATION_SYSTEM {
+            self.traffic.sent.add(bytes);
             FrameWay::sent(PEER)
         } else {
+            self.traffic.received.add(bytes);
             FrameWay::received(PEER)
         };
         self.census.note(way, bytes, frame.is_verified(), at);

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use sortie::app::event::{Event, LinkEvent, SessionEvent};
-use sortie::app::state::{Activity, LinkSummary};
+use sortie::app::state::{Activity, LinkCounters, LinkSummary};
 use sortie::campaign::Stake;
 use sortie::ledger::RowState;
 use sortie::text::Language;
@@ -48,12 +48,15 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
         bytes_out_per_s: 52.0,
         messages_in_per_s: 96.0,
         messages_out_per_s: 2.0,
-        bad_crc: 3,
-        skipped_bytes: 1205,
         error: (!up).then(|| "port 14550 is in use: another program listens there".into()),
-        peers: 1,
-        lost: vec![((1, 1), 0), ((3, 1), 17)],
-        unknown: 1,
+        counters: Some(LinkCounters {
+            peers: 1,
+            bad_crc: 3,
+            skipped_bytes: 1205,
+            lost: vec![((1, 1), 0), ((3, 1), 17)],
+            unknown: 1,
+            ..LinkCounters::default()
+        }),
         round_trip: Some(Duration::from_millis(4)),
         ..LinkSummary::default()
     }

@@ -63,7 +63,7 @@ pub struct ForwardSummary {
     pub repeated: u64,
 }
 
-/// The counters of a link.
+/// The state, traffic and counters of a link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {
     pub name: String,
@@ -73,8 +73,6 @@ pub struct LinkSummary {
     pub up: bool,
     /// Why the link carries no data.
     pub error: Option<Text>,
-    /// The number of senders at the link's other end.
-    pub peers: usize,
     /// Bytes per second received.
     pub bytes_in_per_s: f64,
     /// Bytes per second sent.
@@ -83,6 +81,17 @@ pub struct LinkSummary {
     pub messages_in_per_s: f64,
     /// Messages per second sent.
     pub messages_out_per_s: f64,
+    /// What the link itself has counted; `None` in a replay: a recording contains the frames alone.
+    pub counters: Option<LinkCounters>,
+    /// Round trip by TIMESYNC.
+    pub round_trip: Option<Duration>,
+}
+
+/// What a link counts while it is open.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LinkCounters {
+    /// The number of senders at its other end.
+    pub peers: usize,
     /// Frames dropped because of a wrong checksum.
     pub bad_crc: u64,
     /// Bytes skipped to find the next frame.
@@ -97,6 +106,11 @@ pub struct LinkSummary {
     pub unsent: u64,
     /// The number of reconnections.
     pub reconnects: u32,
-    /// Round trip by TIMESYNC.
-    pub round_trip: Option<Duration>,
+}
+
+impl LinkCounters {
+    /// Frames missing by sequence numbers, of all senders.
+    pub fn all_lost(&self) -> u64 {
+        self.lost.iter().map(|(_, count)| count).sum()
+    }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 
 use crate::app::event::{Event, LinkEvent};
-use crate::app::state::LinkSummary;
+use crate::app::state::{LinkCounters, LinkSummary};
 use crate::link::{LinkId, LinkState, LinkStatus};
 use crate::notice::Notice;
 use crate::text;
@@ -179,18 +179,20 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
         state: status.state.text(),
         up,
         error: status.last_error.clone().filter(|_| !up),
-        peers: status.peers,
         bytes_in_per_s: f64::from(status.rates.bytes_in_s),
         bytes_out_per_s: f64::from(status.rates.bytes_out_s),
         messages_in_per_s: f64::from(status.rates.messages_in_s),
         messages_out_per_s: f64::from(status.rates.messages_out_s),
-        bad_crc: status.decoder.crc_errors,
-        skipped_bytes: status.decoder.skipped_bytes,
-        unknown: status.decoder.unknown_messages,
-        undecoded: status.decoder.undecoded,
-        lost: lost(status),
-        unsent: status.dropped_out,
-        reconnects: status.reconnects,
+        counters: Some(LinkCounters {
+            peers: status.peers,
+            bad_crc: status.decoder.crc_errors,
+            skipped_bytes: status.decoder.skipped_bytes,
+            unknown: status.decoder.unknown_messages,
+            undecoded: status.decoder.undecoded,
+            lost: lost(status),
+            unsent: status.dropped_out,
+            reconnects: status.reconnects,
+        }),
         round_trip,
     }
 }

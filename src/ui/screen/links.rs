@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::room::links::{HISTORY_S, History};
-use crate::app::state::LinkSummary;
+use crate::app::state::{LinkCounters, LinkSummary};
 use crate::doctor::{LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
@@ -103,7 +103,8 @@ fn list_line(
     name_width: usize,
     look: &Look,
 ) -> Line<'static> {
-    let lost: u64 = link.lost.iter().map(|(_, count)| count).sum();
+    let counters = link.counters.as_ref();
+    let lost = counters.map_or_else(unknown, |it| it.all_lost().to_string());
     let (sign, role) = worst.map_or((String::new(), Role::Text), |finding| {
         let (sign, role) = signed(finding.cause.weight());
         (look.say(sign), role)
@@ -126,6 +127,11 @@ fn list_line(
         Span::styled(format!("{state:9}"), look.style(state_role)),
         Span::styled(sign, look.style(role)),
     ])
+}
+
+/// A dash for what is not known.
+fn unknown() -> String {
+    "-".to_owned()
 }
 
 /// The word and the role of a finding's severity.
@@ -204,41 +210,52 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
         text!("links-rates", bytes = bytes, messages = messages)
     };
-    let round_trip = link
-        .round_trip
-        .map(|trip| format!("{} ms", trip.as_millis()));
-    let passed_over = text!(
-        "links-dropped-figures",
-        crc = link.bad_crc,
-        skipped = link.skipped_bytes,
-        unknown = link.unknown,
-        undecoded = link.undecoded
-    );
-    let others = text!(
-        "links-other-figures",
-        peers = link.peers,
-        reconnects = link.reconnects,
-        unsent = link.unsent
-    );
+    let round_trip = link.round_trip;
+    let round_trip = round_trip.map_or_else(unknown, |trip| format!("{} ms", trip.as_millis()));
     let received = traffic(link.bytes_in_per_s, link.messages_in_per_s);
     let sent = traffic(link.bytes_out_per_s, link.messages_out_per_s);
+    let counted = |figures: fn(&LinkCounters) -> Text| {
+        let counters = link.counters.as_ref();
+        counters.map_or_else(unknown, |it| look.text(&figures(it)))
+    };
     lines.extend([
         (text!("links-received"), look.text(&received)),
         (text!("links-sent"), look.text(&sent)),
-        (
-            text!("links-round-trip"),
-            round_trip.unwrap_or_else(|| "-".to_owned()),
-        ),
-        (text!("links-dropped"), look.text(&passed_over)),
-        (text!("links-missing"), losses(link)),
-        (text!("links-others"), look.text(&others)),
+        (text!("links-round-trip"), round_trip),
+        (text!("links-dropped"), counted(passed_over)),
+        (text!("links-missing"), counted(losses)),
+        (text!("links-others"), counted(others)),
     ]);
     lines
 }
 
+/// What arrived and was not used.
+fn passed_over(counters: &LinkCounters) -> Text {
+    text!(
+        "links-dropped-figures",
+        crc = counters.bad_crc,
+        skipped = counters.skipped_bytes,
+        unknown = counters.unknown,
+        undecoded = counters.undecoded
+    )
+}
+
+fn others(counters: &LinkCounters) -> Text {
+    text!(
+        "links-other-figures",
+        peers = counters.peers,
+        reconnects = counters.reconnects,
+        unsent = counters.unsent
+    )
+}
+
 /// Losses per sender, as `3/1: 12`, the worst first, and the number of others.
-fn losses(link: &LinkSummary) -> String {
-    let mut lossy: Vec<_> = link.lost.iter().filter(|(_, count)| *count > 0).collect();
+fn losses(counters: &LinkCounters) -> Text {
+    let mut lossy: Vec<_> = counters
+        .lost
+        .iter()
+        .filter(|(_, count)| *count > 0)
+        .collect();
     lossy.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     let mut parts: Vec<String> = lossy
         .iter()
@@ -249,9 +266,9 @@ fn losses(link: &LinkSummary) -> String {
         parts.push(format!("+{}", lossy.len() - LOSSES_SHOWN));
     }
     if parts.is_empty() {
-        "0".to_owned()
+        "0".into()
     } else {
-        parts.join(", ")
+        parts.join(", ").into()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
-use sortie::app::state::{Activity, LinkSummary, Room};
+use sortie::app::state::{Activity, LinkCounters, LinkSummary, Room};
 use sortie::doctor::{Cause, LinkFinding, Way};
 use sortie::vehicle::Vehicle;
 
@@ -20,10 +20,13 @@ fn link(name: &str, up: bool) -> LinkSummary {
         bytes_in_per_s: 4123.0,
         bytes_out_per_s: 52.0,
         messages_in_per_s: 96.0,
-        peers: 1,
-        bad_crc: 3,
-        skipped_bytes: 1205,
-        lost: vec![((1, 1), 0), ((3, 1), 17)],
+        counters: Some(LinkCounters {
+            peers: 1,
+            bad_crc: 3,
+            skipped_bytes: 1205,
+            lost: vec![((1, 1), 0), ((3, 1), 17)],
+            ..LinkCounters::default()
+        }),
         round_trip: Some(Duration::from_millis(4)),
         ..LinkSummary::default()
     }
@@ -76,13 +79,39 @@ fn the_room_of_links_names_the_cause_and_what_to_try() {
     assert_eq!(console.state().room(), Room::Links);
 }
 
+/// A recording contains the frames of a link, not what the link has counted.
+#[test]
+fn what_a_recording_does_not_contain_is_a_dash() {
+    let mut console = Console::flying(0);
+    let recorded = LinkSummary {
+        counters: None,
+        round_trip: None,
+        ..link("flight", true)
+    };
+    console.hear(LinkEvent::Summaries(vec![recorded]));
+    console.press("L");
+    let screen = console.screen(80, 24);
+    let line = |label: &str| {
+        let mut lines = screen.lines();
+        lines.find(|line| line.contains(label)).unwrap_or_default()
+    };
+    assert!(line("sent").contains("52 B/s"), "{screen}");
+    for label in ["round trip", "dropped", "never arrived", "others"] {
+        assert_eq!(line(label).trim_end().chars().last(), Some('-'), "{screen}");
+    }
+    assert!(line("1 flight").contains(" - "), "{screen}");
+}
+
 #[test]
 fn many_links_and_many_losses_are_counted_where_they_do_not_fit() {
     let mut console = Console::flying(0);
     let mut links: Vec<_> = (0..9)
         .map(|at| link(&format!("udpin:0.0.0.0:{}", 14550 + at), true))
         .collect();
-    links[0].lost = (1..=59).map(|id| ((id, 1), u64::from(id))).collect();
+    links[0].counters = Some(LinkCounters {
+        lost: (1..=59).map(|id| ((id, 1), u64::from(id))).collect(),
+        ..LinkCounters::default()
+    });
     console.hear(LinkEvent::Summaries(links));
     console.press("L");
     let screen = console.screen(80, 24);

@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -5,7 +6,7 @@ use super::*;
 use crate::app::event::{Event, SessionEvent, Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::app::{App, Setup};
-use crate::vehicle::Battery;
+use crate::vehicle::{Battery, Vehicle};
 
 /// A console that has heard two vehicles with this charge left.
 fn heard(app: &mut App, percent: u8) {
@@ -39,7 +40,7 @@ fn an_alert_is_printed_when_it_is_raised_and_when_it_becomes_worse() {
     drop(app.update(SessionEvent::Started(Box::new(started))));
     let mut report = PlainReport::default();
     let mut news = |app: &App| -> Vec<String> {
-        let texts = report.new_alerts(app.state());
+        let texts = report.alerts.news(app.state());
         texts.iter().map(ToString::to_string).collect()
     };
     heard(&mut app, 80);

@@ -1,0 +1,49 @@
+//! Links and forwards as lines, on demand.
+
+use crate::app::State;
+use crate::app::state::{ForwardSummary, LinkSummary};
+use crate::text::{Text, text};
+
+/// The state of the links and forwards, and their faults.
+pub(super) fn now(state: &State) -> Vec<Text> {
+    let session = state.session();
+    let links = session.links().iter().map(link_text);
+    let forwards = session.forwards().iter().map(forward_text);
+    let findings = session.findings().iter();
+    let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
+    links.chain(forwards).chain(ailments).collect()
+}
+
+fn link_text(link: &LinkSummary) -> Text {
+    let lost = link.counters.as_ref().map(|it| it.all_lost().to_string());
+    text!(
+        "plain-link",
+        name = &link.name,
+        state = link.error.as_ref().unwrap_or(&link.state),
+        received = format!("{:.0}", link.messages_in_per_s),
+        sent = format!("{:.0}", link.messages_out_per_s),
+        lost = lost.unwrap_or_else(|| "-".to_owned())
+    )
+}
+
+fn forward_text(forward: &ForwardSummary) -> Text {
+    let state = if forward.up {
+        text!("links-up")
+    } else {
+        forward.error.clone().unwrap_or(text!("links-down"))
+    };
+    text!(
+        "plain-forward",
+        name = &forward.name,
+        state = state,
+        stations = forward.peers,
+        received = forward.received_messages,
+        bytes_in = forward.received_bytes,
+        sent = forward.sent_messages,
+        bytes_out = forward.sent_bytes,
+        dropped = forward.dropped,
+        filtered = forward.filtered,
+        held = forward.held_back,
+        repeated = forward.repeated,
+    )
+}
