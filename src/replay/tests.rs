@@ -1,3 +1,4 @@
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use proptest::prelude::*;
@@ -8,9 +9,13 @@ use crate::alert::AlertKind;
 use crate::app::State;
 use crate::doctor::Cause;
 use crate::ledger::RowState;
-use crate::link::TlogWriter;
+use crate::link::{TlogReader, TlogWriter};
 use crate::moment::MomentKind;
-use crate::record::{EntryLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
+use crate::notice::NoticeSource;
+use crate::record::{
+    EntryLine, Happening, Head, JournalLine, NoticeLine, PathLine, RowLine, Subject,
+};
+use crate::session::{Report, Session, autopilot_of};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::vehicle::Transfer;
 use crate::wire::{Decoder, Encoder};
@@ -203,7 +208,7 @@ fn watched(recorded: &Recorded) -> (Replay, Observer) {
 
 fn seek(replay: &mut Replay, observer: &mut Observer, to: Duration) {
     let mut events = replay.steer(ReplayEffect::Seek(SeekTarget::At(to)));
-    while replay.goal >= replay.stage.now() + FRAME {
+    while replay.player.goal() >= replay.stage.now() + FRAME {
         events.extend(replay.approach());
     }
     observer.see_all(events);
@@ -306,6 +311,76 @@ fn plans_are_read_from_the_answers_that_were_recorded() {
     assert_eq!(states(&observer), [Transfer::Done; 3]);
 }
 
+/// The notices of sessions that receive the recorded frames as they come: their texts, and whether a vehicle sent them.
+fn heard_live(recorded: &Recorded) -> BTreeSet<(String, bool)> {
+    let file = std::fs::File::open(&recorded.frames).expect("it is there");
+    let mut sessions: BTreeMap<u8, Session> = BTreeMap::new();
+    for record in TlogReader::new(std::io::BufReader::new(file)) {
+        let record = record.expect("a sound tlog");
+        let at = Duration::from_micros(record.unix_us - BEGAN_US);
+        let mut decoder = Decoder::new();
+        decoder.push(&record.bytes);
+        let frame = decoder.next_frame().expect("a frame");
+        if let Some(component) = autopilot_of(&frame) {
+            let new = || Session::new(frame.system, component, at).following_plans();
+            sessions.entry(frame.system).or_insert_with(new);
+        }
+        if let Some(session) = sessions.get_mut(&frame.system) {
+            session.receive(&frame, at);
+        }
+    }
+    let reports = sessions.values_mut().flat_map(Session::take_reports);
+    let notices = reports.filter_map(|report| match report {
+        Report::Notice(notice) => Some((notice.text.to_string(), is_of_vehicle(&notice))),
+        Report::Row(_) => None,
+    });
+    notices.collect()
+}
+
+fn is_of_vehicle(notice: &Notice) -> bool {
+    match notice.source {
+        NoticeSource::Vehicle => true,
+        NoticeSource::Program => false,
+    }
+}
+
+#[test]
+fn notices_have_the_source_that_they_had_in_the_flight() {
+    let recorded = record();
+    let journal = recorded.frames.with_extension("flight.jsonl");
+    let own = Notice::about(1, s(41), Severity::Warning, Text::verbatim("ours"));
+    let line = JournalLine::new(s(41), Happening::Notice(NoticeLine::of(&own)));
+    let before = std::fs::read_to_string(&journal).expect("there");
+    std::fs::write(&journal, before + &line.to_line()).expect("writable");
+    let live = heard_live(&recorded);
+    assert!(live.contains(&("Arming motors".to_owned(), true)), "{live:?}");
+    let (mut replay, mut observer) = watched(&recorded);
+    seek(&mut replay, &mut observer, s(44));
+    let notices = observer.app().state().notices();
+    let replayed: BTreeSet<(String, bool)> = notices
+        .lines()
+        .map(|line| (line.notice.text.to_string(), is_of_vehicle(&line.notice)))
+        .collect();
+    assert!(replayed.is_superset(&live), "{live:?} {replayed:?}");
+    let sent = |it: &&(String, bool)| it.1;
+    assert!(replayed.iter().filter(sent).eq(live.iter().filter(sent)));
+    assert!(replayed.contains(&("ours".to_owned(), false)));
+}
+
+#[test]
+fn the_traffic_is_counted_in_both_directions_and_nothing_else() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    seek(&mut replay, &mut observer, s(18));
+    let [link] = observer.app().state().session().links() else {
+        panic!("one link")
+    };
+    assert!(link.bytes_in_per_s > 10.0 * link.bytes_out_per_s, "{link:?}");
+    // A heartbeat each second.
+    assert!((link.messages_out_per_s - 1.0).abs() < 0.5, "{link:?}");
+    assert_eq!((&link.counters, link.round_trip), (&None, None));
+}
+
 #[test]
 fn paths_of_joint_manoeuvres_are_those_of_the_moment() {
     let recorded = record();
@@ -368,7 +443,7 @@ fn moments_are_found_and_stopped_at() {
 
     drop(replay.steer(ReplayEffect::StopAt(vec![MomentKind::Refusal])));
     let mut now = Duration::ZERO;
-    while replay.position.is_playing {
+    while replay.player.is_playing() {
         drop(replay.tick(now));
         now += FRAME;
     }
@@ -376,7 +451,7 @@ fn moments_are_found_and_stopped_at() {
     assert_eq!(replay.now(), s(7) + FRAME);
 
     drop(replay.steer(ReplayEffect::Moment { forward: true }));
-    assert!(replay.goal > s(7));
+    assert!(replay.player.goal() > s(7));
 }
 
 #[test]
@@ -411,7 +486,7 @@ fn frames_go_both_ways_and_the_end_is_the_end() {
     drop(replay.steer(ReplayEffect::Step { forward: true }));
     assert_eq!(replay.now(), s(10));
     drop(replay.steer(ReplayEffect::Seek(SeekTarget::End)));
-    while replay.goal >= replay.stage.now() + FRAME {
+    while replay.player.goal() >= replay.stage.now() + FRAME {
         drop(replay.approach());
     }
     assert!(replay.is_at_end());
@@ -495,7 +570,7 @@ fn it_plays_backwards_and_stops_at_what_comes_up() {
     drop(replay.steer(ReplayEffect::Rewind));
     let mut now = Duration::ZERO;
     let mut seen = Vec::new();
-    while replay.position.is_playing {
+    while replay.player.is_playing() {
         drop(replay.tick(now));
         seen.push(replay.now());
         now += FRAME;
@@ -507,7 +582,7 @@ fn it_plays_backwards_and_stops_at_what_comes_up() {
     assert_eq!(replay.now(), s(7) + FRAME, "the refusal can be seen");
     drop(replay.steer(ReplayEffect::StopAt(Vec::new())));
     drop(replay.steer(ReplayEffect::Rewind));
-    while replay.position.is_playing {
+    while replay.player.is_playing() {
         drop(replay.tick(now));
         now += FRAME;
     }
@@ -559,7 +634,7 @@ fn a_stretch_ends_with_the_recording() {
         from: s(10),
         to: s(9999),
     }))));
-    assert_eq!(replay.position.looped, Some((s(10), length)));
+    assert_eq!(replay.player.repeated(), Some((s(10), length)));
     let none = SeekTarget::Next(MomentKind::Rule);
     let said = replay.steer(ReplayEffect::Seek(none));
     assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
@@ -575,18 +650,18 @@ fn a_stretch_lies_between_two_moments_of_a_kind() {
         kind: MomentKind::Bookmark,
         text: Text::verbatim("here"),
     };
-    replay.moments = Arc::new(vec![bookmark(10), bookmark(20)]);
+    replay.contents.replace(vec![bookmark(10), bookmark(20)]);
     let bookmarks = || ReplayEffect::Loop(Some(LoopTarget::Moments(MomentKind::Bookmark)));
     seek(&mut replay, &mut observer, s(15));
     drop(replay.steer(bookmarks()));
     let looped = Some((s(10) + FRAME, s(20) + FRAME));
-    assert_eq!(replay.position.looped, looped);
-    assert_eq!(replay.goal, s(10) + FRAME);
+    assert_eq!(replay.player.repeated(), looped);
+    assert_eq!(replay.player.goal(), s(10) + FRAME);
     for at in [5, 25] {
         seek(&mut replay, &mut observer, s(at));
         let said = replay.steer(bookmarks());
         assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
     }
     drop(replay.steer(ReplayEffect::Loop(None)));
-    assert_eq!(replay.position.looped, None);
+    assert_eq!(replay.player.repeated(), None);
 }
