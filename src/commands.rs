@@ -44,7 +44,7 @@ pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use find_kind::FindKind;
 pub use flight::FlightCommand;
-pub use log::{LogChoice, LogCommand};
+pub use log::{LogChoice, LogCommand, LogGroup};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
@@ -97,6 +97,7 @@ impl Command {
             Self::Parameter(ParameterCommand::Set { name, .. }) => Some(Setup::Parameter(name)),
             Self::Motion(MotionCommand::SetHome { .. }) => Some(Setup::Home),
             Self::Plan(command) => command.changes_limits().then_some(Setup::Limits),
+            Self::Device(DeviceCommand::Fence { .. }) => Some(Setup::Limits),
             Self::Raw(_) => Some(Setup::Anything),
             Self::Parameter(ParameterCommand::Get { .. })
             | Self::Motion(_)

@@ -10,9 +10,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavMessage};
 
 use crate::commands::Command;
-use crate::ledger::RowUpdate;
 use crate::messages::Inbox;
-use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
@@ -26,15 +24,18 @@ mod ftp;
 mod gaps;
 mod hearing;
 mod line;
+mod lists;
 mod logs;
 mod naming;
 mod order;
+mod output;
 mod plan_orders;
 mod plans;
 mod precedence;
 mod radio;
 mod settings;
 mod streams;
+mod surroundings;
 #[cfg(test)]
 mod tests;
 mod timesync;
@@ -43,10 +44,11 @@ mod transaction;
 use download::Download;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
+use lists::{Lists, ListsDesk};
 use logs::LogReader;
-use plan_orders::{Desk, PlanOrders};
-use plans::PlanReader;
+use output::Output;
 use streams::Streams;
+use surroundings::Surroundings;
 use timesync::Timesync;
 
 pub use ftp::{
@@ -59,8 +61,8 @@ pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 
 pub use order::{Report, Steering, VehicleCommand};
-pub use plan_orders::PlanShelf;
 pub(crate) use plan_orders::format_of;
+pub use plan_orders::{GuardedShelf, PlanShelf};
 pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
@@ -70,28 +72,6 @@ const BUSY_POLL: Duration = Duration::from_millis(50);
 /// The maximum time between polls otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
 
-/// A session's messages and reports.
-#[derive(Debug, Clone, Default)]
-struct Output {
-    messages: Vec<Outgoing>,
-    /// Acknowledgements of `DO_CHANGE_SPEED` that no order waits for.
-    speed_acks: u8,
-    reports: Vec<Report>,
-}
-
-impl Output {
-    /// Repeats speeds that were set before.
-    fn say_speeds(&mut self, speeds: Vec<Outgoing>) {
-        let count = u8::try_from(speeds.len()).unwrap_or(u8::MAX);
-        self.speed_acks = self.speed_acks.saturating_add(count);
-        self.messages.extend(speeds);
-    }
-
-    fn row(&mut self, update: RowUpdate) {
-        self.reports.push(Report::Row(update));
-    }
-}
-
 /// The state of a conversation with one vehicle.
 #[derive(Debug, Clone)]
 pub struct Session {
@@ -100,18 +80,13 @@ pub struct Session {
     hearing: Hearing,
     streams: Streams,
     timesync: Timesync,
-    plans: PlanReader,
-    plan_orders: PlanOrders,
+    lists: Lists,
     line: Line,
     download: Download,
     logs: LogReader,
     ftp: FtpClient,
     output: Output,
-    /// The radio between the vehicle and us.
-    channel: radio::Channel,
-    settings: settings::Settings,
-    /// Messages that bypass the simulated radio.
-    beside: Vec<Outgoing>,
+    surroundings: Surroundings,
     /// The time of the last poll.
     now: Duration,
 }
@@ -126,16 +101,13 @@ impl Session {
             hearing: Hearing::default(),
             streams: Streams::new(WANTED_STREAMS, now),
             timesync: Timesync::default(),
-            plans: PlanReader::default(),
-            plan_orders: PlanOrders::default(),
+            lists: Lists::default(),
             line: Line::default(),
             download: Download::new(),
             logs: LogReader::default(),
             ftp: FtpClient::default(),
             output: Output::default(),
-            channel: radio::Channel::new(),
-            settings: settings::Settings::default(),
-            beside: Vec::new(),
+            surroundings: Surroundings::new(),
             now,
         }
     }
@@ -157,14 +129,14 @@ impl Session {
     /// Takes the files of plans from `shelf`, and writes them there.
     #[must_use]
     pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
-        self.plan_orders.take_from(shelf);
+        self.lists.take_from(shelf);
         self
     }
 
     /// Reads plans from the answers to others' requests, as in a recording, instead of its own.
     #[must_use]
     pub fn following_plans(mut self) -> Self {
-        self.plans.only_follow();
+        self.lists.only_follow();
         self
     }
 
@@ -192,8 +164,7 @@ impl Session {
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
-        self.plans.forget();
-        self.plan_orders.begin_anew(&mut self.ftp, now);
+        self.lists.begin_anew(&mut self.ftp, now);
         self.download.resume(now);
     }
 
@@ -201,19 +172,11 @@ impl Session {
     /// same system id may keep sending when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
         self.now = now;
-        if frame.component == self.vehicle.component && frame.is_verified() {
-            self.settings.receive(frame);
-        }
-        if self.channel.is_clear() {
+        if self.surroundings.hear(frame, &mut self.vehicle, now) {
             self.take_in(frame, now);
-            return;
+        } else {
+            self.take_in_arrived(now);
         }
-        if !self.channel.hear(frame, now)
-            && let Some(unheard) = radio::position(frame)
-        {
-            self.vehicle.unheard = Some(unheard);
-        }
-        self.take_in_arrived(now);
     }
 
     /// Notes a pause in which nothing could be heard: it does not count as silence.
@@ -224,19 +187,16 @@ impl Session {
 
     /// Applies a change to the vehicle's simulator or to the radio link.
     pub fn carry_out(&mut self, want: Want) {
-        match want {
-            Want::Parameter { name, value } => self.settings.want(name, value),
-            Want::Radio(fault) => self.channel.set(fault, u64::from(self.vehicle.id)),
-        }
+        self.surroundings.carry_out(want, self.vehicle.id);
     }
 
     /// Whether the radio link is cut, also for our heartbeats.
     pub fn is_cut(&self) -> bool {
-        self.channel.is_cut()
+        self.surroundings.is_cut()
     }
 
     fn take_in_arrived(&mut self, now: Duration) {
-        while let Some(frame) = self.channel.arrived(now) {
+        while let Some(frame) = self.surroundings.arrived(now) {
             self.take_in(&frame, now);
         }
     }
@@ -254,7 +214,7 @@ impl Session {
         self.inbox
             .apply(&mut self.vehicle, frame, now, &mut notices);
         self.line.hear_texts(&notices);
-        self.say(notices);
+        self.output.say(notices);
         if is_autopilot {
             self.answer(frame, now);
         }
@@ -269,15 +229,14 @@ impl Session {
     pub fn restarted(&mut self, now: Duration) {
         let mut notices = Vec::new();
         self.inbox.restarted(&mut self.vehicle, now, &mut notices);
-        self.say(notices);
+        self.output.say(notices);
         self.begin_anew(now);
     }
 
     /// Repeats all requests to the autopilot after a reboot.
     fn begin_anew(&mut self, now: Duration) {
         self.streams.forget(now);
-        self.plans.forget();
-        self.settings.forget();
+        self.surroundings.begin_anew();
         self.download.begin_anew(&mut self.inbox);
         // Messages for the vehicle before its reboot must not reach it afterwards.
         let newer = text!("outcome-the-reboot");
@@ -286,7 +245,7 @@ impl Session {
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
         self.ftp.forget();
-        self.plan_orders.begin_anew(&mut self.ftp, now);
+        self.lists.begin_anew(&mut self.ftp, now);
         self.logs
             .clear(&newer, &self.vehicle, now, &mut self.output);
     }
@@ -299,8 +258,8 @@ impl Session {
             return;
         }
         if matches!(order.command, Command::Plan(_)) {
-            let (orders, mut desk) = self.plan_desk(now);
-            orders.order(order, &mut desk);
+            let (lists, desk) = self.lists(now);
+            lists.order(order, desk);
             self.poll(now);
             return;
         }
@@ -322,12 +281,12 @@ impl Session {
     pub fn poll(&mut self, now: Duration) {
         self.now = now;
         self.take_in_arrived(now);
-        self.beside.extend(self.settings.poll(&self.vehicle, now));
+        self.surroundings.poll(&self.vehicle, now);
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
-        self.say(notices);
+        self.output.say(notices);
         let lost = watch_silence(&mut self.vehicle, now);
-        self.say(lost);
+        self.output.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
             self.output
                 .messages
@@ -336,12 +295,14 @@ impl Session {
                 self.output.messages.push(message);
                 self.line.expect_ack(command, now);
             }
-            self.read_plans(now);
+            let is_free = self.line.is_free();
+            let (lists, desk) = self.lists(now);
+            lists.read(is_free, desk);
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
-        let (orders, mut desk) = self.plan_desk(now);
-        orders.poll(&mut desk);
+        let (lists, desk) = self.lists(now);
+        lists.poll(desk);
         self.logs
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
         self.handle_files(None, now);
@@ -350,13 +311,11 @@ impl Session {
 
     /// The maximum time until the next poll if nothing arrives.
     pub fn patience(&self) -> Duration {
-        let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
-        let is_late = !self.channel.is_clear() || !self.settings.are_settled();
-        if is_late
+        if !self.surroundings.are_settled()
             || self.line.is_busy()
             || self.logs.is_busy()
-            || self.plan_orders.is_busy()
-            || is_fetching
+            || self.lists.is_busy()
+            || self.download.fetching().is_under_way()
             || self.ftp.is_busy()
         {
             BUSY_POLL
@@ -368,12 +327,7 @@ impl Session {
     /// Takes the messages to send, in order.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
         let said = std::mem::take(&mut self.output.messages);
-        if self.channel.is_clear() && self.beside.is_empty() {
-            return said;
-        }
-        let mut there = self.channel.say(said, self.now);
-        there.append(&mut self.beside);
-        there
+        self.surroundings.pass(said, self.now)
     }
 
     /// Takes the reports, in order.
@@ -390,7 +344,7 @@ impl Session {
             self.streams.forget(now);
             self.download.resume(now);
         }
-        self.say(back);
+        self.output.say(back);
     }
 
     /// Handles answers to our requests, and answers the vehicle's requests.
@@ -402,16 +356,8 @@ impl Session {
                 self.vehicle.link.round_trip = round_trip;
             }
         }
-        let mut messages = Vec::new();
-        if self.plan_orders.is_busy() {
-            self.plans.watch(frame, now, &mut messages);
-            let (orders, mut desk) = self.plan_desk(now);
-            orders.receive(frame, &mut desk);
-        } else {
-            self.plans
-                .receive(&mut self.vehicle, frame, now, &mut messages);
-        }
-        self.send(messages);
+        let (lists, desk) = self.lists(now);
+        lists.receive(frame, desk);
         self.logs.receive(frame, now);
         if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
             && matches!(data.target_system, 0 | GROUND_STATION_SYSTEM)
@@ -435,29 +381,9 @@ impl Session {
         });
         self.output.messages.extend(requests.map(Outgoing::from));
         for (ticket, event) in step.events {
-            self.plan_orders.hear_file(ticket, &event, now);
+            self.lists.hear_file(ticket, &event, now);
             self.logs.hear_file(ticket, event, &mut self.ftp, now);
         }
-    }
-
-    /// Reads plans, unless a command waits for its answer.
-    fn read_plans(&mut self, now: Duration) {
-        let is_free = self.line.is_free() || self.plans.is_busy();
-        if is_free && !self.plan_orders.is_busy() {
-            let mut messages = Vec::new();
-            self.plans.poll(&mut self.vehicle, now, &mut messages);
-            self.send(messages);
-        }
-    }
-
-    fn send(&mut self, messages: Vec<MavMessage>) {
-        let messages = messages.into_iter().map(Outgoing::from);
-        self.output.messages.extend(messages);
-    }
-
-    fn say(&mut self, notices: impl IntoIterator<Item = Notice>) {
-        let reports = notices.into_iter().map(Report::Notice);
-        self.output.reports.extend(reports);
     }
 
     /// Advances all orders as far as possible.
@@ -466,15 +392,14 @@ impl Session {
         line.advance(moment);
     }
 
-    fn plan_desk(&mut self, now: Duration) -> (&mut PlanOrders, Desk<'_>) {
-        let desk = Desk {
+    fn lists(&mut self, now: Duration) -> (&mut Lists, ListsDesk<'_>) {
+        let desk = ListsDesk {
             vehicle: &mut self.vehicle,
-            plans: &mut self.plans,
             ftp: &mut self.ftp,
             now,
             output: &mut self.output,
         };
-        (&mut self.plan_orders, desk)
+        (&mut self.lists, desk)
     }
 
     fn line(&mut self, now: Duration) -> (&mut Line, Moment<'_>) {

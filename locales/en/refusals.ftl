@@ -56,6 +56,7 @@ refused-protected-parameter = { $parameter } is part of the task: it can be set 
 refused-protected-home = home is part of the task: it can be moved in practice only
 refused-protected-limits = the fence and the rally points are part of the task: they can be changed in practice only
 refused-protected-raw = raw commands are allowed in practice only; use the verb for what you want to do
+refused-protected-item = item { $item } ({ $command }) changes home or the fence, which are part of the task: a plan with it can be uploaded in practice only
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 
 reason-no-orbit = this autopilot cannot orbit: use mode CIRCLE

@@ -190,6 +190,7 @@ fn a_flight_that_counts_keeps_its_home_and_takes_no_raw_commands() {
         "2 home 50.45 30.52 180",
         "2 long MAV_CMD_DO_SET_HOME 1",
         "2 long MAV_CMD_DO_FENCE_ENABLE 0",
+        "2 fence off",
     ];
     for line in lines {
         for stake in [Stake::Graded, Stake::Exam] {

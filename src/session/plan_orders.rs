@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage};
+use mavlink::dialects::ardupilotmega::MavAutopilot;
 
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::plans::PlanReader;
@@ -18,7 +18,7 @@ use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle};
-use crate::wire::{Frame, Outgoing};
+use crate::wire::Frame;
 
 mod compare;
 mod packed;
@@ -29,8 +29,8 @@ mod shelf;
 mod tests;
 mod transaction;
 
-pub use shelf::PlanShelf;
 pub(crate) use shelf::format_of;
+pub use shelf::{GuardedShelf, PlanShelf};
 use transaction::{Outcome, Transaction};
 
 /// The maximum number of orders that wait for one vehicle.
@@ -45,13 +45,6 @@ pub(super) struct Desk<'a> {
     pub ftp: &'a mut FtpClient,
     pub now: Duration,
     pub output: &'a mut Output,
-}
-
-impl Desk<'_> {
-    fn send(&mut self, messages: Vec<MavMessage>) {
-        let messages = messages.into_iter().map(Outgoing::from);
-        self.output.messages.extend(messages);
-    }
 }
 
 /// The orders about the lists of one vehicle.
@@ -143,7 +136,7 @@ impl PlanOrders {
                 Ok(new) => {
                     let mut messages = Vec::new();
                     desk.plans.make_way(desk.now, &mut messages);
-                    desk.send(messages);
+                    desk.output.send(messages);
                     let transaction = Transaction::new(command.kind, new, desk);
                     let job = Job {
                         order,

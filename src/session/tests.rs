@@ -13,7 +13,7 @@ use crate::commands::{
     QueryCommand,
 };
 use crate::language;
-use crate::ledger::{EntryId, RowState};
+use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::verb::{Retry, Verb};
 
 mod download;

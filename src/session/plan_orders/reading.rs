@@ -105,7 +105,7 @@ impl Reading {
             let round_trip = desk.vehicle.link.round_trip.unwrap_or_default();
             let mut messages = Vec::new();
             let step = download.poll(round_trip, now, &mut messages);
-            desk.send(messages);
+            desk.output.send(messages);
             self.stepped(step, now);
         }
         match &mut self.way {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, PARAM_SET_DATA};
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, PARAM_SET_DATA};
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
@@ -13,7 +13,7 @@ use crate::language;
 use crate::ledger::EntryId;
 use crate::session::{RadioFault, Report, Session, Want};
 use crate::sim::{PortId, Start, World, WorldConfig};
-use crate::wire::{Decoder, Encoder};
+use crate::wire::{Decoder, Encoder, Outgoing};
 
 const STEP: Duration = Duration::from_millis(10);
 const HOME: LatLon = LatLon {

@@ -139,7 +139,7 @@ impl Transaction {
             Phase::Keeping(reading) | Phase::Checking(reading) => {
                 let mut messages = Vec::new();
                 reading.receive(frame, desk.now, &mut messages);
-                desk.send(messages);
+                desk.output.send(messages);
             }
             Phase::Writing(Writing::Items(sending)) => {
                 sending.receive(frame, desk.vehicle, desk.now, &mut desk.output.messages);

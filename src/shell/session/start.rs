@@ -28,7 +28,7 @@ use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
 use crate::record::InputsHead;
 use crate::scoring::TryReport;
-use crate::session::LogKeeper;
+use crate::session::{GuardedShelf, LogKeeper, PlanShelf};
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::{LogFolder, PlanFiles, Records, Runs};
 use crate::swarm::Rules;
@@ -97,6 +97,18 @@ impl SessionPlan {
     }
 }
 
+impl SessionPlan {
+    /// The files of plans for its vehicles; in a flight that counts, home and fence are part of the task.
+    fn shelf(&self, stake: Stake) -> Arc<dyn PlanShelf> {
+        let counts = matches!(self, Self::Mission(_)) && stake != Stake::Practice;
+        if counts {
+            Arc::new(GuardedShelf(PlanFiles))
+        } else {
+            Arc::new(PlanFiles)
+        }
+    }
+}
+
 impl RunningSession {
     /// Starts a session, once the processes of the one before it are gone.
     ///
@@ -116,7 +128,7 @@ impl RunningSession {
         let keeping = Keeping {
             sink,
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
-            plans: Some(Arc::new(PlanFiles)),
+            plans: Some(plan.shelf(backend.occasion.stake)),
         };
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {
@@ -289,5 +301,30 @@ fn started(activity: Activity) -> Started {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FORMATION: &str = include_str!("../../../missions/02-formation.toml");
+    const MOVES_HOME: &str = "QGC WPL 110\n\
+        0\t1\t0\t16\t0\t0\t0\t0\t50.45\t30.52\t180\t1\n\
+        1\t0\t3\t179\t1\t0\t0\t0\t0\t0\t0\t1\n";
+
+    #[test]
+    fn a_flight_that_counts_takes_no_plan_that_moves_home() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("home.waypoints");
+        std::fs::write(&file, MOVES_HOME).expect("written");
+        let file = file.to_string_lossy();
+        let mission = Mission::parse(FORMATION).expect("it is good");
+        let flown = SessionPlan::Mission(Arc::new(mission));
+        for stake in [Stake::Graded, Stake::Daily, Stake::Exam] {
+            let fault = flown.shelf(stake).read(&file).expect_err("it is refused");
+            assert!(fault.to_string().contains("DO_SET_HOME"), "{fault}");
+        }
+        flown.shelf(Stake::Practice).read(&file).expect("practice");
     }
 }

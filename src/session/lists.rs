@@ -1,0 +1,101 @@
+//! The lists that a vehicle carries: reading them, and the orders about them.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::VehicleCommand;
+use super::ftp::{FtpClient, FtpEvent, FtpTicket};
+use super::output::Output;
+use super::plan_orders::{Desk, PlanOrders, PlanShelf};
+use super::plans::PlanReader;
+use crate::vehicle::Vehicle;
+use crate::wire::Frame;
+
+/// The plan, the fence and the rally points of a vehicle. While an order is carried out, nothing else is read.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Lists {
+    reader: PlanReader,
+    orders: PlanOrders,
+}
+
+/// The rest of the session, as the lists need it.
+pub(super) struct ListsDesk<'a> {
+    pub vehicle: &'a mut Vehicle,
+    pub ftp: &'a mut FtpClient,
+    pub now: Duration,
+    pub output: &'a mut Output,
+}
+
+impl Lists {
+    /// Reads lists from the answers to others' requests instead of its own.
+    pub fn only_follow(&mut self) {
+        self.reader.only_follow();
+    }
+
+    /// Takes the files of orders from `shelf`, and writes them there.
+    pub fn take_from(&mut self, shelf: Arc<dyn PlanShelf>) {
+        self.orders.take_from(shelf);
+    }
+
+    /// Whether something is read or an order is carried out.
+    pub fn is_busy(&self) -> bool {
+        self.reader.is_busy() || self.orders.is_busy()
+    }
+
+    /// Reads everything again, because the link was down or the vehicle has rebooted.
+    pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
+        self.reader.forget();
+        self.orders.begin_anew(ftp, now);
+    }
+
+    pub fn order(&mut self, order: VehicleCommand, desk: ListsDesk<'_>) {
+        let (orders, mut desk) = self.desk(desk);
+        orders.order(order, &mut desk);
+    }
+
+    /// Handles a message of the autopilot.
+    pub fn receive(&mut self, frame: &Frame, desk: ListsDesk<'_>) {
+        let mut messages = Vec::new();
+        if self.orders.is_busy() {
+            self.reader.watch(frame, desk.now, &mut messages);
+            desk.output.send(messages);
+            let (orders, mut desk) = self.desk(desk);
+            orders.receive(frame, &mut desk);
+        } else {
+            self.reader
+                .receive(desk.vehicle, frame, desk.now, &mut messages);
+            desk.output.send(messages);
+        }
+    }
+
+    /// Handles an event of the client for files.
+    pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
+        self.orders.hear_file(ticket, event, now);
+    }
+
+    /// Advances reading, which begins only if no command waits for its answer.
+    pub fn read(&mut self, is_free: bool, desk: ListsDesk<'_>) {
+        if (is_free || self.reader.is_busy()) && !self.orders.is_busy() {
+            let mut messages = Vec::new();
+            self.reader.poll(desk.vehicle, desk.now, &mut messages);
+            desk.output.send(messages);
+        }
+    }
+
+    /// Advances the orders.
+    pub fn poll(&mut self, desk: ListsDesk<'_>) {
+        let (orders, mut desk) = self.desk(desk);
+        orders.poll(&mut desk);
+    }
+
+    fn desk<'a>(&'a mut self, desk: ListsDesk<'a>) -> (&'a mut PlanOrders, Desk<'a>) {
+        let desk = Desk {
+            vehicle: desk.vehicle,
+            plans: &mut self.reader,
+            ftp: desk.ftp,
+            now: desk.now,
+            output: desk.output,
+        };
+        (&mut self.orders, desk)
+    }
+}

@@ -1,0 +1,87 @@
+//! What a mission does to a vehicle's surroundings: its radio link, and its simulator.
+
+use std::time::Duration;
+
+use super::radio::{self, Channel};
+use super::settings::{Settings, Want};
+use crate::vehicle::{Vehicle, VehicleId};
+use crate::wire::{Frame, Outgoing};
+
+/// The radio between the vehicle and us, and the parameters of its simulator.
+#[derive(Debug, Clone)]
+pub(super) struct Surroundings {
+    channel: Channel,
+    settings: Settings,
+    /// Messages that bypass the simulated radio.
+    beside: Vec<Outgoing>,
+}
+
+impl Surroundings {
+    pub fn new() -> Self {
+        Self {
+            channel: Channel::new(),
+            settings: Settings::default(),
+            beside: Vec::new(),
+        }
+    }
+
+    /// Applies a change; `vehicle` distinguishes the links of one flight.
+    pub fn carry_out(&mut self, want: Want, vehicle: VehicleId) {
+        match want {
+            Want::Parameter { name, value } => self.settings.want(name, value),
+            Want::Radio(fault) => self.channel.set(fault, u64::from(vehicle)),
+        }
+    }
+
+    /// Whether the radio link is cut, also for our heartbeats.
+    pub fn is_cut(&self) -> bool {
+        self.channel.is_cut()
+    }
+
+    /// Whether nothing is in transit, and all parameters are set.
+    pub fn are_settled(&self) -> bool {
+        self.channel.is_clear() && self.settings.are_settled()
+    }
+
+    /// Accepts a frame of the vehicle's system. Returns whether it has arrived; otherwise it is in transit or lost, and
+    /// a lost position is noted in the model.
+    pub fn hear(&mut self, frame: &Frame, vehicle: &mut Vehicle, now: Duration) -> bool {
+        if frame.component == vehicle.component && frame.is_verified() {
+            self.settings.receive(frame);
+        }
+        if self.channel.is_clear() {
+            return true;
+        }
+        if !self.channel.hear(frame, now)
+            && let Some(unheard) = radio::position(frame)
+        {
+            vehicle.unheard = Some(unheard);
+        }
+        false
+    }
+
+    /// The next frame that has arrived after its transit.
+    pub fn arrived(&mut self, now: Duration) -> Option<Frame> {
+        self.channel.arrived(now)
+    }
+
+    /// Advances the setting of parameters.
+    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) {
+        self.beside.extend(self.settings.poll(vehicle, now));
+    }
+
+    /// Sets all parameters again, because the vehicle has rebooted.
+    pub fn begin_anew(&mut self) {
+        self.settings.forget();
+    }
+
+    /// Passes messages to the vehicle through the radio; returns those that leave now.
+    pub fn pass(&mut self, messages: Vec<Outgoing>, now: Duration) -> Vec<Outgoing> {
+        if self.channel.is_clear() && self.beside.is_empty() {
+            return messages;
+        }
+        let mut there = self.channel.say(messages, now);
+        there.append(&mut self.beside);
+        there
+    }
+}
