@@ -11,6 +11,9 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
+use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantNames};
+
 mod catalogue;
 mod figure;
 mod layout;
@@ -21,27 +24,45 @@ pub use figure::{clock, figure, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+/// A language of the texts. The names are its codes by ISO 639.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Default,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
+    Serialize,
+    Deserialize,
+)]
+#[serde(into = "&'static str", try_from = "String")]
 pub enum Language {
     #[default]
-    #[serde(rename = "en")]
+    #[strum(serialize = "en")]
     English,
-    #[serde(rename = "uk")]
+    #[strum(serialize = "uk")]
     Ukrainian,
+}
+
+impl TryFrom<String> for Language {
+    type Error = strum::ParseError;
+
+    fn try_from(code: String) -> Result<Self, Self::Error> {
+        code.parse()
+    }
 }
 
 impl Language {
     pub const ALL: [Self; 2] = [Self::English, Self::Ukrainian];
 
-    /// The code of each, by ISO 639.
-    pub const CODES: &'static [&'static str] = &["en", "uk"];
+    /// The code of each.
+    pub const CODES: &'static [&'static str] = <Self as VariantNames>::VARIANTS;
 
-    /// Its code by ISO 639.
     pub fn code(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::Ukrainian => "uk",
-        }
+        self.into()
     }
 
     /// The language of a code or of a POSIX locale: `uk`, `uk_UA.UTF-8`, `en_GB`.

@@ -1,5 +1,7 @@
 //! Commands about the `DataFlash` logs that a vehicle stores of its flights.
 
+use strum::{EnumString, VariantNames};
+
 /// A command about a vehicle's logs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LogCommand {
@@ -17,9 +19,17 @@ pub enum LogCommand {
 /// A choice among a vehicle's logs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LogChoice {
-    /// The log of the last flight.
-    Last,
-    All,
+    Group(LogGroup),
     /// The log of this number in the vehicle's list.
     Number(u16),
+}
+
+/// Logs that are chosen without their number. The names are those of the command line.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "snake_case")]
+pub enum LogGroup {
+    /// The log of the last flight.
+    #[default]
+    Last,
+    All,
 }

@@ -11,7 +11,7 @@ use mavlink::dialects::ardupilotmega::{LOG_REQUEST_END_DATA, MavMessage};
 
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::{Output, VehicleCommand};
-use crate::commands::{Command, LogChoice, LogCommand};
+use crate::commands::{Command, LogChoice, LogCommand, LogGroup};
 use crate::ledger::{RowState, RowUpdate};
 use crate::text;
 use crate::text::Text;
@@ -353,8 +353,8 @@ impl LogsJob {
         };
         let count = logs.len();
         let mut chosen: VecDeque<ListedLog> = match which {
-            LogChoice::All => logs.into_iter().filter(|it| it.size > 0).collect(),
-            LogChoice::Last => logs.into_iter().next_back().into_iter().collect(),
+            LogChoice::Group(LogGroup::All) => logs.into_iter().filter(|it| it.size > 0).collect(),
+            LogChoice::Group(LogGroup::Last) => logs.into_iter().next_back().into_iter().collect(),
             LogChoice::Number(number) => {
                 logs.into_iter().filter(|it| it.number == *number).collect()
             }
@@ -364,9 +364,7 @@ impl LogsJob {
                 LogChoice::Number(number) if count > 0 => {
                     text!("refused-no-log", number = *number, count = count)
                 }
-                LogChoice::Number(_) | LogChoice::Last | LogChoice::All => {
-                    text!("outcome-logs-none")
-                }
+                LogChoice::Number(_) | LogChoice::Group(_) => text!("outcome-logs-none"),
             };
             return Err((RowState::Refused, reason));
         };

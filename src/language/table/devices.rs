@@ -1,8 +1,11 @@
 //! Verbs about outputs, messages, parameters and raw MAVLink.
 
+use strum::VariantNames as _;
+
 use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::{
-    Act, Command, DeviceCommand, LogChoice, LogCommand, ParameterCommand, QueryCommand, RawCommand,
+    Act, Command, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
+    RawCommand,
 };
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
@@ -229,13 +232,12 @@ const LOGS: VerbRow = VerbRow {
         Form::new(
             &[
                 Argument::flag("download", ""),
-                Argument::value("which", Kind::Choice(&["last", "all"]), "").optional(),
+                Argument::value("which", Kind::Choice(LogGroup::VARIANTS), "").optional(),
                 TO_FOLDER,
             ],
             |given| {
-                let all = given.word("which") == Some("all");
-                let which = if all { LogChoice::All } else { LogChoice::Last };
-                Ok(download(which, given))
+                let group: Option<LogGroup> = given.choice("which")?;
+                Ok(download(LogChoice::Group(group.unwrap_or_default()), given))
             },
         ),
         Form::new(

@@ -12,7 +12,7 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::commands::{LogChoice, LogCommand};
+use crate::commands::{LogChoice, LogCommand, LogGroup};
 use crate::session::ftp::server::FileServer;
 use crate::text::Text;
 
@@ -313,7 +313,7 @@ fn logs_are_listed() {
     empty.order(LogCommand::List);
     empty.until_over(ms(3000));
     assert_eq!(empty.last_row().state, RowState::Done);
-    empty.download(LogChoice::Last);
+    empty.download(LogChoice::Group(LogGroup::Last));
     empty.step();
     empty.until_over(ms(3000));
     assert_eq!(empty.last_row().state, RowState::Refused);
@@ -322,7 +322,7 @@ fn logs_are_listed() {
 #[test]
 fn a_log_comes_with_one_request_where_nothing_is_lost() {
     let mut shelf = Shelf::new(vec![log(10, 1), log(50_000, 2)]);
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     shelf.until_over(ms(10_000));
     assert_eq!(
         shelf.last_row().state,
@@ -341,7 +341,7 @@ fn a_log_comes_with_one_request_where_nothing_is_lost() {
 fn a_download_that_was_broken_off_goes_on_unless_it_is_another_log() {
     for (is_other, most) in [(false, 25_000), (true, 51_000)] {
         let mut shelf = Shelf::new(vec![log(50_000, 2)]);
-        shelf.download(LogChoice::All);
+        shelf.download(LogChoice::Group(LogGroup::All));
         while shelf.last_row().state != RowState::InProgress(60) {
             shelf.step();
         }
@@ -374,7 +374,7 @@ fn a_download_that_was_broken_off_goes_on_unless_it_is_another_log() {
 #[test]
 fn a_download_is_stopped_and_goes_on_later() {
     let mut shelf = Shelf::new(vec![log(50_000, 2)]);
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     while shelf.last_row().state != RowState::InProgress(30) {
         shelf.step();
     }
@@ -391,7 +391,7 @@ fn a_download_is_stopped_and_goes_on_later() {
     shelf.step();
     assert_eq!(shelf.last_row().state, RowState::Refused);
     shelf.carried = 0;
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     shelf.step();
     shelf.until_over(ms(10_000));
     assert_eq!(shelf.last_row().state, RowState::Done);
@@ -401,7 +401,7 @@ fn a_download_is_stopped_and_goes_on_later() {
 #[test]
 fn a_vehicle_that_falls_silent_is_given_up_and_what_came_is_kept() {
     let mut shelf = Shelf::new(vec![log(50_000, 2)]);
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     while shelf.last_row().state != RowState::InProgress(30) {
         shelf.step();
     }
@@ -421,7 +421,7 @@ fn logs_are_refused_while_armed_and_where_they_cannot_be_kept() {
     let mut scene = Scene::new();
     let verb = &language::row("logs").expect("a verb").verb;
     let command = Command::Log(LogCommand::Download {
-        which: LogChoice::Last,
+        which: LogChoice::Group(LogGroup::Last),
         folder: None,
     });
     let order = VehicleCommand::new(EntryId(1), verb, command);
@@ -499,7 +499,7 @@ proptest! {
         shelf.loss = loss;
         shelf.random = ChaCha8Rng::seed_from_u64(seed);
         shelf.rate = rate;
-        shelf.download(LogChoice::Last);
+        shelf.download(LogChoice::Group(LogGroup::Last));
         shelf.until_over(Duration::from_secs(600));
         prop_assert_eq!(shelf.last_row().state, RowState::Done);
         let whole = shelf.keeper.whole.lock().expect("kept");

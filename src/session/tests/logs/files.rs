@@ -8,7 +8,7 @@ const LOG: &str = "logs/00000001.BIN";
 #[test]
 fn a_log_comes_by_messages_and_is_checked_where_the_vehicle_hands_out_files() {
     let mut shelf = Shelf::with_files(vec![log(700, 1), log(250_000, 2)]);
-    shelf.download(LogChoice::All);
+    shelf.download(LogChoice::Group(LogGroup::All));
     shelf.until_over(ms(30_000));
     assert_eq!(shelf.last_row().state, RowState::Done);
     let text = "250.7 kB saved by log messages, checksum verified: log1.bin, log2.bin";
@@ -42,7 +42,7 @@ fn what_is_not_checked_says_why() {
     ] {
         let mut shelf = Shelf::with_files(vec![log(size, 2)]);
         shelf.server.quirks = quirks;
-        shelf.download(LogChoice::Last);
+        shelf.download(LogChoice::Group(LogGroup::Last));
         shelf.until_over(Duration::from_secs(60));
         let words = shelf.explanation();
         let start = format!("100.0 kB saved by log messages, {check}");
@@ -66,7 +66,7 @@ fn files_go_on_where_log_messages_cease() {
         let mut shelf = Shelf::with_files(vec![log(100_000, 2)]);
         shelf.answers = answers;
         shelf.server.quirks = quirks;
-        shelf.download(LogChoice::Last);
+        shelf.download(LogChoice::Group(LogGroup::Last));
         shelf.until_over(Duration::from_secs(120));
         assert_eq!(shelf.last_row().state, state);
         let words = shelf.explanation();
@@ -89,7 +89,7 @@ fn files_go_on_where_log_messages_cease() {
 #[test]
 fn a_log_that_grows_while_it_is_read_ends_where_it_was_listed() {
     let mut shelf = Shelf::with_files(vec![log(100_000, 2)]);
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     while shelf.last_row().state != RowState::InProgress(50) {
         shelf.step();
     }
@@ -109,7 +109,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     let mut shelf = Shelf::with_files(vec![log(9000, 1), log(5000, 2)]);
     let path = "logs/00000002.BIN".to_owned();
     shelf.server.files.insert(path.clone(), log(5100, 3));
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     shelf.until_over(ms(30_000));
     let way = "by log messages, no checksum: no file of the listed size";
     assert_eq!(shelf.explanation(), format!("5.0 kB saved {way}: log2.bin"));
@@ -121,7 +121,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
         .server
         .files
         .insert("/APM/LOGS/00000001.BIN".to_owned(), file.1);
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     shelf.until_over(ms(30_000));
     assert!(
         shelf
@@ -130,7 +130,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     );
     shelf.server.files.clear();
     shelf.keeper.whole.lock().expect("kept").clear();
-    shelf.download(LogChoice::Last);
+    shelf.download(LogChoice::Group(LogGroup::Last));
     shelf.step();
     shelf.until_over(ms(30_000));
     assert!(
@@ -146,7 +146,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
 fn a_file_that_was_broken_off_goes_on_unless_it_is_another_log() {
     for is_other in [false, true] {
         let mut shelf = Shelf::with_files(vec![log(150_000, 2)]);
-        shelf.download(LogChoice::All);
+        shelf.download(LogChoice::Group(LogGroup::All));
         while shelf.last_row().state != RowState::InProgress(60) {
             shelf.step();
         }
@@ -194,7 +194,7 @@ proptest! {
         shelf.loss = loss;
         shelf.random = ChaCha8Rng::seed_from_u64(seed);
         shelf.rate = rate;
-        shelf.download(LogChoice::Last);
+        shelf.download(LogChoice::Group(LogGroup::Last));
         shelf.until_over(Duration::from_secs(600));
         // If messages stop, files may have failed before.
         let is_done = shelf.last_row().state == RowState::Done;
