@@ -85,7 +85,6 @@ compare-reference = reference pilot
 compare-how = Compare this flight with another of the same mission: { $key } writes `ghost`; add `best`, `reference`, or the file of a record.
 compare-in-flight = The flights are compared once this one is replayed. Until then the map shows the ghost.
 compare-aligned = The curves and the ghost are aligned by { $moment }; the table has the mission time of each flight. To change this: `ghost by start`, `takeoff`, `objective`, `alert`, `refusal` or `bookmark`.
-compare-other = the other
 compare-score = score
 compare-same = The flights do not differ in anything that counts.
 compare-takeoff = first takeoff

@@ -279,6 +279,24 @@ mod tests {
     }
 
     #[test]
+    fn two_places_are_as_many_columns_apart_as_the_scale_says() {
+        for apart_m in [40.0, 400.0, 4000.0] {
+            let truth = TruthReport {
+                pads: vec![[0.0, 0.0], [apart_m, 0.0]],
+                ..TruthReport::default()
+            };
+            let mut canvas = TextMap::around(&truth).expect("there is something");
+            canvas.draw(&truth);
+            let row = canvas.rows.iter().find(|row| row.contains(&'P'));
+            let row = row.expect("the pads");
+            let first = row.iter().position(|it| *it == 'P').expect("a pad");
+            let last = row.iter().rposition(|it| *it == 'P').expect("a pad");
+            let shown_m = (last - first) as f64 * canvas.scale_m;
+            assert!((shown_m - apart_m).abs() <= canvas.scale_m, "{shown_m}");
+        }
+    }
+
+    #[test]
     fn a_map_of_any_extent_fits_on_the_page() {
         for extent in [0.0, 1.0, 500.0, 20_000.0] {
             let mut truth = truth();

@@ -1,7 +1,7 @@
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
-use crate::scoring::TruthReport;
+use crate::scoring::{FlightOutcome, TruthReport};
 use crate::text::Language;
 use crate::text::said::without_words;
 
@@ -79,6 +79,49 @@ fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
         "x drone 1: motors stopped",
     ] {
         assert!(text.contains(words), "{words} is missing:\n{text}");
+    }
+}
+
+#[test]
+fn every_end_of_a_flight_is_named_at_the_top() {
+    let mut report = do_nothing().report();
+    for (outcome, words) in [
+        (FlightOutcome::Passed, ["PASSED", "ВИКОНАНО"]),
+        (FlightOutcome::Failed, ["FAILED", "НЕ ВИКОНАНО"]),
+        (FlightOutcome::TimedOut, ["TIMED OUT", "ЧАС ВИЙШОВ"]),
+        (FlightOutcome::Abandoned, ["ABANDONED", "ПРИПИНЕНО"]),
+        (FlightOutcome::Flying, ["FLYING", "ТРИВАЄ"]),
+    ] {
+        report.outcome = outcome;
+        for (language, word) in Language::ALL.into_iter().zip(words) {
+            let text = text(&report, &Locale::new(language));
+            let head = text.lines().nth(1).expect("a head");
+            assert!(head.contains(&format!("   {word} ")), "{word}: {head}");
+        }
+    }
+}
+
+/// What is called good was done: objectives are, only if all of them were met.
+#[test]
+fn praise_is_for_what_was_done() {
+    let good = |report: &Report| {
+        let text = text(report, &Locale::default());
+        let line = text.lines().find(|line| line.starts_with("  good "));
+        line.map(str::to_owned)
+    };
+    let all_met = good(&fly_the_cells(1).report()).expect("it was good");
+    assert!(all_met.contains("all 3 objectives met"), "{all_met}");
+    for (name, mut report) in flights() {
+        for component in &mut report.components {
+            component.value = 1.0;
+        }
+        let is_all_met = report.objectives.iter().all(|it| it.met);
+        let line = good(&report).unwrap_or_default();
+        assert!(is_all_met || !line.contains("objective"), "{name}: {line}");
+        for component in &mut report.components {
+            component.value = 0.9;
+        }
+        assert_eq!(good(&report), None, "{name}");
     }
 }
 

@@ -353,7 +353,10 @@ fn notices_have_the_source_that_they_had_in_the_flight() {
     let before = std::fs::read_to_string(&journal).expect("there");
     std::fs::write(&journal, before + &line.to_line()).expect("writable");
     let live = heard_live(&recorded);
-    assert!(live.contains(&("Arming motors".to_owned(), true)), "{live:?}");
+    assert!(
+        live.contains(&("Arming motors".to_owned(), true)),
+        "{live:?}"
+    );
     let (mut replay, mut observer) = watched(&recorded);
     seek(&mut replay, &mut observer, s(44));
     let notices = observer.app().state().notices();
@@ -375,7 +378,10 @@ fn the_traffic_is_counted_in_both_directions_and_nothing_else() {
     let [link] = observer.app().state().session().links() else {
         panic!("one link")
     };
-    assert!(link.bytes_in_per_s > 10.0 * link.bytes_out_per_s, "{link:?}");
+    assert!(
+        link.bytes_in_per_s > 10.0 * link.bytes_out_per_s,
+        "{link:?}"
+    );
     // A heartbeat each second.
     assert!((link.messages_out_per_s - 1.0).abs() < 0.5, "{link:?}");
     assert_eq!((&link.counters, link.round_trip), (&None, None));

@@ -144,6 +144,12 @@ fn bookmarks_beside(run: &Path) -> Vec<FlightBookmark> {
     bookmarks(journal.as_ref(), &review.unwrap_or_default())
 }
 
+/// The date and time of a record, to the minute: `2026-11-20T14:03:22Z` is `2026-11-20 14:03`.
+fn minute(when: &str) -> String {
+    let time = when.rsplit_once(':').map_or(when, |(time, _)| time);
+    time.replace('T', " ")
+}
+
 impl GhostPlan {
     fn flight(self) -> Result<ComparedFlight, Text> {
         match self {
@@ -154,7 +160,8 @@ impl GhostPlan {
                 };
                 let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
                 let whose = stored.head.profile.clone();
-                let name = Text::verbatim(whose.unwrap_or_else(|| stored.head.when.clone()));
+                let name = whose.unwrap_or_else(|| minute(&stored.head.when));
+                let name = Text::verbatim(name);
                 let flight = ComparedFlight::of_record(&stored, name)?;
                 Ok(flight.with_bookmarks(bookmarks_beside(&path)))
             }

@@ -21,6 +21,8 @@ use crate::vehicle_id::ranges;
 const SHORTEST: usize = 10;
 /// Columns of a moment's kind in the list.
 const KIND_WIDTH: usize = 10;
+/// Below this width, a line shows the kind by its sign alone.
+const NARROW: usize = 50;
 
 /// The replay badge in the header, with the rate.
 pub fn badge(view: &ReplayView, look: &Look) -> String {
@@ -207,8 +209,13 @@ pub fn both_times(view: &ReplayView, at: Duration) -> String {
 /// A moment in a list, with its time as stated there.
 pub fn moment_line<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
     let (sign, role) = sign(moment.kind);
-    let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
-    let head = format!("{time} {sign} {kind} ");
+    // In a narrow list, the sign alone leaves room for the text.
+    let head = if columns < NARROW {
+        format!("{time} {sign} ")
+    } else {
+        let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
+        format!("{time} {sign} {kind} ")
+    };
     let rest = columns.saturating_sub(width(&head));
     let text = clip(&moment_text(moment, look), rest);
     Line::from(vec![

@@ -148,3 +148,20 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
     }
     assert!(console.screen(200, 50).contains("11 of 2000 match"));
 }
+
+#[test]
+fn the_mark_of_a_longer_list_leaves_the_tries_in_sight() {
+    let mut console = Console::flying(1);
+    for _ in 0..40 {
+        console.give("1 hold");
+    }
+    console.give("ledger");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains('▲'), "{screen}");
+    let mut listed = screen.lines().filter(|line| line.contains("1 hold"));
+    let shows_tries = |line: &str| {
+        let figures = line.trim_end_matches(['▲', '▼', ' ']);
+        figures.ends_with(|it: char| it.is_ascii_digit())
+    };
+    assert!(listed.all(shows_tries), "{screen}");
+}

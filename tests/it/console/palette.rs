@@ -77,6 +77,25 @@ fn what_a_line_means_is_searched_in_the_language_of_the_screens() {
 }
 
 #[test]
+fn verbs_are_found_by_ukrainian_words() {
+    let mut console = Console::flying(1);
+    console.give("set lang uk");
+    for (written, verb) in [
+        ("злетіти", "takeoff"),
+        ("сісти", "land"),
+        ("повернутися", "rtl"),
+        ("активувати", "arm"),
+        ("зупинитися", "hold"),
+        ("летіти", "goto"),
+    ] {
+        console.press(":").write(written);
+        let found = offered(&console);
+        assert!(found.iter().any(|it| it == verb), "{written}: {found:?}");
+        console.press("esc");
+    }
+}
+
+#[test]
 fn exact_words_and_beginnings_come_before_scattered_letters() {
     let mut console = Console::flying(3);
     let mut first = |written: &str| {

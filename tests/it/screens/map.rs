@@ -14,7 +14,7 @@ use sortie::geo::{LatLon, Outline};
 use sortie::mission::{Area, AreaKind, Mission};
 use sortie::plan::{HeightFrame, Item};
 use sortie::text::{Language, Locale};
-use sortie::ui::{self, Look};
+use sortie::ui::{self, Look, Role};
 use sortie::vehicle::{
     FenceArea, FencePlan, FenceShape, Plan, RallyPlan, RallyPoint, Target, Vehicle,
 };
@@ -245,6 +245,47 @@ fn what_the_cursors_vehicle_has_on_board() {
     let fences = sketches(console.press("*").state());
     let borders = fences.iter().filter(|it| it.kind == SketchKind::Fence);
     assert_eq!(borders.count(), 1, "two vehicles share it");
+}
+
+/// The cells of the map in a role's colour that show a sign, by rows.
+fn signs_in(console: &Console, role: Role, size: (u16, u16)) -> Vec<String> {
+    let look = Look::default();
+    let backend = TestBackend::new(size.0, size.1);
+    let mut terminal = Terminal::new(backend).expect("a test terminal");
+    terminal
+        .draw(|frame| ui::draw(console.state(), &look, frame))
+        .expect("a test terminal");
+    let colour = look.style(role).fg;
+    let sign = |cell: &ratatui::buffer::Cell| {
+        let is_meant = Some(cell.fg) == colour && cell.symbol() != "\u{2800}";
+        if is_meant { cell.symbol() } else { " " }.to_owned()
+    };
+    let rows = terminal.backend().buffer().content.chunks(size.0.into());
+    rows.map(|row| row.iter().map(sign).collect()).collect()
+}
+
+#[test]
+fn the_fence_is_dashed_in_a_colour_of_its_own_and_an_alert_in_that_of_alerts() {
+    let size = (120, 40);
+    let mut console = Console::flying(0);
+    let mut low = planned(1);
+    for battery in &mut low.batteries {
+        battery.remaining_percent = Some(4);
+    }
+    console.vehicle(low).press("M");
+    let mut console = resized(console, size);
+    console.press("z");
+    let fence = signs_in(&console, Role::Fence, size);
+    let dashes = |row: &String| row.split_whitespace().count();
+    // The upper and the lower edge of a circle are strokes with gaps.
+    let most = fence.iter().map(dashes).max();
+    assert!(most.is_some_and(|most| most >= 3), "{fence:#?}");
+    let longest = fence.iter().flat_map(|row| row.split_whitespace());
+    let longest = longest.map(|it| it.chars().count()).max();
+    assert!(longest.is_some_and(|longest| longest <= 6), "{fence:#?}");
+    let alarmed = signs_in(&console, Role::Danger, size);
+    assert!(alarmed.iter().any(|row| row.contains("1!")), "{alarmed:#?}");
+    assert!(!fence.iter().any(|row| row.contains('!')));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use sortie::app::state::Career;
 use sortie::campaign::MissionCourse;
 use sortie::config::Symbols;
 use sortie::text::{Language, Locale};
-use sortie::ui::{self, Look};
+use sortie::ui::{self, Look, Role};
 use sortie::workshop::Design;
 
 use super::{SIZES, draw_at_some_sizes};
@@ -75,6 +75,33 @@ fn a_design_from_nothing_says_what_is_missing_and_what_does_not_fit() {
         .press("down");
     console.press("tab").press("end");
     check("new", &console);
+}
+
+/// A part that does not fit is muted with a cross, its reason below in the colour of danger.
+#[test]
+fn parts_that_do_not_fit_look_so() {
+    let mut console = workshop(Language::English);
+    console.press("n").press("tab").press("down").press("down");
+    console
+        .press("enter")
+        .press("tab")
+        .press("down")
+        .press("down");
+    console.press("tab").press("end");
+    let look = Look::default();
+    let mut terminal = Terminal::new(TestBackend::new(200, 50)).expect("a test terminal");
+    terminal
+        .draw(|frame| ui::draw(console.state(), &look, frame))
+        .expect("a test terminal");
+    let cells = &terminal.backend().buffer().content;
+    let crosses: Vec<_> = cells.iter().filter(|cell| cell.symbol() == "×").collect();
+    assert!(!crosses.is_empty());
+    let is_muted = |cell: &&ratatui::buffer::Cell| Some(cell.fg) == look.style(Role::Muted).fg;
+    assert!(crosses.iter().all(is_muted), "{crosses:?}");
+    let danger = look.style(Role::Danger).fg;
+    let warned = cells.iter().filter(|cell| Some(cell.fg) == danger);
+    let words: String = warned.map(ratatui::buffer::Cell::symbol).collect();
+    assert!(words.contains("fit"), "{words}");
 }
 
 #[test]

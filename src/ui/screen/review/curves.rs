@@ -34,6 +34,8 @@ const LINES: [&str; 2] = ["--", "- -"];
 
 /// Draws the curves beside each other, that of this flight over that of the other one.
 pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
+    put(buffer, panel.area, 0, &legend(ghost, panel));
+    let panel = panel.below(1);
     let width = panel.area.width / CURVES.len() as u16;
     for (at, (name, reading, least_top)) in (0..).zip(CURVES) {
         let here = panel.columns(at * width, width.saturating_sub(2));
@@ -47,6 +49,21 @@ pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer
         let inner = here.at(here.titled(&title, buffer));
         plot.draw(inner, buffer);
     }
+}
+
+/// The lines of both flights, and their names.
+fn legend(ghost: &Ghost, panel: Panel<'_>) -> Line<'static> {
+    let [own, other] = LINES;
+    Line::from(vec![
+        Span::styled(
+            format!(" {own} {}   ", panel.say("compare-own")),
+            panel.style(OWN),
+        ),
+        Span::styled(
+            format!("{other} {}", panel.text(&ghost.other.name)),
+            panel.style(OTHER),
+        ),
+    ])
 }
 
 struct FlightCurves<'a> {
@@ -93,21 +110,8 @@ impl FlightCurves<'_> {
             curve::draw(&curve, symbols, plot, buffer);
         }
         let last = panel.area.height.saturating_sub(1);
-        let scale = Line::from(vec![
-            Span::styled(format!("0..{} ", figure(high, 0)), panel.style(Role::Muted)),
-            Span::styled(
-                format!("00:00..{}  ", clock(length)),
-                panel.style(Role::Muted),
-            ),
-            Span::styled(
-                format!("{} {}  ", LINES[0], panel.say("compare-own")),
-                panel.style(OWN),
-            ),
-            Span::styled(
-                format!("{} {}", LINES[1], panel.say("compare-other")),
-                panel.style(OTHER),
-            ),
-        ]);
+        let scale = format!("0..{} 00:00..{}", figure(high, 0), clock(length));
+        let scale = Line::styled(scale, panel.style(Role::Muted));
         put(buffer, panel.area, last, &scale);
     }
 }
