@@ -39,7 +39,7 @@ mod tests;
 
 pub use argument::{Argument, Kind, Unit};
 pub use choice::VehicleChoice;
-pub use complete::{Completion, begun, complete, hint, lines};
+pub use complete::{Completion, begun, complete, hint, lines, vehicle_verbs};
 pub use console::{
     AlertLine, ConsoleLine, ForwardLine, GhostLine, GhostSource, LoopTarget, ParametersLine,
     ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,

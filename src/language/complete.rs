@@ -109,6 +109,15 @@ pub fn lines(context: &Context) -> Vec<(String, Text)> {
     own.flat_map(of_row).collect()
 }
 
+/// The verbs for vehicles, with their meaning.
+pub fn vehicle_verbs(context: &Context) -> Vec<(String, Text)> {
+    let for_vehicles =
+        rows().filter(|row| row.scope.takes_targets() && row.scope.includes(context.channel));
+    for_vehicles
+        .map(|row| (row.name().to_owned(), row.summary()))
+        .collect()
+}
+
 fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(String, Text)> {
     match form.arguments {
         [] => vec![(row.name().to_owned(), row.summary())],

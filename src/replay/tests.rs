@@ -378,10 +378,7 @@ fn the_traffic_is_counted_in_both_directions_and_nothing_else() {
     let [link] = observer.app().state().session().links() else {
         panic!("one link")
     };
-    assert!(
-        link.bytes_in_per_s > 10.0 * link.bytes_out_per_s,
-        "{link:?}"
-    );
+    assert!(link.bytes_in_per_s > 5.0 * link.bytes_out_per_s, "{link:?}");
     // A heartbeat each second.
     assert!((link.messages_out_per_s - 1.0).abs() < 0.5, "{link:?}");
     assert_eq!((&link.counters, link.round_trip), (&None, None));

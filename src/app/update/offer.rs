@@ -53,9 +53,11 @@ impl Nearness {
 
 /// The lines that match the text, in the line itself or in its meaning, best first. A few letters match nearly
 /// everywhere, so they are compared only with the beginnings of words. More letters are also compared with the meaning.
-/// Scattered letters count only if there is no better match.
+/// Scattered letters count only if there is no better match, and never for the verbs of vehicles.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
+    let verbs = state.with_context(language::vehicle_verbs);
+    all.extend(verbs.clone());
     all.extend(vehicles(state, written));
     let given_before = state.typing.history.iter().rev();
     all.extend(given_before.map(|line| (line.clone(), text!("palette-given-before"))));
@@ -76,7 +78,10 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
             let searched = format!("{line} {meaning}");
             let score = pattern.score(Utf32Str::new(&searched, &mut buffer), &mut matcher)?;
             let near = Nearness::of(&line, &meaning, wanted);
-            (near <= farthest).then_some((near, score, (line, hint)))
+            // Completion finds verbs by scattered letters.
+            let is_verb = || verbs.iter().any(|(verb, _)| *verb == line);
+            let is_meant = near != Nearness::Scattered || !is_verb();
+            (near <= farthest && is_meant).then_some((near, score, (line, hint)))
         })
         .collect();
     let is_exact = language::row(wanted).is_some();

@@ -80,28 +80,26 @@ fn a_design_from_nothing_says_what_is_missing_and_what_does_not_fit() {
 /// A part that does not fit is muted with a cross, its reason below in the colour of danger.
 #[test]
 fn parts_that_do_not_fit_look_so() {
-    let mut console = workshop(Language::English);
-    console.press("n").press("tab").press("down").press("down");
-    console
-        .press("enter")
-        .press("tab")
-        .press("down")
-        .press("down");
-    console.press("tab").press("end");
+    let mut console = looking(Language::English);
+    console.press("end");
     let look = Look::default();
     let mut terminal = Terminal::new(TestBackend::new(200, 50)).expect("a test terminal");
     terminal
         .draw(|frame| ui::draw(console.state(), &look, frame))
         .expect("a test terminal");
     let cells = &terminal.backend().buffer().content;
-    let crosses: Vec<_> = cells.iter().filter(|cell| cell.symbol() == "×").collect();
-    assert!(!crosses.is_empty());
-    let is_muted = |cell: &&ratatui::buffer::Cell| Some(cell.fg) == look.style(Role::Muted).fg;
-    assert!(crosses.iter().all(is_muted), "{crosses:?}");
-    let danger = look.style(Role::Danger).fg;
-    let warned = cells.iter().filter(|cell| Some(cell.fg) == danger);
-    let words: String = warned.map(ratatui::buffer::Cell::symbol).collect();
-    assert!(words.contains("fit"), "{words}");
+    let in_role = |role: Role| {
+        let colour = look.style(role).fg;
+        let cells = cells.iter().filter(|cell| Some(cell.fg) == colour);
+        cells.map(ratatui::buffer::Cell::symbol).collect::<String>()
+    };
+    let muted = in_role(Role::Muted);
+    assert!(muted.contains("×LiPo 6S 5 Ah, 45C"), "{muted}");
+    let danger = in_role(Role::Danger);
+    assert!(
+        danger.contains("does not fit: the battery has 6 cells"),
+        "{danger}"
+    );
 }
 
 #[test]

@@ -241,9 +241,9 @@ fn link(subject: &VehicleSubject<'_>) -> Entry {
     if link.received == 0 {
         return (ID, UNKNOWN.to_owned(), Role::Muted);
     }
-    let trip = link
-        .round_trip
-        .map_or(UNKNOWN.to_owned(), |trip| trip.as_millis().to_string());
+    let trip = link.round_trip.map_or(UNKNOWN.to_owned(), |trip| {
+        format!("{} ms", trip.as_millis())
+    });
     let text = text!(
         "vehicle-link-good",
         percent = u32::from(link.percent()),
