@@ -8,10 +8,9 @@ use std::time::Duration;
 use super::{FRAME, Film};
 use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
 use crate::app::room::messages::{LinkTraffic, Wanted};
-use crate::app::state::LinkSummary;
 use crate::inspector::{Census, FrameWay};
 use crate::ledger::{EntryId, RowUpdate};
-use crate::link::{LinkState, TlogPiece, TlogRecord, TlogSalvage};
+use crate::link::{TlogPiece, TlogRecord, TlogSalvage};
 use crate::notice::Notice;
 use crate::record::{EntryLine, Happening, JournalLine, LossLine, PathLine};
 use crate::session::{Want, autopilot_of};
@@ -20,9 +19,11 @@ use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
 
 mod actor;
 mod mission;
+mod traffic;
 
 use actor::Actor;
 use mission::MissionStage;
+use traffic::Traffic;
 
 /// After this long without a record, the recording counts as having a gap, in which vehicles do not count as lost.
 const GAP: Duration = Duration::from_secs(2);
@@ -74,29 +75,6 @@ pub(super) struct Cast {
     /// The offset of the next record in the file, and the time of the one before.
     offset: u64,
     last_us: Option<u64>,
-}
-
-/// The traffic of the recording's link.
-#[derive(Debug, Clone, Copy, Default)]
-struct Traffic {
-    received: Flow,
-    sent: Flow,
-    /// The time of the last summary, since which the traffic is counted.
-    since: Duration,
-}
-
-/// The traffic in one direction.
-#[derive(Debug, Clone, Copy, Default)]
-struct Flow {
-    bytes: u64,
-    messages: u64,
-}
-
-impl Flow {
-    fn add(&mut self, bytes: &[u8]) {
-        self.bytes += bytes.len() as u64;
-        self.messages += 1;
-    }
 }
 
 impl Stage {
@@ -333,30 +311,7 @@ impl Stage {
 
     /// The state of the recording's link, once a second.
     fn summarise(&mut self, now: Duration) -> Option<Event> {
-        let Traffic {
-            received,
-            sent,
-            since,
-        } = self.cast.traffic;
-        let span = now.saturating_sub(since);
-        if span < Duration::from_secs(1) {
-            return None;
-        }
-        let per_s = |count: u64| count as f64 / span.as_secs_f64();
-        self.cast.traffic = Traffic {
-            since: now,
-            ..Traffic::default()
-        };
-        let summary = LinkSummary {
-            name: self.film.name(),
-            state: LinkState::Up.text(),
-            up: true,
-            bytes_in_per_s: per_s(received.bytes),
-            bytes_out_per_s: per_s(sent.bytes),
-            messages_in_per_s: per_s(received.messages),
-            messages_out_per_s: per_s(sent.messages),
-            ..LinkSummary::default()
-        };
+        let summary = self.cast.traffic.summary(&self.film, now)?;
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
@@ -382,10 +337,10 @@ impl Cast {
             return;
         };
         let way = if frame.system == GROUND_STATION_SYSTEM {
-            self.traffic.sent.add(bytes);
+            self.traffic.send(bytes);
             FrameWay::sent(PEER)
         } else {
-            self.traffic.received.add(bytes);
+            self.traffic.receive(bytes);
             FrameWay::received(PEER)
         };
         self.census.note(way, bytes, frame.is_verified(), at);

@@ -76,9 +76,15 @@ impl Lists {
     /// Advances reading, which begins only if no command waits for its answer.
     pub fn read(&mut self, is_free: bool, desk: ListsDesk<'_>) {
         if (is_free || self.reader.is_busy()) && !self.orders.is_busy() {
+            let ListsDesk {
+                vehicle,
+                now,
+                output,
+                ftp: _,
+            } = desk;
             let mut messages = Vec::new();
-            self.reader.poll(desk.vehicle, desk.now, &mut messages);
-            desk.output.send(messages);
+            self.reader.poll(vehicle, now, &mut messages);
+            output.send(messages);
         }
     }
 
@@ -89,12 +95,18 @@ impl Lists {
     }
 
     fn desk<'a>(&'a mut self, desk: ListsDesk<'a>) -> (&'a mut PlanOrders, Desk<'a>) {
+        let ListsDesk {
+            vehicle,
+            ftp,
+            now,
+            output,
+        } = desk;
         let desk = Desk {
-            vehicle: desk.vehicle,
+            vehicle,
             plans: &mut self.reader,
-            ftp: desk.ftp,
-            now: desk.now,
-            output: desk.output,
+            ftp,
+            now,
+            output,
         };
         (&mut self.orders, desk)
     }

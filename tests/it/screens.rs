@@ -58,7 +58,6 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
             ..LinkCounters::default()
         }),
         round_trip: Some(Duration::from_millis(4)),
-        ..LinkSummary::default()
     }
 }
 

@@ -93,7 +93,7 @@ fn draw_name(subject: &VehicleSubject<'_>, page: Option<usize>, area: Rect, buff
             format!(
                 " {} {}",
                 subject.vehicle.id,
-                FlightView::name(subject.vehicle)
+                look.text(&FlightView::name(subject.vehicle))
             ),
             look.style(Role::Title),
         ),

@@ -158,7 +158,9 @@ fn the_mark_of_a_longer_list_leaves_the_tries_in_sight() {
     console.give("ledger");
     let screen = console.screen(80, 24);
     assert!(screen.contains('▲'), "{screen}");
-    let mut listed = screen.lines().filter(|line| line.contains("queued  "));
+    let mut listed = screen
+        .lines()
+        .filter(|line| line.contains("1 hold") && line.contains("queued"));
     let shows_tries = |line: &str| {
         let figures = line.trim_end_matches(['▲', '▼', ' ']);
         figures.ends_with(|it: char| it.is_ascii_digit())

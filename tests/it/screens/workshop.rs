@@ -77,6 +77,29 @@ fn a_design_from_nothing_says_what_is_missing_and_what_does_not_fit() {
     check("new", &console);
 }
 
+#[test]
+fn a_proposed_name_is_in_the_prompt_and_typing_replaces_it() {
+    let mut console = workshop(Language::English);
+    console.press("s");
+    let prompt = |console: &Console| {
+        let screen = console.screen(80, 24);
+        let mut lines = screen.lines();
+        let line = lines.find(|line| line.trim_start_matches(['│', ' ']).starts_with(": "));
+        line.unwrap_or(&screen).to_owned()
+    };
+    assert!(
+        prompt(&console).contains("Starter 450"),
+        "{}",
+        prompt(&console)
+    );
+    console.write("Mine 2");
+    let typed = prompt(&console);
+    assert!(
+        typed.contains("Mine 2") && !typed.contains("Starter"),
+        "{typed}"
+    );
+}
+
 /// A part that does not fit is muted with a cross, its reason below in the colour of danger.
 #[test]
 fn parts_that_do_not_fit_look_so() {
