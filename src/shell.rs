@@ -124,6 +124,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         console.draw(&mut screen).await?;
     }
     console.close().await;
+    programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     Ok(())
 }

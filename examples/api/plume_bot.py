@@ -2,7 +2,7 @@
 """Finds the source of a gas plume: sortie fly 03 --api /tmp/sortie.sock, then plume_bot.py /tmp/sortie.sock
 
 The bot crosses the wind downwind of the plant until it has met the gas. Then it goes up the plume in steps: to the peak,
-which is the place of the highest reading so far, a little against the wind, and once across. When four steps in a row
+which is the place of the highest reading so far, a little against the wind, and once across. When three steps in a row
 find nothing higher, the source is near the peak.
 """
 
@@ -10,8 +10,8 @@ import sys
 
 from console import Console
 
-STEPS = 8
-FRUITLESS = 99
+STEPS = 10
+FRUITLESS = 3
 
 
 def peak(console):
@@ -34,5 +34,5 @@ for step in range(STEPS):
         break
 for line in ("mark peak as leak", "speed 10", "rtl"):
     bot.say(f"all {line}")
-bot.wait(lambda it: it.mission["over"] or not it.vehicles[1]["armed"])
+bot.wait(lambda it: it.mission["over"])
 print("steps", step + 1, "score", bot.mission["score"])

@@ -53,6 +53,12 @@ impl Client {
         self.commands.open.insert(entry);
     }
 
+    /// What has changed since the last call, however short ago that was.
+    pub fn last_news(&mut self, state: &State, wall: Duration) -> Vec<Message> {
+        self.sent_at = None;
+        self.news(state, wall)
+    }
+
     /// What has changed since the last call and concerns the program.
     pub fn news(&mut self, state: &State, wall: Duration) -> Vec<Message> {
         let mut news = Vec::new();

@@ -6,7 +6,7 @@ use std::time::Duration;
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use crate::app::state::{LinkSummary, NoticeLine};
+use crate::app::state::{LinkCounters, LinkSummary, NoticeLine};
 use crate::commands::command_name;
 use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
@@ -299,16 +299,17 @@ pub struct LinkView {
     pub bytes_out_per_s: f64,
     pub messages_in_per_s: f64,
     pub messages_out_per_s: f64,
-    /// Frames that are missing by their sequence numbers.
-    pub lost: u64,
+    /// Frames that are missing by their sequence numbers; `null` in a replay, like the counters below.
+    pub lost: Option<u64>,
     /// Frames with a wrong checksum.
-    pub bad_crc: u64,
-    pub reconnects: u32,
+    pub bad_crc: Option<u64>,
+    pub reconnects: Option<u32>,
     pub round_trip_ms: Option<f64>,
 }
 
 impl LinkView {
     pub(super) fn new(link: &LinkSummary, locale: &Locale) -> Self {
+        let counters = link.counters.as_ref();
         let ms = |time: Duration| time.as_secs_f64() * 1e3;
         Self {
             address: link.name.clone(),
@@ -318,9 +319,9 @@ impl LinkView {
             bytes_out_per_s: link.bytes_out_per_s,
             messages_in_per_s: link.messages_in_per_s,
             messages_out_per_s: link.messages_out_per_s,
-            lost: link.lost.iter().map(|(_, count)| count).sum(),
-            bad_crc: link.bad_crc,
-            reconnects: link.reconnects,
+            lost: counters.map(LinkCounters::all_lost),
+            bad_crc: counters.map(|it| it.bad_crc),
+            reconnects: counters.map(|it| it.reconnects),
             round_trip_ms: link.round_trip.map(ms),
         }
     }

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::sync::mpsc;
@@ -38,6 +39,8 @@ const MOST_PROGRAMS: usize = 64;
 const OUTBOX: usize = 256;
 /// News wait while a program's queue has less room than this.
 const ROOM_FOR_NEWS: usize = OUTBOX / 2;
+/// How long the console waits at its end for programs to read their last news.
+const LAST_PATIENCE: Duration = Duration::from_millis(500);
 /// The number of requests of all programs that wait for the console.
 const CALLS_KEPT: usize = 64;
 
@@ -56,7 +59,19 @@ pub(super) struct Programs {
     programs: BTreeMap<ProgramId, Program>,
     commands: bool,
     socket: PathBuf,
-    _listener: Option<socket::Listener>,
+    ending: CancellationToken,
+    writers: mpsc::Receiver<()>,
+    listener: Option<socket::Listener>,
+}
+
+/// What the connections share.
+#[derive(Clone)]
+struct Exchange {
+    arrived: mpsc::Sender<Arrival>,
+    /// Ends the connections once their queues are empty.
+    ending: CancellationToken,
+    /// Held while a connection writes.
+    writing: mpsc::Sender<()>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -103,16 +118,25 @@ impl Programs {
     /// # Errors
     /// The socket cannot be opened, or another program answers on it.
     pub fn open(options: Option<&ApiOptions>) -> anyhow::Result<Self> {
+        let (writing, writers) = mpsc::channel(1);
+        let ending = CancellationToken::new();
         let mut programs = Self {
+            writers,
+            ending: ending.clone(),
             arrivals: None,
             programs: BTreeMap::new(),
             commands: false,
             socket: PathBuf::new(),
-            _listener: None,
+            listener: None,
         };
         if let Some(options) = options {
             let (arrived, arrivals) = mpsc::channel(CALLS_KEPT);
-            programs._listener = Some(socket::Listener::open(&options.socket, arrived)?);
+            let exchange = Exchange {
+                arrived,
+                ending,
+                writing,
+            };
+            programs.listener = Some(socket::Listener::open(&options.socket, exchange)?);
             programs.arrivals = Some(arrivals);
             programs.commands = options.commands;
             programs.socket.clone_from(&options.socket);
@@ -141,6 +165,21 @@ impl Programs {
                 drop(program.outbox.try_send(message.line()));
             }
         }
+    }
+
+    /// Sends every program its last news and closes the socket.
+    pub async fn close(mut self, state: &State) {
+        for program in self.programs.values_mut() {
+            for message in program.client.last_news(state, state.wall()) {
+                drop(program.outbox.try_send(message.line()));
+            }
+        }
+        self.listener = None;
+        self.programs.clear();
+        self.arrivals = None;
+        self.ending.cancel();
+        // A program that does not read is not waited for.
+        drop(tokio::time::timeout(LAST_PATIENCE, self.writers.recv()).await);
     }
 
     fn opened(&mut self, id: ProgramId, outbox: mpsc::Sender<String>) {
@@ -249,8 +288,13 @@ async fn converse(
     id: ProgramId,
     read: impl tokio::io::AsyncRead + Unpin,
     write: impl tokio::io::AsyncWrite + Unpin + Send + 'static,
-    arrived: mpsc::Sender<Arrival>,
+    exchange: Exchange,
 ) {
+    let Exchange {
+        arrived,
+        ending,
+        writing,
+    } = exchange;
     let (outbox, lines) = mpsc::channel(OUTBOX);
     let cancel = CancellationToken::new();
     if arrived
@@ -260,11 +304,16 @@ async fn converse(
     {
         return;
     }
-    tokio::spawn(pass_out(lines, write, cancel.clone()));
+    let written = cancel.clone();
+    tokio::spawn(async move {
+        pass_out(lines, write, written).await;
+        drop(writing);
+    });
     let requests = pass_in(id, read, &outbox, &arrived);
     tokio::select! {
         () = requests => {}
         () = cancel.cancelled() => {}
+        () = ending.cancelled() => return,
     }
     drop(arrived.send(Arrival::Closed(id)).await);
 }

@@ -95,6 +95,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         programs.tell(plain.console.app.state());
     }
     plain.console.close().await;
+    programs.close(plain.console.app.state()).await;
     plain.finish(told_to_end)
 }
 

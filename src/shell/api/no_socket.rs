@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use tokio::sync::mpsc;
-
-use super::{Arrival, shown};
+use super::{Exchange, shown};
 use crate::text;
 
 /// Cannot be opened.
@@ -15,7 +13,7 @@ impl Listener {
     ///
     /// # Errors
     /// The system has no Unix sockets.
-    pub fn open(path: &Path, _arrived: mpsc::Sender<Arrival>) -> anyhow::Result<Self> {
+    pub fn open(path: &Path, _exchange: Exchange) -> anyhow::Result<Self> {
         let text = text!("api-no-unix", socket = shown(path));
         anyhow::bail!(text.to_string())
     }

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use tokio::net::{UnixListener, UnixStream};
-use tokio::sync::{Semaphore, mpsc};
+use tokio::sync::Semaphore;
 use tokio::task::JoinHandle;
 
-use super::{Arrival, MOST_PROGRAMS, ProgramId, converse, shown};
+use super::{Exchange, MOST_PROGRAMS, ProgramId, converse, shown};
 use crate::text;
 
 /// Accepts connections until it is dropped; then it removes the socket.
@@ -24,7 +24,7 @@ impl Listener {
     ///
     /// # Errors
     /// The path is taken by another program or another file, or the socket cannot be made there.
-    pub fn open(path: &Path, arrived: mpsc::Sender<Arrival>) -> anyhow::Result<Self> {
+    pub fn open(path: &Path, exchange: Exchange) -> anyhow::Result<Self> {
         clear(path)?;
         let listener = bind(path).map_err(|error| {
             fault(&text!(
@@ -35,7 +35,7 @@ impl Listener {
         })?;
         Ok(Self {
             path: path.to_owned(),
-            task: tokio::spawn(accept(listener, arrived)),
+            task: tokio::spawn(accept(listener, exchange)),
         })
     }
 }
@@ -89,7 +89,7 @@ fn bind_within(folder: &Path, path: &Path) -> io::Result<UnixListener> {
     Ok(listener)
 }
 
-async fn accept(listener: UnixListener, arrived: mpsc::Sender<Arrival>) {
+async fn accept(listener: UnixListener, exchange: Exchange) {
     let places = Arc::new(Semaphore::new(MOST_PROGRAMS));
     for number in 0.. {
         let Ok((stream, _)) = listener.accept().await else {
@@ -101,17 +101,17 @@ async fn accept(listener: UnixListener, arrived: mpsc::Sender<Arrival>) {
         let Ok(place) = Arc::clone(&places).try_acquire_owned() else {
             continue;
         };
-        let arrived = arrived.clone();
+        let exchange = exchange.clone();
         tokio::spawn(async move {
-            serve(stream, ProgramId(number), arrived).await;
+            serve(stream, ProgramId(number), exchange).await;
             drop(place);
         });
     }
 }
 
-async fn serve(stream: UnixStream, id: ProgramId, arrived: mpsc::Sender<Arrival>) {
+async fn serve(stream: UnixStream, id: ProgramId, exchange: Exchange) {
     let (read, write) = stream.into_split();
-    converse(id, read, write, arrived).await;
+    converse(id, read, write, exchange).await;
 }
 
 fn fault(text: &crate::text::Text) -> anyhow::Error {

@@ -7,7 +7,12 @@ fn connected() -> (DuplexStream, mpsc::Receiver<Arrival>) {
     let (near, far) = duplex(1024);
     let (arrived, arrivals) = mpsc::channel(CALLS_KEPT);
     let (read, write) = split(far);
-    tokio::spawn(converse(ProgramId(1), read, write, arrived));
+    let exchange = Exchange {
+        arrived,
+        ending: CancellationToken::new(),
+        writing: mpsc::channel(1).0,
+    };
+    tokio::spawn(converse(ProgramId(1), read, write, exchange));
     (near, arrivals)
 }
 
