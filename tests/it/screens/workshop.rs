@@ -87,15 +87,11 @@ fn a_proposed_name_is_in_the_prompt_and_typing_replaces_it() {
         let line = lines.find(|line| line.trim_start_matches(['│', ' ']).starts_with(": "));
         line.unwrap_or(&screen).to_owned()
     };
-    assert!(
-        prompt(&console).contains("Starter 450"),
-        "{}",
-        prompt(&console)
-    );
-    console.write("Mine 2");
+    assert!(prompt(&console).contains(": Mine"), "{}", prompt(&console));
+    console.write("Scout 2");
     let typed = prompt(&console);
     assert!(
-        typed.contains("Mine 2") && !typed.contains("Starter"),
+        typed.contains(": Scout 2") && !typed.contains("Mine"),
         "{typed}"
     );
 }
