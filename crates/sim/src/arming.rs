@@ -45,6 +45,8 @@ pub(super) struct Safety {
     pub(super) landed: bool,
     /// Whether a switch has stopped the motors (`MotorEStop`).
     pub(super) emergency_stop: bool,
+    /// Whether the switch of the motor interlock lets the motors turn.
+    pub(super) interlock: bool,
     /// When the motors were last armed; they need time before they lift.
     pub(super) armed_at: Duration,
     /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
@@ -64,6 +66,7 @@ impl Default for Safety {
             armed: false,
             landed: true,
             emergency_stop: false,
+            interlock: false,
             armed_at: Duration::ZERO,
             aligns_above_m: None,
             reports_at: checks::REPORT_EVERY,

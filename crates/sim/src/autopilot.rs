@@ -159,6 +159,7 @@ impl Autopilot {
             self.watch_brake();
             self.count();
             self.watch_sticks();
+            self.watch_zigzag();
         }
         if steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
@@ -239,12 +240,18 @@ impl Autopilot {
     fn watch_ground(&mut self) {
         let vehicle = &mut self.vehicle;
         let may_rest = vehicle.safety.armed && vehicle.plant.body.on_ground;
+        let is_stopped = vehicle.is_stopped();
         let inputs = GroundInputs {
             now: vehicle.uptime(),
             on_ground: vehicle.plant.body.on_ground,
             touched: vehicle.flight.task.touched_in_landing(),
-            is_resting: may_rest && vehicle.has_nothing_to_do(),
-            disarm_delay: vehicle.tuning.disarm_delay,
+            is_resting: may_rest && (is_stopped || vehicle.has_nothing_to_do()),
+            // Stopped motors do not show that the vehicle is armed.
+            disarm_delay: if is_stopped {
+                vehicle.tuning.disarm_delay / 2
+            } else {
+                vehicle.tuning.disarm_delay
+            },
         };
         if vehicle.safety.watch_ground(&inputs) {
             self.disarm();

@@ -1,11 +1,15 @@
 //! The transmitter's channels, and ground stations that override it (`RC_CHANNELS_OVERRIDE`, `MANUAL_CONTROL`).
 
+mod simple;
 mod switches;
 
 use std::time::Duration;
 
+pub(super) use self::simple::{SimpleMode, SimpleSticks};
 use self::switches::Switches;
-pub(super) use self::switches::{SwitchMove, SwitchPosition};
+pub(super) use self::switches::{
+    ARM_OR_EMERGENCY_STOP, MOTOR_EMERGENCY_STOP, MOTOR_INTERLOCK, SwitchMove, SwitchPosition,
+};
 use super::estimator::RadioFault;
 use super::parameters::Parameters;
 
@@ -39,6 +43,23 @@ pub(super) struct RadioRules {
     rudder_arms: bool,
     /// The function of each channel's switch (`RCn_OPTION`); 0 for none.
     functions: [u16; CHANNELS],
+}
+
+impl RadioRules {
+    /// Whether a switch has a function.
+    pub(super) fn has_switch(&self, function: u16) -> bool {
+        self.functions.contains(&function)
+    }
+
+    /// Whether the motors turn only while a switch lets them.
+    pub(super) fn has_interlock(&self) -> bool {
+        self.has_switch(MOTOR_INTERLOCK)
+    }
+
+    /// Whether a switch stops the motors.
+    pub(super) fn has_emergency_stop(&self) -> bool {
+        self.has_switch(MOTOR_EMERGENCY_STOP) || self.has_switch(ARM_OR_EMERGENCY_STOP)
+    }
 }
 
 /// The pulse widths of one stick, in microseconds.
@@ -153,6 +174,8 @@ pub(super) struct Radio {
     corner: u8,
     /// Whether a receiver or an override was ever heard since the boot.
     pub(super) was_heard: bool,
+    /// Whether a switch has made the vehicle ignore overrides.
+    overrides_off: bool,
 }
 
 impl Default for Radio {
@@ -166,6 +189,7 @@ impl Default for Radio {
             switches: Switches::default(),
             corner: 0,
             was_heard: false,
+            overrides_off: false,
         }
     }
 }
@@ -182,6 +206,18 @@ impl Radio {
             }
         }
         sticks
+    }
+
+    /// Obeys overrides, or ends them and ignores further ones.
+    pub(super) fn allow_overrides(&mut self, allowed: bool) {
+        self.overrides_off = !allowed;
+        if self.overrides_off {
+            self.until = Duration::ZERO;
+        }
+    }
+
+    fn override_time(&self, rules: &RadioRules) -> Option<Duration> {
+        rules.override_time.filter(|_| !self.overrides_off)
     }
 
     fn set(&mut self, channel: usize, pulse_us: u16, until: Duration) {
@@ -220,7 +256,7 @@ impl Radio {
         rules: &RadioRules,
         now: Duration,
     ) {
-        let Some(lasts) = rules.override_time else {
+        let Some(lasts) = self.override_time(rules) else {
             return;
         };
         let until = now.saturating_add(lasts);
@@ -243,7 +279,7 @@ impl Radio {
         rules: &RadioRules,
         now: Duration,
     ) {
-        let Some(lasts) = rules.override_time else {
+        let Some(lasts) = self.override_time(rules) else {
             return;
         };
         if z < 0 {
@@ -311,7 +347,12 @@ impl Radio {
         Some(format!("FLTMODE{}", self.obeyed? + 1))
     }
 
-    /// Reads the receiver for the first time: its mode switch chooses the mode, and the other switches do not act until
+    /// The position of the mode switch, from 0; `None` before it was read.
+    pub(super) fn mode_position(&self) -> Option<usize> {
+        self.obeyed
+    }
+
+    /// Reads the receiver for the first time: its mode switch chooses the mode, and most other switches do not act until
     /// they are moved.
     pub(super) fn read_first(&mut self, rules: &RadioRules) {
         let channels = Sticks::RELEASED.channels_us;

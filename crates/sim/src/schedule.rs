@@ -5,6 +5,8 @@
     reason = "ground stations in use still ask for streams, which the dialect calls superseded"
 )]
 
+mod buckets;
+
 use std::time::Duration;
 
 use mavlink::MessageData as _;
@@ -18,20 +20,22 @@ use mavlink::dialects::ardupilotmega::{
     TERRAIN_REPORT_DATA, TERRAIN_REQUEST_DATA, VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
 };
 
+use self::buckets::Buckets;
 use super::Serial;
 use super::parameters::Parameters;
 
 /// `TERRAIN_REQUEST` and `TERRAIN_REPORT` are sent together.
 pub(super) const TERRAIN_REQUEST: u32 = TERRAIN_REQUEST_DATA::ID;
 pub(super) const TERRAIN_REPORT: u32 = TERRAIN_REPORT_DATA::ID;
-/// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
-const SHORTEST_US: i64 = 3_000;
+/// The shortest and the longest interval.
+const SHORTEST_MS: i64 = 3;
+const LONGEST_MS: i64 = 60_000;
 /// The default stream of a new link: HEARTBEAT once per second.
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
-const HEARTBEAT_US: i64 = 1_000_000;
-const TERRAIN_US: i64 = 2_000_000;
-/// Messages that are this many intervals late are skipped.
-const LATE_INTERVALS: u64 = 4;
+const HEARTBEAT_MS: u64 = 1000;
+const TERRAIN_MS: u64 = 2000;
+/// The vehicle looks for due messages several times in a step: this long before its end.
+const LOOKS_MS: [u64; 4] = [7, 5, 2, 0];
 
 /// The stream groups of `REQUEST_DATA_STREAM`: for each, the suffix of its parameter's name, and its messages.
 const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
@@ -98,19 +102,23 @@ const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
 /// The group that means all groups.
 const ALL_STREAMS: u8 = MavDataStream::MAV_DATA_STREAM_ALL as u8;
 
+/// A message with a clock of its own.
 #[derive(Debug, Clone, Copy)]
 struct ScheduleEntry {
     id: u32,
-    interval_us: u64,
-    next_us: u64,
+    interval_ms: u64,
+    next_ms: u64,
 }
 
 /// The intervals of one serial port.
 #[derive(Debug, Clone)]
 pub(super) struct Schedule {
     entries: Vec<ScheduleEntry>,
-    /// No message is due before this time, in microseconds.
-    earliest_us: u64,
+    buckets: Buckets,
+    /// The rates of the streams at the boot, which are the default rates of their messages.
+    defaults_hz: [f64; STREAMS.len()],
+    /// No message is due before this time.
+    earliest_ms: u64,
 }
 
 impl Schedule {
@@ -118,18 +126,27 @@ impl Schedule {
     pub(super) fn new(now: Duration) -> Self {
         let mut schedule = Self {
             entries: Vec::new(),
-            earliest_us: u64::MAX,
+            buckets: Buckets::default(),
+            defaults_hz: [0.0; STREAMS.len()],
+            earliest_ms: u64::MAX,
         };
-        schedule.set(HEARTBEAT, HEARTBEAT_US, now);
+        // The first heartbeat does not wait, so that ground stations see the vehicle at once.
+        schedule.entries.push(ScheduleEntry {
+            id: HEARTBEAT,
+            interval_ms: HEARTBEAT_MS,
+            next_ms: now.as_millis() as u64,
+        });
+        schedule.earliest_ms = schedule.next_due_ms();
         schedule
     }
 
     /// The messages of a serial port after boot: heartbeats, and the streams of its `SRn_` parameters.
     pub(super) fn booted(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
         let mut schedule = Self::new(now);
-        for (group, name, _) in STREAMS {
+        for (stream, (group, name, _)) in STREAMS.iter().enumerate() {
             let rate_hz = parameters.value(&format!("SR{}_{name}", serial.index()));
             if rate_hz > 0.0 {
+                schedule.defaults_hz[stream] = rate_hz;
                 schedule.set_stream(*group as u8, rate_hz as u16, now);
             }
         }
@@ -137,87 +154,120 @@ impl Schedule {
     }
 
     /// Handles the first client after a time without clients: each message is due at once, and only once.
-    pub(super) fn resume(&mut self, now: Duration) {
-        let now_us = now.as_micros() as u64;
-        for entry in &mut self.entries {
-            entry.next_us = entry.next_us.max(now_us);
-        }
-        self.earliest_us = now_us;
+    pub(super) fn resume(&mut self) {
+        self.earliest_ms = 0;
     }
 
-    /// Sets an interval in microseconds. 0 and -1 switch the message off; any other number that is too small
-    /// (including negative ones) sets the shortest interval.
+    /// Sets an interval in microseconds. 0 sets the rate of the message's stream at the boot, -1 switches the message
+    /// off; any other number that is too small (including negative ones) sets the shortest interval.
     pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
-        if id == TERRAIN_REQUEST {
-            // The report is sent every time, the request for data no more often than every 2 s.
-            self.set(TERRAIN_REPORT, interval_us, now);
-            let on = interval_us != 0 && interval_us != -1;
-            let rare_us = if on { interval_us.max(TERRAIN_US) } else { 0 };
-            return self.set_one(TERRAIN_REQUEST, rare_us, now);
-        }
-        self.set_one(id, interval_us, now);
+        let interval_ms = match interval_us {
+            -1 => 0,
+            0 => self.default_ms(id),
+            us => (us / 1000).clamp(SHORTEST_MS, LONGEST_MS) as u64,
+        };
+        self.set_ms(id, interval_ms, now);
     }
 
-    fn set_one(&mut self, id: u32, interval_us: i64, now: Duration) {
+    fn default_ms(&self, id: u32) -> u64 {
+        if id == HEARTBEAT {
+            return HEARTBEAT_MS;
+        }
+        let of = STREAMS.iter().position(|(.., ids)| ids.contains(&id));
+        of.map_or(0, |stream| interval_ms(self.defaults_hz[stream] as u16))
+    }
+
+    fn set_ms(&mut self, id: u32, interval_ms: u64, now: Duration) {
+        let now_ms = now.as_millis() as u64;
+        match id {
+            HEARTBEAT => self.set_own(id, interval_ms, now_ms),
+            TERRAIN_REQUEST => {
+                // The report is sent every time, the request for data no more often than every 2 s.
+                self.buckets.set(TERRAIN_REPORT, interval_ms, now_ms);
+                let rare_ms = if interval_ms > 0 {
+                    interval_ms.max(TERRAIN_MS)
+                } else {
+                    0
+                };
+                self.set_own(id, rare_ms, now_ms);
+            }
+            _ => self.buckets.set(id, interval_ms, now_ms),
+        }
+        self.earliest_ms = self.next_due_ms();
+    }
+
+    fn set_own(&mut self, id: u32, interval_ms: u64, now_ms: u64) {
         self.entries.retain(|entry| entry.id != id);
-        if interval_us != 0 && interval_us != -1 {
-            let now_us = now.as_micros() as u64;
+        if interval_ms > 0 {
             self.entries.push(ScheduleEntry {
                 id,
-                interval_us: interval_us.max(SHORTEST_US) as u64,
-                next_us: now_us,
+                interval_ms,
+                next_ms: now_ms + interval_ms,
             });
-            self.earliest_us = self.earliest_us.min(now_us);
         }
+    }
+
+    fn next_due_ms(&self) -> u64 {
+        let own = self.entries.iter().map(|entry| entry.next_ms).min();
+        self.buckets.due_ms().min(own.unwrap_or(u64::MAX))
     }
 
     /// The interval of a message in microseconds, -1 when it is off.
     pub(super) fn interval_us(&self, id: u32) -> i64 {
-        let id = if id == TERRAIN_REQUEST {
-            TERRAIN_REPORT
-        } else {
-            id
+        let own = self.entries.iter().find(|entry| entry.id == id);
+        let interval_ms = match (id, own) {
+            (TERRAIN_REQUEST, _) => self.buckets.interval_ms(TERRAIN_REPORT),
+            (_, Some(entry)) => entry.interval_ms,
+            (_, None) => self.buckets.interval_ms(id),
         };
-        self.entries
-            .iter()
-            .find(|entry| entry.id == id)
-            .map_or(-1, |entry| entry.interval_us as i64)
+        if interval_ms == 0 {
+            -1
+        } else {
+            1000 * interval_ms as i64
+        }
     }
 
     /// Sets a whole group, or all groups, to a rate; 0 Hz switches it off.
     pub(super) fn set_stream(&mut self, stream: u8, rate_hz: u16, now: Duration) {
-        let interval_us = match rate_hz {
-            0 => 0,
-            rate => 1_000_000 / i64::from(rate),
-        };
         for (group, _, ids) in STREAMS {
             if stream == ALL_STREAMS || stream == *group as u8 {
                 for &id in *ids {
-                    self.set(id, interval_us, now);
+                    self.set_ms(id, interval_ms(rate_hz), now);
                 }
             }
         }
     }
 
-    /// Calls `send` for every message that is due, as many times as it is due.
+    /// Calls `send` for every message that is due since the last step of 10 ms, as many times as it is due.
     pub(super) fn each_due(&mut self, now: Duration, mut send: impl FnMut(u32)) {
-        let now_us = now.as_micros() as u64;
-        if now_us < self.earliest_us {
+        let now_ms = now.as_millis() as u64;
+        if now_ms < self.earliest_ms {
             return;
         }
-        let mut earliest_us = u64::MAX;
-        for entry in &mut self.entries {
-            if entry.next_us + LATE_INTERVALS * entry.interval_us < now_us {
-                entry.next_us = now_us;
-            }
-            while entry.next_us <= now_us {
-                send(entry.id);
-                entry.next_us += entry.interval_us;
-            }
-            earliest_us = earliest_us.min(entry.next_us);
+        for early_ms in LOOKS_MS {
+            self.look(now_ms.saturating_sub(early_ms), &mut send);
         }
-        self.earliest_us = earliest_us;
+        self.earliest_ms = self.next_due_ms();
     }
+
+    fn look(&mut self, now_ms: u64, send: &mut impl FnMut(u32)) {
+        for entry in &mut self.entries {
+            if entry.next_ms > now_ms {
+                continue;
+            }
+            send(entry.id);
+            entry.next_ms += entry.interval_ms;
+            if entry.next_ms < now_ms {
+                entry.next_ms = now_ms + entry.interval_ms;
+            }
+        }
+        self.buckets.each_due(now_ms, send);
+    }
+}
+
+/// The interval of a stream with a rate.
+fn interval_ms(rate_hz: u16) -> u64 {
+    1000_u64.checked_div(u64::from(rate_hz)).unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -240,6 +290,8 @@ mod tests {
             (100_000, 100_000, 100),
             (1_000, 3_000, 3_331),
             (-5, 3_000, 3_331),
+            (333_333, 333_000, 30),
+            (100_000_000, 60_000_000, 0),
             (0, -1, 0),
             (-1, -1, 0),
         ] {
@@ -263,6 +315,51 @@ mod tests {
         assert_eq!(schedule.interval_us(ATTITUDE_DATA::ID), -1);
         schedule.set_stream(0, 0, Duration::ZERO);
         assert_eq!(schedule.interval_us(GLOBAL_POSITION_INT_DATA::ID), -1);
+        schedule.set(HEARTBEAT, 500_000, Duration::ZERO);
+        schedule.set(HEARTBEAT, 0, Duration::ZERO);
         assert_eq!(schedule.interval_us(0), 1_000_000);
+    }
+    /// The times in milliseconds at which a message is sent within 4 s.
+    fn times(schedule: &mut Schedule, id: u32, from_ms: u64) -> Vec<u64> {
+        let mut times = Vec::new();
+        for step in from_ms / 10..400 {
+            schedule.each_due(Duration::from_millis(step * 10), |due| {
+                if due == id {
+                    times.push(step * 10);
+                }
+            });
+        }
+        times
+    }
+
+    #[test]
+    fn a_message_comes_after_its_interval_and_with_others_of_the_same() {
+        let mut schedule = Schedule::new(Duration::ZERO);
+        schedule.set(ATTITUDE_DATA::ID, 1_000_000, Duration::ZERO);
+        let mut early = schedule.clone();
+        assert_eq!(
+            times(&mut schedule, ATTITUDE_DATA::ID, 0),
+            [1000, 2000, 3000]
+        );
+        // One that is set later joins the others.
+        assert!(times(&mut early, VFR_HUD_DATA::ID, 0).is_empty());
+        let mut late = Schedule::new(Duration::ZERO);
+        late.set(ATTITUDE_DATA::ID, 1_000_000, Duration::ZERO);
+        late.set(VFR_HUD_DATA::ID, 1_000_000, Duration::from_millis(700));
+        assert_eq!(times(&mut late, VFR_HUD_DATA::ID, 700), [2000, 3000]);
+    }
+
+    #[test]
+    fn an_eleventh_interval_becomes_the_nearest() {
+        let mut schedule = Schedule::new(Duration::ZERO);
+        for id in 100..110 {
+            let interval_us = i64::from(id - 99) * 100_000;
+            schedule.set(id, interval_us, Duration::ZERO);
+        }
+        schedule.set(110, 440_000, Duration::ZERO);
+        assert_eq!(schedule.interval_us(110), 400_000);
+        schedule.set(109, -1, Duration::ZERO);
+        schedule.set(110, 440_000, Duration::ZERO);
+        assert_eq!(schedule.interval_us(110), 440_000);
     }
 }

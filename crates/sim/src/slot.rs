@@ -34,8 +34,7 @@ impl VehicleSlot {
 
     pub(super) fn connect(&mut self, number: u64, serial: Serial) {
         if !self.is_anybody_on(serial) {
-            let now = self.autopilot.vehicle.uptime();
-            self.serials.link_mut(serial).schedule.resume(now);
+            self.serials.link_mut(serial).schedule.resume();
         }
         let port = Port::new(self.autopilot.vehicle.system, serial);
         self.ports.push((number, port));

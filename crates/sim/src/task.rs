@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 pub(super) use attitude::{Attitude, Lift};
 pub(super) use auto::{AutoRules, Orbit, Route, stopping_point};
 pub(super) use landing::Landing;
-pub(super) use piloted::{Pilot, PilotRules};
+pub(super) use piloted::{LineEnd, Pilot, PilotRules};
 pub(super) use returning::Returning;
 pub(super) use takeoff::Takeoff;
 pub(super) use tuning::FlightTuning;
@@ -45,6 +45,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) tuning: &'a FlightTuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
+    /// The heading that "forward" means for the sticks, in degrees; `None` for the nose.
+    pub(super) stick_heading_deg: Option<f64>,
     /// Whether a ground station overrides the transmitter, so that a pilot sets the throttle.
     pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.

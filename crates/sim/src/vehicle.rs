@@ -116,6 +116,13 @@ impl Vehicle {
         self.datum.place_of(self.plant.body.position_m)
     }
 
+    /// The distance to home in metres, and its direction in degrees.
+    pub(super) fn way_home(&self) -> (f64, f64) {
+        let way_m = (self.datum.home_point() - self.believed().position_m).truncate();
+        let direction_rad = sortie_geo::maths::atan2(way_m.y, way_m.x);
+        (way_m.length(), direction_rad.to_degrees())
+    }
+
     /// Sends a text to every ground station.
     pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
         texts::say(&mut self.outbox, severity, text);
@@ -129,6 +136,17 @@ impl Vehicle {
         for text in [boot::VERSION, board.as_str(), "Frame: QUAD/PLUS"] {
             self.say(MavSeverity::MAV_SEVERITY_INFO, text);
         }
+    }
+
+    /// Whether the motor interlock is on; `None` without a switch for it.
+    pub(super) fn interlock(&self) -> Option<bool> {
+        let has_switch = self.tuning.flight.radio.has_interlock();
+        has_switch.then_some(self.safety.interlock)
+    }
+
+    /// Whether a switch keeps the motors from turning.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.safety.emergency_stop || self.interlock() == Some(false)
     }
 
     /// The current sticks: centred unless moved lately.
@@ -165,6 +183,7 @@ impl Vehicle {
     pub(super) fn retune(&mut self) {
         let before = self.tuning.flight.speeds_m_s();
         self.tuning = Tuning::read(&self.parameters);
+        self.tuning.faults.switch_gps(self.flight.gps_off);
         let now = self.tuning.flight.speeds_m_s();
         if self.safety.armed {
             self.flight.speeds_changed(before, now);
@@ -179,6 +198,7 @@ impl Vehicle {
         let mut cockpit = Cockpit {
             limits: self.flight.limits(&self.tuning.flight),
             sticks: self.sticks(),
+            stick_heading_deg: self.flight.simple.heading_deg(),
             piloted: self.uptime() < self.radio.until,
             home_m: self.datum.home_point(),
             now: self.uptime(),

@@ -123,6 +123,9 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) throttle_us: u16,
     /// The motors were stopped by a switch.
     pub(crate) is_stopped: bool,
+    /// Whether the motor interlock is on; `None` without a switch for it.
+    pub(crate) interlock: Option<bool>,
+    pub(crate) has_stop_switch: bool,
     /// Whether a receiver or an override was heard since the boot.
     pub(crate) radio_was_heard: bool,
     /// Whether the accelerometers, and the gyros, disagree.
@@ -140,8 +143,9 @@ impl ArmingChecks<'_> {
     /// The reasons against arming now; empty if there are none.
     pub(crate) fn obstacles(&self) -> Vec<Reason> {
         let values = &self.rules.values;
-        if let Some(reason) = &values.motors {
-            return vec![reason.clone()];
+        let motors = self.motor_obstacles();
+        if !motors.is_empty() {
+            return motors;
         }
         if self.rules.is_off() {
             return self.mandatory_obstacles();
@@ -162,6 +166,19 @@ impl ArmingChecks<'_> {
         if self.is_stopped {
             reasons.push("Motors Emergency Stopped".into());
         }
+        reasons
+    }
+
+    /// Reasons about the motors; with one of them, no other check is made.
+    fn motor_obstacles(&self) -> Vec<Reason> {
+        let mut reasons = Vec::new();
+        if self.interlock.is_some() && self.has_stop_switch {
+            reasons.push("Interlock/E-Stop Conflict".into());
+        }
+        if self.interlock == Some(true) {
+            reasons.push("Motor Interlock Enabled".into());
+        }
+        reasons.extend(self.rules.values.motors.clone());
         reasons
     }
 

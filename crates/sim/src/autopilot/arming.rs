@@ -69,6 +69,8 @@ impl Autopilot {
             received_throttle_us: vehicle.reception().throttle_us,
             throttle_us: vehicle.sticks().channels_us[2],
             is_stopped: vehicle.safety.emergency_stop,
+            interlock: vehicle.interlock(),
+            has_stop_switch: tuning.flight.radio.has_emergency_stop(),
             radio_was_heard: vehicle.radio.was_heard,
             inertial_doubts: self.imu_watch.doubts(&tuning.faults, vehicle.uptime()),
             mission: &vehicle.plans.mission,
@@ -112,7 +114,10 @@ fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[Reason]) {
 fn start_motors(vehicle: &mut Vehicle, forced: bool) {
     let on_ground = vehicle.plant.body.on_ground;
     let height_m = vehicle.believed().height_m();
+    let interlock = vehicle.safety.interlock;
     vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
+    vehicle.safety.interlock = interlock;
+    vehicle.flight.simple.reset(vehicle.believed().yaw_deg);
     vehicle.begin_trail(vehicle.is_ready());
     if vehicle.datum.arming_moves_home() {
         vehicle.set_home(vehicle.here());

@@ -1,13 +1,15 @@
 //! Auxiliary functions: what a switch of the transmitter does (`RCn_OPTION`), by the switch itself or by
 //! `DO_AUX_FUNCTION`.
 
+mod pilot;
+
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::Autopilot;
 use crate::arming::ArmingMethod;
 use crate::mode;
-use crate::plan::ListKind;
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
+use crate::radio::{ARM_OR_EMERGENCY_STOP, MOTOR_EMERGENCY_STOP, MOTOR_INTERLOCK};
 
 /// Functions that enter a mode, with its number.
 const MODES: &[(u16, u8)] = &[
@@ -33,27 +35,38 @@ const MODES: &[(u16, u8)] = &[
     (99, mode::AUTO_RTL),
     (151, mode::TURTLE),
 ];
+const SIMPLE: u16 = 3;
+const SAVE_TRIM: u16 = 5;
+const SAVE_WAYPOINT: u16 = 7;
 const FENCE: u16 = 11;
+const SUPER_SIMPLE: u16 = 13;
+const ACRO_TRAINER: u16 = 14;
 const MISSION_RESET: u16 = 24;
 const RELAY: u16 = 28;
-const MOTOR_EMERGENCY_STOP: u16 = 31;
+const OVERRIDES: u16 = 46;
 const CLEAR_MISSION: u16 = 58;
+const ZIGZAG_POINTS: u16 = 61;
+const GPS_OFF: u16 = 65;
+const STANDBY: u16 = 76;
 const DISARM: u16 = 81;
+const EKF_SOURCES: u16 = 90;
+const SIMPLE_HEADING: u16 = 152;
 const ARM_OR_DISARM: u16 = 153;
 const ARM_OR_DISARM_AIRMODE: u16 = 154;
-const ARM_OR_EMERGENCY_STOP: u16 = 165;
+const COMPASS_CALIBRATION: u16 = 171;
+const PAUSE: u16 = 178;
 /// Functions that exist but have no effect in the simulation.
 const WITHOUT_EFFECT: &[u16] = &[
-    3, 5, 7, 9, 10, 13, 14, 15, 19, 21, 22, 23, 25, 26, 27, 29, 30, 32, 34, 35, 36, 38, 39, 40, 44,
-    45, 46, 61, 62, 65, 66, 67, 75, 76, 78, 79, 80, 83, 84, 85, 90, 100, 101, 102, 103, 104, 105,
-    106, 109, 110, 111, 112, 152, 156, 158, 159, 160, 162, 163, 164, 171, 172, 177, 178, 212, 213,
-    214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305, 306, 307,
+    9, 10, 15, 19, 21, 22, 23, 25, 26, 27, 29, 30, 34, 35, 36, 38, 39, 40, 44, 45, 62, 66, 67, 75,
+    78, 79, 80, 83, 84, 85, 100, 101, 102, 103, 104, 105, 106, 109, 110, 111, 112, 156, 158, 159,
+    160, 162, 163, 164, 172, 177, 212, 213, 214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305,
+    306, 307,
 ];
 /// Functions that exist but fail.
 const FAILING: &[u16] = &[166, 167, 168, 169, 174, 175];
 /// Functions whose switch is announced in a text when it moves, and their names.
 const ANNOUNCED: &[(u16, &str)] = &[
-    (7, "SaveWaypoint"),
+    (SAVE_WAYPOINT, "SaveWaypoint"),
     (9, "CameraTrigger"),
     (10, "Rangefinder"),
     (FENCE, "Fence"),
@@ -65,7 +78,7 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (27, "RetractMount1"),
     (RELAY, "Relay1"),
     (MOTOR_EMERGENCY_STOP, "MotorEStop"),
-    (32, "MotorInterlock"),
+    (MOTOR_INTERLOCK, "MotorInterlock"),
     (34, "Relay2"),
     (35, "Relay3"),
     (36, "Relay4"),
@@ -75,7 +88,7 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (45, "WinchControl"),
     (CLEAR_MISSION, "ClearWaypoint"),
     (62, "CompassLearn"),
-    (65, "GPSDisable"),
+    (GPS_OFF, "GPSDisable"),
     (66, "Relay5"),
     (67, "Relay6"),
     (75, "SurfaceTracking"),
@@ -114,6 +127,10 @@ impl Autopilot {
             return;
         }
         let asked = vehicle.radio.watch(rules, armed, now);
+        if armed && vehicle.flight.simple.follows_home() {
+            let (away_m, home_deg) = vehicle.way_home();
+            vehicle.flight.simple.watch(away_m, home_deg);
+        }
         if asked.moved_switch {
             self.obey_mode_switch();
         }
@@ -141,14 +158,24 @@ impl Autopilot {
             | ARM_OR_DISARM_AIRMODE
             | ARM_OR_EMERGENCY_STOP
             | DISARM
-            | MOTOR_EMERGENCY_STOP => self.switch_motors(function, position),
+            | MOTOR_EMERGENCY_STOP
+            | MOTOR_INTERLOCK => self.switch_motors(function, position),
             FENCE => {
                 self.vehicle.enable_fence(is_high);
             }
-            MISSION_RESET if is_high => self.auto_plan.reset(),
+            MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT if is_high => self.edit_mission(function),
+            MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT => {}
             RELAY => self.workbench.relay_on = is_high,
-            CLEAR_MISSION if is_high => self.clear_mission(),
-            MISSION_RESET | CLEAR_MISSION => {}
+            SIMPLE | SUPER_SIMPLE | SIMPLE_HEADING => self.switch_simple(function, position),
+            OVERRIDES if position != Middle => self.vehicle.radio.allow_overrides(is_high),
+            GPS_OFF => self.switch_gps(is_high),
+            ZIGZAG_POINTS => self.switch_zigzag(position),
+            COMPASS_CALIBRATION => self.switch_compass_calibration(position),
+            PAUSE => self.switch_pause(position),
+            SAVE_TRIM | ACRO_TRAINER | STANDBY | EKF_SOURCES => {
+                self.switch_setting(function, position);
+            }
+            OVERRIDES => {}
             known if WITHOUT_EFFECT.contains(&known) => {}
             known if FAILING.contains(&known) => return false,
             _ => {
@@ -164,6 +191,7 @@ impl Autopilot {
     fn switch_motors(&mut self, function: u16, position: SwitchPosition) {
         let safety = &mut self.vehicle.safety;
         match (function, position) {
+            (MOTOR_INTERLOCK, _) => safety.interlock = position != Low,
             (ARM_OR_EMERGENCY_STOP, Low) | (MOTOR_EMERGENCY_STOP, High) => {
                 safety.emergency_stop = true;
             }
@@ -189,15 +217,5 @@ impl Autopilot {
         } else if self.vehicle.flight.mode.number == number {
             self.obey_mode_switch();
         }
-    }
-
-    /// Empties the mission, except while it is flown.
-    fn clear_mission(&mut self) {
-        let vehicle = &mut self.vehicle;
-        if vehicle.safety.armed && vehicle.flight.mode.number == mode::AUTO {
-            return;
-        }
-        vehicle.plans.mission.clear();
-        self.plans_changed(ListKind::Plan);
     }
 }

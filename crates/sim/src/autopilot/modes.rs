@@ -209,6 +209,28 @@ impl Autopilot {
         returns
     }
 
+    /// Interrupts what the vehicle flies in AUTO or GUIDED, or continues it; `false` if that is not possible now.
+    pub(crate) fn pause(&mut self, pause: bool) -> bool {
+        let flight = &mut self.vehicle.flight;
+        if flight.mode.number == mode::AUTO {
+            return self.auto_plan.pause(&mut self.vehicle, pause);
+        }
+        if !mode::is_guided(flight.mode.number) {
+            return false;
+        }
+        if self.vehicle.safety.landed {
+            return true;
+        }
+        if !pause {
+            if let Some(task) = flight.paused.take() {
+                flight.task = task;
+            }
+        } else if flight.paused.is_none() {
+            flight.paused = Some(std::mem::replace(&mut flight.task, Task::STOP));
+        }
+        true
+    }
+
     /// The mode in telemetry: AUTO during a landing sequence has its own number.
     pub(crate) fn reported_mode(&self) -> u8 {
         if self.vehicle.flight.mode.number == mode::AUTO && self.auto_plan.is_returning() {
@@ -222,7 +244,10 @@ impl Autopilot {
     pub(crate) fn obey_mode_switch(&mut self) {
         if let Some(name) = self.vehicle.radio.mode_parameter() {
             let number = self.vehicle.parameters.value(&name) as i32;
-            self.set_mode(number as u8);
+            let entered = self.set_mode(number as u8);
+            if let Some(position) = self.vehicle.radio.mode_position().filter(|_| entered) {
+                self.choose_simple(position);
+            }
         }
     }
 }

@@ -10,7 +10,6 @@ use crate::guided;
 use crate::link::Link;
 use crate::mode;
 use crate::place::Place;
-use crate::task::Task;
 use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
@@ -119,34 +118,21 @@ pub(super) fn pause_or_continue(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if autopilot.vehicle.flight.mode.number == mode::AUTO {
-        return super::plan::pause_or_continue(autopilot, command);
-    }
     let pause = match command.whole(0) {
         Some(0) => true,
         Some(1) => false,
         _ => return MavResult::MAV_RESULT_DENIED,
     };
-    if !mode::is_guided(autopilot.vehicle.flight.mode.number) {
+    let worked = autopilot.pause(pause);
+    if !worked {
         let text = if pause {
             "Failed to pause"
         } else {
             "Failed to resume"
         };
         autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
-        return done(false);
     }
-    if !autopilot.vehicle.safety.landed {
-        if !pause {
-            if let Some(task) = autopilot.vehicle.flight.paused.take() {
-                autopilot.vehicle.flight.task = task;
-            }
-        } else if autopilot.vehicle.flight.paused.is_none() {
-            let interrupted = std::mem::replace(&mut autopilot.vehicle.flight.task, Task::STOP);
-            autopilot.vehicle.flight.paused = Some(interrupted);
-        }
-    }
-    MavResult::MAV_RESULT_ACCEPTED
+    done(worked)
 }
 
 pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {

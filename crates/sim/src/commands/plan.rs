@@ -73,21 +73,6 @@ pub(super) fn jump_to_tag(
     done(worked)
 }
 
-pub(super) fn pause_or_continue(autopilot: &mut Autopilot, command: &Command) -> MavResult {
-    let pause = match command.whole(0) {
-        Some(0) => true,
-        Some(1) => false,
-        _ => return MavResult::MAV_RESULT_DENIED,
-    };
-    let worked = autopilot.auto_plan.pause(&mut autopilot.vehicle, pause);
-    if !worked {
-        autopilot
-            .vehicle
-            .say(MavSeverity::MAV_SEVERITY_INFO, "Failed to pause");
-    }
-    done(worked)
-}
-
 fn report(autopilot: &Autopilot, link: &mut Link) {
     if let Some(message) = telemetry::message(MISSION_CURRENT, autopilot) {
         link.reply(message);

@@ -106,6 +106,12 @@ impl Faults {
         faults
     }
 
+    /// Adds the switch that turns the GPS off.
+    pub(crate) fn switch_gps(&mut self, off: bool) {
+        self.gps.disabled |= off;
+        self.any |= off;
+    }
+
     /// Whether an accelerometer reports a constant.
     pub(crate) fn has_stuck_accelerometer(&self) -> bool {
         self.accelerometers_stuck_m_s2

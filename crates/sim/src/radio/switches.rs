@@ -9,8 +9,25 @@ const LOW_BELOW_US: u16 = 1200;
 const HIGH_ABOVE_US: u16 = 1800;
 /// The number of further identical readings, at ten per second, before a position counts.
 const STEADY_LOOKS: u8 = 2;
+/// Functions with a part in the checks before arming.
+pub(crate) const MOTOR_EMERGENCY_STOP: u16 = 31;
+pub(crate) const MOTOR_INTERLOCK: u16 = 32;
+pub(crate) const ARM_OR_EMERGENCY_STOP: u16 = 165;
+/// Functions that act at the boot in the position in which their switch is found: the reference of the sticks, the
+/// fence, the trainer of ACRO, the motors, overrides, the GPS, stand-by.
+const ACTING_AT_BOOT: &[u16] = &[
+    3,
+    11,
+    13,
+    14,
+    MOTOR_EMERGENCY_STOP,
+    MOTOR_INTERLOCK,
+    46,
+    65,
+    76,
+];
 /// Functions that ignore the position in which their switch is found: to arm, to release the parachute.
-const WAITING_FOR_MOVE: &[u16] = &[22, 153, 154, 165];
+const WAITING_FOR_MOVE: &[u16] = &[22, 153, 154, ARM_OR_EMERGENCY_STOP];
 
 /// A position of a switch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +55,15 @@ impl SwitchPosition {
         [Self::Low, Self::Middle, Self::High]
             .get(usize::try_from(number).ok()?)
             .copied()
+    }
+
+    /// Its number in `DO_AUX_FUNCTION`.
+    pub(crate) fn number(self) -> u8 {
+        match self {
+            Self::Low => 0,
+            Self::Middle => 1,
+            Self::High => 2,
+        }
     }
 
     /// Its name in texts.
@@ -74,11 +100,11 @@ struct Switch {
 pub(super) struct Switches([Switch; CHANNELS]);
 
 impl Switches {
-    /// The switches with a function in the positions they have now: nothing acts until one is moved.
+    /// The switches with a function in the positions they have now: most do not act until they are moved.
     pub(super) fn at_rest(functions: &[u16; CHANNELS], channels_us: &[u16; CHANNELS]) -> Self {
         let mut all = Self::default();
         for ((switch, function), pulse_us) in all.0.iter_mut().zip(functions).zip(channels_us) {
-            if *function != 0 {
+            if *function != 0 && !ACTING_AT_BOOT.contains(function) {
                 switch.position = SwitchPosition::of(*pulse_us);
                 switch.was_read = switch.position.is_some();
             }

@@ -5,6 +5,7 @@
 
 mod lift_off;
 mod rules;
+mod zigzag;
 
 use std::time::Duration;
 
@@ -12,6 +13,7 @@ use glam::{DVec2, DVec3};
 
 use self::lift_off::LiftOff;
 pub(crate) use self::rules::PilotRules;
+pub(crate) use self::zigzag::{LineEnd, ZigZag};
 use super::{Act, Cockpit};
 use crate::control::{FlatMotion, Limits};
 use crate::kinematics::square_root;
@@ -68,6 +70,8 @@ pub(crate) struct Pilot {
     /// ACRO: forward and right lean in radians.
     angles_rad: DVec2,
     lift_off: LiftOff,
+    /// The line of ZIGZAG.
+    pub(crate) zigzag: ZigZag,
 }
 
 impl Pilot {
@@ -106,17 +110,34 @@ impl Pilot {
     }
 }
 
-/// Forward and right lean demanded by the sticks, as accelerations, with a maximum lean.
-fn leaning(cockpit: &Cockpit<'_>, lean_max_rad: f64) -> DVec2 {
+/// The deflection of the sticks, forward and right of the nose, -1 to 1 each.
+fn deflection(cockpit: &Cockpit<'_>) -> DVec2 {
     let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
     let channels = &cockpit.sticks.channels_us;
-    let (right, back) = (roll.off_centre(channels[0]), pitch.off_centre(channels[1]));
-    if right == 0.0 && back == 0.0 {
+    DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]))
+}
+
+/// The same where the sticks may refer to another heading than the nose (SIMPLE mode).
+fn simple_deflection(cockpit: &Cockpit<'_>) -> DVec2 {
+    let stick = deflection(cockpit);
+    match cockpit.stick_heading_deg {
+        Some(heading_deg) if stick != DVec2::ZERO => {
+            let aside_rad = (heading_deg - cockpit.body.yaw_deg).to_radians();
+            let (sin, cos) = maths::sin_cos(aside_rad);
+            DVec2::new(stick.x * cos - stick.y * sin, stick.x * sin + stick.y * cos)
+        }
+        _ => stick,
+    }
+}
+
+/// Forward and right lean demanded by the sticks, as accelerations, with a maximum lean.
+fn leaning(stick: DVec2, lean_max_rad: f64) -> DVec2 {
+    if stick == DVec2::ZERO {
         return DVec2::ZERO;
     }
     let lean = DVec2::new(
-        -maths::tan(back * lean_max_rad),
-        maths::tan(right * lean_max_rad),
+        maths::tan(stick.x * lean_max_rad),
+        maths::tan(stick.y * lean_max_rad),
     );
     lean.clamp_length_max(maths::tan(lean_max_rad)) * GRAVITY_M_S2
 }
@@ -141,9 +162,7 @@ pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
     if !cockpit.tuning.pilot.moves_landing {
         return DVec2::ZERO;
     }
-    let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
-    let channels = &cockpit.sticks.channels_us;
-    let asked = DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]));
+    let asked = simple_deflection(cockpit);
     north_east(cockpit, asked.clamp_length_max(1.0) * most_m_s)
 }
 
@@ -196,7 +215,8 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
     };
     match cockpit.pilot.style {
         Style::HoldHeight => {
-            let lean = leaning(cockpit, cockpit.tuning.pilot.lean_max_rad);
+            let lean_max_rad = cockpit.tuning.pilot.lean_max_rad;
+            let lean = leaning(simple_deflection(cockpit), lean_max_rad);
             leant(cockpit, lean, climb, &limits)
         }
         Style::HoldPlace => hold_place(cockpit, climb, &limits),
@@ -219,7 +239,10 @@ fn leant(cockpit: &mut Cockpit<'_>, lean_m_s2: DVec2, climb_m_s: f64, limits: &L
 /// The loiter controller: the stick accelerates a target, drag and brake slow it, the vehicle follows it.
 fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
     let rules = cockpit.tuning.pilot.clone();
-    let asked = north_east(cockpit, leaning(cockpit, rules.loiter_lean_rad));
+    let asked = north_east(
+        cockpit,
+        leaning(simple_deflection(cockpit), rules.loiter_lean_rad),
+    );
     let pilot = &mut *cockpit.pilot;
     pilot.lean_m_s2 += (asked - pilot.lean_m_s2) * (STEP_S / (STEP_S + STICK_LAG_S));
     let mut velocity = cockpit.control.velocity_m_s.truncate() + pilot.lean_m_s2 * STEP_S;
@@ -264,7 +287,7 @@ fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
 /// POSHOLD: leans with the stick; with the stick released, brakes with a growing lean, then holds the place.
 fn hold_place(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
     let rules = cockpit.tuning.pilot.clone();
-    let asked = leaning(cockpit, rules.lean_max_rad);
+    let asked = leaning(simple_deflection(cockpit), rules.lean_max_rad);
     let moving = forward_right(cockpit, cockpit.body.velocity_m_s.truncate());
     let pilot = &mut *cockpit.pilot;
     if asked != DVec2::ZERO {
@@ -319,7 +342,7 @@ pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
             drift(cockpit)
         }
         Style::Stabilize | Style::HoldHeight | Style::HoldPlace | Style::Loiter => {
-            leaning(cockpit, rules.lean_max_rad)
+            leaning(simple_deflection(cockpit), rules.lean_max_rad)
         }
     };
     Act::Throttle {
@@ -342,9 +365,7 @@ fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
 /// Changes the lean at the rates demanded by the sticks; with released sticks it slowly returns to level.
 fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
     let rules = &cockpit.tuning.pilot;
-    let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
-    let channels = &cockpit.sticks.channels_us;
-    let asked = DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]));
+    let asked = deflection(cockpit);
     // The stick's exponential curve (ACRO_RP_EXPO 0.3).
     let rate = asked * (0.7 + 0.3 * asked.length_squared()) * rules.acro_rate_rad_s;
     let angles = &mut cockpit.pilot.angles_rad;
@@ -355,7 +376,7 @@ fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
 
 /// DRIFT: leans forward with the stick and against a sideways slip, and brakes with released sticks.
 fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
-    let forward = leaning(cockpit, cockpit.tuning.pilot.lean_max_rad).x;
+    let forward = leaning(deflection(cockpit), cockpit.tuning.pilot.lean_max_rad).x;
     let moving = forward_right(cockpit, cockpit.body.velocity_m_s.truncate());
     // 8 hundredths of a degree per centimetre per second, each way.
     let against = |speed: f64, gain: f64| {

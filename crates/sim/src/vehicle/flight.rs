@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::body::{Body, Demand};
 use crate::control::{Limits, PositionControl};
 use crate::mode::{self, Mode};
+use crate::radio::SimpleSticks;
 use crate::task::{Act, FlightTuning, Pilot, Task};
 use crate::trail::Trail;
 use crate::yaw::{Turning, YawControl, YawDemand};
@@ -31,6 +32,10 @@ pub(crate) struct FlightState {
     pub(crate) yaw: YawControl,
     /// The state of the piloted modes.
     pub(crate) pilot: Pilot,
+    /// The reference of the sticks.
+    pub(crate) simple: SimpleSticks,
+    /// A switch has turned the GPS off.
+    pub(crate) gps_off: bool,
     /// The way back of `SMART_RTL`.
     pub(crate) trail: Trail,
     /// The end of the last takeoff, until the vehicle gets another target.
@@ -49,6 +54,8 @@ impl FlightState {
             control: PositionControl::at(body),
             yaw: YawControl::holding(body.yaw_deg),
             pilot: Pilot::default(),
+            simple: SimpleSticks::default(),
+            gps_off: false,
             trail: Trail::default(),
             takeoff_m: None,
             brake_until: None,

@@ -1,0 +1,251 @@
+//! Functions of switches with which a pilot changes the mission, the meaning of the sticks and the sensors.
+
+use mavlink::dialects::ardupilotmega::MavSeverity::{
+    self, MAV_SEVERITY_INFO, MAV_SEVERITY_NOTICE, MAV_SEVERITY_WARNING,
+};
+
+use super::{
+    ACRO_TRAINER, CLEAR_MISSION, EKF_SOURCES, MISSION_RESET, SAVE_TRIM, SIMPLE, SIMPLE_HEADING,
+    STANDBY, SUPER_SIMPLE,
+};
+use crate::autopilot::Autopilot;
+use crate::cmd;
+use crate::mode;
+use crate::plan::{Item, ListKind};
+use crate::radio::SimpleMode;
+use crate::radio::SwitchPosition::{self, High, Low, Middle};
+use crate::task::{LineEnd, Task};
+
+/// `MAV_FRAME_GLOBAL` and `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
+const ABOVE_SEA: u8 = 0;
+const ABOVE_HOME: u8 = 3;
+/// The lowest takeoff that is saved.
+const TAKEOFF_MIN_M: f32 = 1.0;
+
+impl Autopilot {
+    fn inform(&mut self, severity: MavSeverity, text: &str) {
+        self.vehicle.say(severity, text);
+    }
+
+    /// Restarts the mission, empties it, or adds the place of the vehicle.
+    pub(super) fn edit_mission(&mut self, function: u16) {
+        match function {
+            MISSION_RESET => self.auto_plan.reset(),
+            CLEAR_MISSION => self.clear_mission(),
+            _ => self.save_waypoint(),
+        }
+    }
+
+    /// Empties the mission, except while it is flown.
+    fn clear_mission(&mut self) {
+        let vehicle = &mut self.vehicle;
+        if vehicle.safety.armed && vehicle.flight.mode.number == mode::AUTO {
+            return;
+        }
+        vehicle.plans.mission.clear();
+        self.mission_edited();
+    }
+
+    /// Adds the place of the vehicle to the mission: a landing if the throttle is down. An empty mission begins with a
+    /// takeoff.
+    fn save_waypoint(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let low = vehicle.sticks().throttle_is_low();
+        let is_empty = vehicle.plans.mission.is_empty();
+        let refuses = !vehicle.safety.armed || vehicle.flight.mode.number == mode::AUTO;
+        if refuses || (is_empty && low) {
+            return;
+        }
+        let here = vehicle.here();
+        let (x, y) = here.at.to_e7();
+        let height_m = vehicle.datum.home_point().z - vehicle.believed().position_m.z;
+        let height_m = (height_m * 100.0).round() as f32 * 0.01;
+        if is_empty {
+            // Its height is stored without the reference.
+            vehicle.plans.mission.push(Item {
+                command: cmd::NAV_TAKEOFF,
+                frame: ABOVE_SEA,
+                z: height_m.max(TAKEOFF_MIN_M),
+                auto_continue: true,
+                ..Item::default()
+            });
+        }
+        vehicle.plans.mission.push(Item {
+            command: if low {
+                cmd::NAV_LAND
+            } else {
+                cmd::NAV_WAYPOINT
+            },
+            frame: ABOVE_HOME,
+            auto_continue: true,
+            x,
+            y,
+            z: height_m,
+            ..Item::default()
+        });
+        self.mission_edited();
+    }
+
+    fn mission_edited(&mut self) {
+        let items = self.vehicle.plans.mission.len() as f32;
+        self.vehicle.store_parameter("MIS_TOTAL", items);
+        self.plans_changed(ListKind::Plan);
+    }
+
+    /// Changes the reference of the sticks.
+    pub(super) fn switch_simple(&mut self, function: u16, position: SwitchPosition) {
+        let mode = match (function, position) {
+            (SIMPLE_HEADING, High) => {
+                let nose_deg = self.vehicle.believed().yaw_deg;
+                self.vehicle.flight.simple.reset(nose_deg);
+                return self.inform(MAV_SEVERITY_INFO, "Simple heading reset");
+            }
+            (SIMPLE, Middle | High) | (SUPER_SIMPLE, Middle) => SimpleMode::Simple,
+            (SUPER_SIMPLE, High) => SimpleMode::SuperSimple,
+            (SIMPLE | SUPER_SIMPLE, Low) => SimpleMode::Off,
+            _ => return,
+        };
+        self.set_simple(mode);
+    }
+
+    /// The modes of the mode switch choose the reference of the sticks (`SIMPLE`, `SUPER_SIMPLE`), unless another
+    /// switch does.
+    pub(in crate::autopilot) fn choose_simple(&mut self, switch_position: usize) {
+        let rules = &self.vehicle.tuning.flight.radio;
+        if rules.has_switch(SIMPLE) || rules.has_switch(SUPER_SIMPLE) {
+            return;
+        }
+        let chosen = |name| {
+            let bits = self.vehicle.parameters.value(name) as i32;
+            bits & (1 << switch_position) != 0
+        };
+        let mode = if chosen("SUPER_SIMPLE") {
+            SimpleMode::SuperSimple
+        } else if chosen("SIMPLE") {
+            SimpleMode::Simple
+        } else {
+            SimpleMode::Off
+        };
+        self.set_simple(mode);
+    }
+
+    /// Sets the reference of the sticks, and says so if it is another one.
+    fn set_simple(&mut self, mode: SimpleMode) {
+        let (_, home_deg) = self.vehicle.way_home();
+        if let Some(text) = self.vehicle.flight.simple.set(mode, home_deg) {
+            self.inform(MAV_SEVERITY_INFO, text);
+        }
+    }
+
+    /// Turns the GPS off or on.
+    pub(super) fn switch_gps(&mut self, off: bool) {
+        self.vehicle.flight.gps_off = off;
+        self.vehicle.retune();
+    }
+
+    /// Stores a point of ZIGZAG, or flies to the line through it; the middle position returns control to the pilot.
+    pub(super) fn switch_zigzag(&mut self, position: SwitchPosition) {
+        let end = match position {
+            Low => LineEnd::A,
+            High => LineEnd::B,
+            Middle => return self.end_zigzag(false),
+        };
+        let vehicle = &mut self.vehicle;
+        if vehicle.flight.mode.number != mode::ZIGZAG {
+            return;
+        }
+        let mut here_m = vehicle.believed().position_m;
+        let name = end.name();
+        let zigzag = &mut vehicle.flight.pilot.zigzag;
+        if zigzag.store(end, here_m.truncate()) {
+            return self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: point {name} stored"));
+        }
+        here_m.z = vehicle.flight.control.path_m.z;
+        if let Some(goal_m) = zigzag.cross(end, here_m) {
+            vehicle.flight.task = Task::goto(goal_m);
+            self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: moving to {name}"));
+        }
+    }
+
+    /// Returns control to the pilot of ZIGZAG at the destination, or after a landing; to be called ten times a second.
+    pub(in crate::autopilot) fn watch_zigzag(&mut self) {
+        let vehicle = &self.vehicle;
+        let radius_m = vehicle.tuning.flight.auto.radius_m;
+        let here_m = vehicle.believed().position_m;
+        let arrived = vehicle.flight.pilot.zigzag.has_arrived(here_m, radius_m);
+        if arrived || vehicle.safety.landed {
+            self.end_zigzag(arrived);
+        }
+    }
+
+    /// Returns control to the pilot of ZIGZAG; the vehicle holds the destination or, if `keeps_target` is false, stops
+    /// where it is.
+    fn end_zigzag(&mut self, keeps_target: bool) {
+        let vehicle = &mut self.vehicle;
+        let is_zigzag = vehicle.flight.mode.number == mode::ZIGZAG;
+        if !is_zigzag || !vehicle.flight.pilot.zigzag.end() {
+            return;
+        }
+        vehicle.flight.task = Task::Piloted;
+        if !keeps_target {
+            let believed = vehicle.estimator.belief(&vehicle.plant.body);
+            vehicle.flight.control.take_over(believed);
+        }
+        self.inform(MAV_SEVERITY_INFO, "ZIGZAG: manual control");
+    }
+
+    /// Begins or cancels the calibration of all compasses.
+    pub(super) fn switch_compass_calibration(&mut self, position: SwitchPosition) {
+        let compasses = &mut self.workbench.compasses;
+        match position {
+            High if self.vehicle.safety.armed => {
+                self.inform(MAV_SEVERITY_NOTICE, "Disarm to allow compass calibration");
+            }
+            High => {
+                compasses.start(0);
+            }
+            Low => compasses.cancel(0),
+            Middle => {}
+        }
+    }
+
+    /// Interrupts the flight along a mission, or continues it.
+    pub(super) fn switch_pause(&mut self, position: SwitchPosition) {
+        if position == Middle {
+            return;
+        }
+        let pause = position == High;
+        if !self.pause(pause) && pause {
+            self.inform(MAV_SEVERITY_WARNING, "Flight Mode Pause failed");
+        }
+    }
+
+    /// Settings that are stored or only reported.
+    pub(super) fn switch_setting(&mut self, function: u16, position: SwitchPosition) {
+        let number = position.number();
+        match function {
+            ACRO_TRAINER => {
+                let value = f32::from(number);
+                self.vehicle.parameters.set("ACRO_TRAINER", value);
+                self.vehicle.retune();
+            }
+            EKF_SOURCES => {
+                let text = format!("Using EKF Source Set {}", number + 1);
+                self.inform(MAV_SEVERITY_INFO, &text);
+            }
+            STANDBY if position == High => self.inform(MAV_SEVERITY_INFO, "Stand By Enabled"),
+            STANDBY => self.inform(MAV_SEVERITY_INFO, "Stand By Disabled"),
+            SAVE_TRIM if position == High => self.save_trim(),
+            _ => {}
+        }
+    }
+
+    /// Reports that the trim was saved, as in STABILIZE and ACRO with the throttle down; the sensors are level anyway.
+    fn save_trim(&mut self) {
+        let vehicle = &self.vehicle;
+        let allows = matches!(vehicle.flight.mode.number, mode::STABILIZE | mode::ACRO);
+        if allows && vehicle.sticks().throttle_is_low() {
+            self.inform(MAV_SEVERITY_INFO, "Trim saved");
+        }
+    }
+}
