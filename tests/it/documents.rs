@@ -225,3 +225,21 @@ fn examples_of_the_configuration_are_valid() {
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}");
 }
+
+#[test]
+fn the_table_of_the_simulator_lists_what_it_has() {
+    let text = fs::read_to_string(root().join("docs/simulator.md")).expect("the document");
+    let (_, table) = text
+        .split_once("| what | names |\n| --- | --- |\n")
+        .expect("the table");
+    let rows: Vec<_> = table
+        .lines()
+        .take_while(|line| line.starts_with('|'))
+        .collect();
+    let inventory = sortie_sim::Inventory::read().to_string();
+    let expected: Vec<_> = inventory.lines().collect();
+    assert_eq!(
+        rows, expected,
+        "take the rows of `cargo run -p sortie-sim --example inventory`"
+    );
+}

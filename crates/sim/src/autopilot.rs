@@ -2,7 +2,7 @@
 //! state as arguments, and returns its requests.
 
 mod arming;
-mod auxiliary;
+pub(super) mod auxiliary;
 mod modes;
 mod reactions;
 pub(super) mod telemetry;

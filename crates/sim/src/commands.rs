@@ -171,6 +171,16 @@ const FIXED: &[(u16, MavResult)] = &[
     (cmd::SCRIPTING, ACCEPTED),
 ];
 
+/// The commands that are carried out.
+pub(super) fn carried_out() -> impl Iterator<Item = u16> {
+    TABLE.iter().map(|(number, _)| *number)
+}
+
+/// The commands with a fixed answer.
+pub(super) fn answered() -> impl Iterator<Item = u16> {
+    FIXED.iter().map(|(number, _)| *number)
+}
+
 /// Carries out a command and returns the result.
 pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
     if let Some((_, handler)) = TABLE.iter().find(|(known, _)| *known == command.number) {

@@ -69,7 +69,10 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         StationRequest::SetMode { .. } => {}
         StationRequest::Attitude(asked) => guided::take_attitude(&mut autopilot.vehicle, asked),
         StationRequest::SetParameter { name, value } => {
-            if autopilot.vehicle.store_parameter(name, *value) {
+            // Reading all parameters again is expensive, and many ground stations write whole files.
+            let of_name = |autopilot: &Autopilot| autopilot.vehicle.parameters.named(name);
+            let before = of_name(autopilot);
+            if autopilot.vehicle.store_parameter(name, *value) && of_name(autopilot) != before {
                 autopilot.vehicle.retune();
             }
         }

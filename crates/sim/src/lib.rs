@@ -52,8 +52,8 @@
 //!   all parts in order. Its `telemetry` builds the messages.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry out their requests;
 //!   `inbound` reads them. `schedule`, `signing`, `link` and `port` connect them; `slot` is a vehicle with its
-//!   connections, `truth` its true state. `collision` finds collisions. `input` describes the inputs of a world, and
-//!   `fingerprint` hashes a vehicle's state: to repeat a flight, and to compare the two.
+//!   connections, `truth` its true state. `collision` finds collisions. `input` describes the inputs of a world,
+//!   `inventory` lists what a vehicle has, and `fingerprint` hashes a vehicle's state: to repeat a flight, and to compare the two.
 
 #![warn(missing_docs)]
 
@@ -80,6 +80,7 @@ mod frame;
 mod guided;
 mod inbound;
 mod input;
+mod inventory;
 mod kinematics;
 mod link;
 mod mask;
@@ -123,6 +124,7 @@ use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
+pub use self::inventory::Inventory;
 pub use self::parameters::{AliasSense, other_name};
 use self::plan::{Item, ListKind};
 use self::slot::VehicleSlot;

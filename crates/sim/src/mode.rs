@@ -138,6 +138,11 @@ const MODES: &[Mode] = &[
     ),
 ];
 
+/// Every mode of the firmware, by number.
+pub(super) fn all() -> impl Iterator<Item = &'static Mode> {
+    MODES.iter()
+}
+
 /// Modes that take setpoints from a ground station.
 pub(super) fn is_guided(number: u8) -> bool {
     matches!(number, GUIDED | GUIDED_NOGPS)
@@ -161,6 +166,11 @@ pub(super) fn takes_off(number: u8, navigates: bool) -> bool {
 impl Mode {
     /// The mode in which the vehicle boots.
     pub(super) const BOOT: Self = MODES[0];
+
+    /// Whether the mode can never be entered; `AUTO_RTL` can, with a mission that has a landing.
+    pub(super) fn is_always_refused(&self) -> bool {
+        matches!(self.entry, ModeEntry::Refused(_)) && self.number != AUTO_RTL
+    }
 
     /// Whether the mode flies by the horizontal position.
     pub(super) fn needs_position(&self) -> bool {

@@ -76,6 +76,12 @@ impl Parameters {
         all
     }
 
+    /// The switches of sub-trees.
+    pub(super) fn switches() -> impl Iterator<Item = &'static str> {
+        let trees = TABLE.sub_trees.iter();
+        trees.filter_map(|tree| TABLE.rows.get(usize::from(tree.switch)).map(|row| row.name))
+    }
+
     /// The number of parameters in the list, which changes with the switches of sub-trees.
     pub(super) fn count(&self) -> u16 {
         let hidden: u16 = self.hidden().map(|tree| tree.count).sum();

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::Autopilot;
 use crate::arming::ArmingMethod;
-use crate::mode;
+use crate::mode::{self, Mode};
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
 use crate::radio::{ARM_OR_EMERGENCY_STOP, MOTOR_EMERGENCY_STOP, MOTOR_INTERLOCK};
 
@@ -55,6 +55,32 @@ const ARM_OR_DISARM: u16 = 153;
 const ARM_OR_DISARM_AIRMODE: u16 = 154;
 const COMPASS_CALIBRATION: u16 = 171;
 const PAUSE: u16 = 178;
+/// Functions that act, apart from modes, by their names in the firmware's documents.
+const ACTING: &[(u16, &str)] = &[
+    (SIMPLE, "Simple Mode"),
+    (SAVE_TRIM, "Save Trim"),
+    (SAVE_WAYPOINT, "Save WP"),
+    (FENCE, "Fence Enable"),
+    (SUPER_SIMPLE, "Super Simple Mode"),
+    (ACRO_TRAINER, "Acro Trainer"),
+    (MISSION_RESET, "Auto Mission Reset"),
+    (RELAY, "Relay1 On/Off"),
+    (MOTOR_EMERGENCY_STOP, "Motor Emergency Stop"),
+    (MOTOR_INTERLOCK, "Motor Interlock"),
+    (OVERRIDES, "RC Override Enable"),
+    (CLEAR_MISSION, "Clear Waypoints"),
+    (ZIGZAG_POINTS, "ZigZag SaveWP"),
+    (GPS_OFF, "GPS Disable"),
+    (STANDBY, "Standby Mode"),
+    (DISARM, "Disarm"),
+    (EKF_SOURCES, "EKF Source Set"),
+    (SIMPLE_HEADING, "Simple Mode Heading Reset"),
+    (ARM_OR_DISARM, "ArmDisarm"),
+    (ARM_OR_DISARM_AIRMODE, "ArmDisarm with AirMode"),
+    (ARM_OR_EMERGENCY_STOP, "Arm/Emergency Motor Stop"),
+    (COMPASS_CALIBRATION, "Calibrate Compasses"),
+    (PAUSE, "FlightMode Pause/Resume"),
+];
 /// Functions that exist but have no effect in the simulation.
 const WITHOUT_EFFECT: &[u16] = &[
     9, 10, 15, 19, 21, 22, 23, 25, 26, 27, 29, 30, 34, 35, 36, 38, 39, 40, 44, 45, 62, 66, 67, 75,
@@ -114,6 +140,29 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (175, "Camera Lens"),
     (177, "Mount LRF Enable"),
 ];
+
+/// The names of functions that act.
+pub(crate) fn acting() -> impl Iterator<Item = &'static str> {
+    let modes = MODES.iter().filter_map(|(_, number)| {
+        let mode = Mode::numbered(*number)?;
+        (!mode.is_always_refused()).then_some(mode.name)
+    });
+    modes.chain(ACTING.iter().map(|(_, name)| *name))
+}
+
+/// The numbers of functions without an effect, in ascending order.
+pub(crate) fn idle() -> impl Iterator<Item = u16> {
+    let refused = MODES.iter().filter_map(|(function, number)| {
+        let mode = Mode::numbered(*number)?;
+        mode.is_always_refused().then_some(*function)
+    });
+    let mut all: Vec<u16> = refused
+        .chain(WITHOUT_EFFECT.iter().copied())
+        .chain(FAILING.iter().copied())
+        .collect();
+    all.sort_unstable();
+    all.into_iter()
+}
 
 impl Autopilot {
     /// Obeys the sticks and switches, unless the remote control is lost.
@@ -217,5 +266,29 @@ impl Autopilot {
         } else if self.vehicle.flight.mode.number == number {
             self.obey_mode_switch();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wind::Wind;
+
+    #[test]
+    fn every_function_that_acts_is_known_and_no_other_is_idle() {
+        let mut autopilot = Autopilot::new(
+            1,
+            crate::tests::start(),
+            crate::Airframe::shared_default(),
+            Wind::new(0, 0),
+        );
+        for (function, name) in ACTING {
+            assert!(autopilot.run_function(*function, Low), "{name}");
+            assert!(!WITHOUT_EFFECT.contains(function), "{name}");
+        }
+        for function in idle().filter(|function| !FAILING.contains(function)) {
+            assert!(autopilot.run_function(function, Low), "{function}");
+        }
+        assert!(!autopilot.run_function(1, Low));
     }
 }

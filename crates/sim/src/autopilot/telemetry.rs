@@ -181,6 +181,16 @@ pub(crate) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
     builder(id)?.build(autopilot)
 }
 
+/// The messages that are sent, by id.
+pub(crate) fn sent() -> impl Iterator<Item = u32> {
+    TABLE.iter().map(|(id, _)| *id)
+}
+
+/// Messages that can be requested, but are never sent.
+pub(crate) fn silent() -> impl Iterator<Item = u32> {
+    SILENT.iter().copied()
+}
+
 /// Whether the firmware knows the message, so that it can be requested.
 pub(crate) fn is_known(id: u32) -> bool {
     id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))

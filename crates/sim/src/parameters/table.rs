@@ -4,6 +4,7 @@
 //! over `MAVLink`. Those that `tuning` and its parts read affect the vehicle's behaviour; the others are only stored
 //! and listed, because ground stations look for them.
 
+use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Kind;
@@ -33,8 +34,8 @@ pub(super) struct ParameterTable {
     pub(super) rows: Vec<ParameterRow>,
     /// The sub-trees, in ascending order.
     pub(super) sub_trees: Vec<SubTree>,
-    /// Places in `rows`, sorted by name.
-    by_name: Vec<u16>,
+    /// Places in `rows` by name.
+    by_name: HashMap<&'static str, u16>,
 }
 
 /// The table is the same for every vehicle; it is read once.
@@ -44,8 +45,7 @@ impl ParameterTable {
     fn read() -> Self {
         let rows: Vec<ParameterRow> = lines().filter_map(row).collect();
         let sub_trees = sub_trees();
-        let mut by_name: Vec<u16> = (0..rows.len() as u16).collect();
-        by_name.sort_by_key(|&place| rows[usize::from(place)].name);
+        let by_name = rows.iter().map(|row| row.name).zip(0..).collect();
         Self {
             rows,
             sub_trees,
@@ -55,14 +55,15 @@ impl ParameterTable {
 
     /// The index of a parameter; case does not matter.
     pub(super) fn place(&self, name: &str) -> Option<usize> {
-        let wanted = name.to_ascii_uppercase();
-        let found = self
-            .by_name
-            .binary_search_by_key(&wanted.as_str(), |&place| {
-                self.rows[usize::from(place)].name
-            })
-            .ok()?;
-        self.by_name.get(found).map(|&place| usize::from(place))
+        let place = self.by_name.get(name).copied().or_else(|| {
+            let is_upper = !name.bytes().any(|byte| byte.is_ascii_lowercase());
+            (!is_upper).then(|| {
+                self.by_name
+                    .get(name.to_ascii_uppercase().as_str())
+                    .copied()
+            })?
+        })?;
+        Some(usize::from(place))
     }
 }
 
