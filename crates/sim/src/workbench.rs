@@ -23,6 +23,10 @@ pub(super) struct Workbench {
     /// The parachute was enabled.
     pub(super) parachute: bool,
     pub(super) relay_on: bool,
+    /// The remote control is being calibrated.
+    pub(super) radio_calibrates: bool,
+    /// When a calibration last kept the vehicle busy.
+    pub(super) initialised_at: Option<Duration>,
     /// When the level or the accelerometers were last calibrated in one position.
     pub(super) accelerometers_calibrated: Duration,
     /// The stored parameters were erased: the next boot begins with the defaults.

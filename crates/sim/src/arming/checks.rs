@@ -128,6 +128,8 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) has_stop_switch: bool,
     /// Whether a receiver or an override was heard since the boot.
     pub(crate) radio_was_heard: bool,
+    /// Whether the remote control is being calibrated.
+    pub(crate) radio_calibrates: bool,
     /// Whether the accelerometers, and the gyros, disagree.
     pub(crate) inertial_doubts: [bool; 2],
     pub(crate) mission: &'a [Item],
@@ -189,7 +191,12 @@ impl ArmingChecks<'_> {
         if self.boot.is_over() {
             reasons.extend(self.estimate_obstacle());
         }
+        reasons.extend(self.calibration_obstacle());
         reasons
+    }
+
+    fn calibration_obstacle(&self) -> Option<Reason> {
+        self.radio_calibrates.then(|| "RC calibrating".into())
     }
 
     /// Checks made only when all others pass and arming was requested.
@@ -372,6 +379,7 @@ impl ArmingChecks<'_> {
                 reasons.extend(rules.values.sticks.iter().cloned());
             }
         }
+        reasons.extend(self.calibration_obstacle());
         if rules.has(Check::Voltage) && self.failsafe.battery_is_down() {
             reasons.push("Battery failsafe".into());
         }

@@ -72,6 +72,7 @@ impl Autopilot {
             interlock: vehicle.interlock(),
             has_stop_switch: tuning.flight.radio.has_emergency_stop(),
             radio_was_heard: vehicle.radio.was_heard,
+            radio_calibrates: self.workbench.radio_calibrates,
             inertial_doubts: self.imu_watch.doubts(&tuning.faults, vehicle.uptime()),
             mission: &vehicle.plans.mission,
             has_rally_point: !vehicle.plans.rally.is_empty(),

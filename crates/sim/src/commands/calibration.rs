@@ -38,7 +38,8 @@ pub(super) fn preflight(
         MavResult::MAV_RESULT_ACCEPTED
     };
     if command.is(0, 1.0) {
-        return says(autopilot, &["Initialising ArduPilot"]);
+        initialise(autopilot);
+        return MavResult::MAV_RESULT_ACCEPTED;
     }
     if command.is(2, 1.0) {
         let texts = [
@@ -54,14 +55,38 @@ pub(super) fn preflight(
         return says(autopilot, &texts);
     }
     if command.y == 1 {
+        initialise(autopilot);
         return says(autopilot, &["Starting calibration", "Current"]);
     }
+    autopilot.workbench.radio_calibrates = command.p[3] > 0.0;
     match command.x {
-        1 => says(autopilot, &["Place vehicle level and press any key."]),
-        LEVEL | SIMPLE => calibrate_briefly(autopilot),
+        1 => {
+            initialise(autopilot);
+            says(autopilot, &["Place vehicle level and press any key."])
+        }
+        LEVEL => {
+            let result = calibrate_briefly(autopilot);
+            if result == MavResult::MAV_RESULT_ACCEPTED {
+                initialise(autopilot);
+                says(autopilot, &["Trim OK: roll=0.01 pitch=-0.01 yaw=0.00"]);
+            }
+            result
+        }
+        SIMPLE => calibrate_briefly(autopilot),
         FORCE_WHOLE => MavResult::MAV_RESULT_ACCEPTED,
         _ if command.is(1, FORCE) => MavResult::MAV_RESULT_ACCEPTED,
         _ => MavResult::MAV_RESULT_UNSUPPORTED,
+    }
+}
+
+/// A calibration that keeps the vehicle busy, which it reports at most every five seconds.
+fn initialise(autopilot: &mut Autopilot) {
+    let now = autopilot.vehicle.uptime();
+    let last = &mut autopilot.workbench.initialised_at;
+    if last.is_none_or(|at| now > at + BRIEFLY_APART) {
+        *last = Some(now);
+        let text = "Initialising ArduPilot";
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
     }
 }
 

@@ -17,6 +17,8 @@ const FIRST: u8 = 1;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GpsFault {
     pub(crate) disabled: bool,
+    /// No receiver is configured (`GPS1_TYPE` 0).
+    pub(crate) absent: bool,
     pub(crate) jammed: bool,
     /// Degrees north, degrees east, metres up.
     pub(crate) glitch: DVec3,
@@ -129,8 +131,10 @@ impl GpsFault {
         );
         let period = Duration::from_secs_f64(1.0 / all.value("SIM_GPS_HZ").clamp(1.0, 20.0));
         let lag_ms = all.value("SIM_GPS_LAG_MS").clamp(0.0, 1000.0);
+        let absent = all.value("GPS1_TYPE") == 0.0;
         Self {
-            disabled: all.value("SIM_GPS_DISABLE") != 0.0 || all.value("GPS1_TYPE") == 0.0,
+            disabled: all.value("SIM_GPS_DISABLE") != 0.0 || absent,
+            absent,
             // Only the value 1 jams.
             jammed: (all.value("SIM_GPS_JAM") - 1.0).abs() < 0.5,
             glitch,

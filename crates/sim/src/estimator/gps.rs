@@ -114,6 +114,9 @@ impl Receiver {
         if !fix.is_locked() {
             fix.satellites = SATELLITES_WITHOUT_FIX;
         }
+        if fault.absent {
+            (fix.kind, fix.satellites) = (GpsFixType::GPS_FIX_TYPE_NO_GPS, 0);
+        }
         fix
     }
 

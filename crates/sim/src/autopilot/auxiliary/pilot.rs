@@ -172,7 +172,9 @@ impl Autopilot {
         let vehicle = &self.vehicle;
         let radius_m = vehicle.tuning.flight.auto.radius_m;
         let here_m = vehicle.believed().position_m;
-        let arrived = vehicle.flight.pilot.zigzag.has_arrived(here_m, radius_m);
+        let path_m = vehicle.flight.control.path_m;
+        let zigzag = &vehicle.flight.pilot.zigzag;
+        let arrived = zigzag.has_arrived(path_m, here_m, radius_m);
         if arrived || vehicle.safety.landed {
             self.end_zigzag(arrived);
         }

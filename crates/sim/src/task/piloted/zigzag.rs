@@ -2,8 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-/// The vehicle is at its destination within this distance at most.
+/// The vehicle is at its destination within this distance at most, once its path has ended there.
 const ARRIVED_MAX_M: f64 = 3.0;
+const PATH_ENDS_M: f64 = 0.05;
 
 /// A point of ZIGZAG.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,10 +67,12 @@ impl ZigZag {
         self.goal_m
     }
 
-    /// Whether the vehicle is within a radius of its destination.
-    pub(crate) fn has_arrived(&self, here_m: DVec3, radius_m: f64) -> bool {
-        self.goal_m
-            .is_some_and(|goal_m| (goal_m - here_m).length() <= radius_m.min(ARRIVED_MAX_M))
+    /// Whether the path has ended at the destination, and the vehicle is within a radius of it.
+    pub(crate) fn has_arrived(&self, path_m: DVec3, here_m: DVec3, radius_m: f64) -> bool {
+        self.goal_m.is_some_and(|goal_m| {
+            let within = radius_m.min(ARRIVED_MAX_M);
+            goal_m.distance(path_m) <= PATH_ENDS_M && goal_m.distance(here_m) <= within
+        })
     }
 
     /// Ends a flight; `false` if there was none.
@@ -92,9 +95,11 @@ mod tests {
         let here_m = DVec3::new(31.0, 20.0, -10.0);
         let goal_m = zigzag.cross(LineEnd::A, here_m).expect("both points");
         assert!((goal_m - DVec3::new(31.0, 0.0, -10.0)).length() < 1e-9);
-        assert!(!zigzag.has_arrived(here_m, 5.0));
-        assert!(!zigzag.has_arrived(goal_m + DVec3::Y * 3.5, 5.0));
-        assert!(zigzag.has_arrived(goal_m + DVec3::Y * 1.9, 2.0));
+        let near_m = goal_m + DVec3::Y * 1.9;
+        assert!(!zigzag.has_arrived(goal_m, here_m, 5.0));
+        assert!(!zigzag.has_arrived(goal_m, goal_m + DVec3::Y * 3.5, 5.0));
+        assert!(!zigzag.has_arrived(near_m, near_m, 2.0));
+        assert!(zigzag.has_arrived(goal_m, near_m, 2.0));
         assert!(zigzag.end() && !zigzag.end());
     }
 }
