@@ -116,7 +116,7 @@ impl Autopilot {
         let mut parameters = if self.workbench.erased {
             factory_parameters(before.system, &before.plant.airframe)
         } else {
-            before.parameters.clone()
+            before.parameters.clone().rebooted()
         };
         let boots = parameters.value("STAT_BOOTCNT") as f32 + 1.0;
         parameters.set("STAT_BOOTCNT", boots);

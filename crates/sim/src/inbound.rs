@@ -17,7 +17,7 @@ use super::link::Link;
 use super::parameters::BY_NAME;
 use super::place::Place;
 use super::transfer::{self, Transfers};
-use super::{guided, texts};
+use super::{guided, schedule, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing, first_channels};
 
@@ -104,8 +104,13 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
     match message {
         MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
             let rate = data.req_message_rate * u16::from(data.start_stop.min(1));
+            let stream = data.req_stream_id as u8;
+            for name in schedule::rate_names(link.serial, stream) {
+                let parameters = &mut autopilot.vehicle.parameters;
+                parameters.set_until_boot(&name, f32::from(rate));
+            }
             link.schedule
-                .set_stream(data.req_stream_id as u8, rate, autopilot.vehicle.uptime());
+                .set_stream(stream, rate, autopilot.vehicle.uptime());
         }
         // A vehicle that is still initialising ignores this.
         MavMessage::PARAM_REQUEST_LIST(data)

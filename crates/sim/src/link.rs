@@ -16,6 +16,7 @@ pub(super) struct LinkNumber(pub(super) u32);
 /// The state of one serial port, and the answers to the frame that is being handled.
 #[derive(Debug)]
 pub(super) struct Link {
+    pub(super) serial: Serial,
     pub(super) schedule: Schedule,
     /// The transfer number of the ground station that is being answered.
     pub(super) transfer: LinkNumber,
@@ -32,6 +33,7 @@ pub(super) struct Link {
 impl Link {
     pub(super) fn new(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
         Self {
+            serial,
             schedule: Schedule::booted(serial, parameters, now),
             transfer: LinkNumber::default(),
             heard: false,

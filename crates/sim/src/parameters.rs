@@ -58,12 +58,14 @@ pub(super) struct Parameter {
     place: u16,
 }
 
-/// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share the defaults: each stores
-/// only the values that differ.
+/// The parameter values of a vehicle, which survive a reboot. Thousands of vehicles share those of the first boot: each
+/// stores only the values that differ.
 #[derive(Debug, Clone)]
 pub(super) struct Parameters {
-    /// Places in the table with values other than the default, in ascending order.
+    /// Places in the table with values other than those of the first boot, in ascending order.
     changed: Vec<(u16, f32)>,
+    /// Values that return at the next boot, since the present ones are not stored.
+    stored: Vec<(u16, f32)>,
 }
 
 impl Parameters {
@@ -71,6 +73,7 @@ impl Parameters {
     pub(super) fn new(system: u8) -> Self {
         let mut all = Self {
             changed: Vec::new(),
+            stored: Vec::new(),
         };
         all.set("SYSID_THISMAV", f32::from(system));
         all
@@ -122,13 +125,13 @@ impl Parameters {
     fn value_in_place(&self, place: u16) -> f32 {
         let changed = self.changed_place(place).ok();
         let changed = changed.and_then(|at| self.changed.get(at));
-        let default = || {
+        let first = || {
             TABLE
                 .rows
                 .get(usize::from(place))
-                .map_or(0.0, |row| row.default)
+                .map_or(0.0, |row| row.first)
         };
-        changed.map_or_else(default, |(_, value)| *value)
+        changed.map_or_else(first, |(_, value)| *value)
     }
 
     /// The index in the list of the parameter at a place of the table.
@@ -168,12 +171,39 @@ impl Parameters {
             return self.named(alias);
         }
         let parameter = self.named(name)?;
-        let changed = (parameter.place, parameter.kind.stored(value));
-        match self.changed_place(parameter.place) {
-            Ok(place) => self.changed[place] = changed,
-            Err(place) => self.changed.insert(place, changed),
-        }
+        self.stored.retain(|(place, _)| *place != parameter.place);
+        self.change(parameter.place, parameter.kind.stored(value));
         self.in_place(parameter.place)
+    }
+
+    fn change(&mut self, place: u16, value: f32) {
+        match self.changed_place(place) {
+            Ok(at) => self.changed[at] = (place, value),
+            Err(at) => self.changed.insert(at, (place, value)),
+        }
+    }
+
+    /// Sets a value until the next boot, without storing it.
+    pub(super) fn set_until_boot(&mut self, name: &str, value: f32) {
+        let Some(parameter) = self.named(name) else {
+            return;
+        };
+        if self
+            .stored
+            .iter()
+            .all(|(place, _)| *place != parameter.place)
+        {
+            self.stored.push((parameter.place, parameter.value));
+        }
+        self.change(parameter.place, parameter.kind.stored(value));
+    }
+
+    /// The values after a boot.
+    pub(super) fn rebooted(mut self) -> Self {
+        for (place, value) in std::mem::take(&mut self.stored) {
+            self.change(place, value);
+        }
+        self
     }
 
     /// The `PARAM_VALUE` of a parameter, with its index in the list.
@@ -227,6 +257,20 @@ mod tests {
         assert_eq!(all.value("SYSID_THISMAV") as u8, 3);
         assert_eq!(all.set("WPNAV_SPEED", f32::NAN), None);
         assert_eq!(all.set("NO_SUCH_NAME", 1.0), None);
+    }
+
+    #[test]
+    fn a_value_that_is_not_stored_lasts_until_the_next_boot() {
+        let mut all = Parameters::new(1);
+        all.set("SR0_POSITION", 2.0);
+        all.set_until_boot("SR0_POSITION", 4.0);
+        all.set_until_boot("SR0_POSITION", 5.0);
+        all.set_until_boot("SR0_EXTRA1", 5.0);
+        all.set("SR0_EXTRA1", 1.0);
+        assert!((all.value("SR0_POSITION") - 5.0).abs() < 1e-9);
+        let all = all.rebooted();
+        assert!((all.value("SR0_POSITION") - 2.0).abs() < 1e-9);
+        assert!((all.value("SR0_EXTRA1") - 1.0).abs() < 1e-9);
     }
 
     #[test]

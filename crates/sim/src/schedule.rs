@@ -115,8 +115,6 @@ struct ScheduleEntry {
 pub(super) struct Schedule {
     entries: Vec<ScheduleEntry>,
     buckets: Buckets,
-    /// The rates of the streams at the boot, which are the default rates of their messages.
-    defaults_hz: [f64; STREAMS.len()],
     /// No message is due before this time.
     earliest_ms: u64,
 }
@@ -127,7 +125,6 @@ impl Schedule {
         let mut schedule = Self {
             entries: Vec::new(),
             buckets: Buckets::default(),
-            defaults_hz: [0.0; STREAMS.len()],
             earliest_ms: u64::MAX,
         };
         // The first heartbeat does not wait, so that ground stations see the vehicle at once.
@@ -143,10 +140,9 @@ impl Schedule {
     /// The messages of a serial port after boot: heartbeats, and the streams of its `SRn_` parameters.
     pub(super) fn booted(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
         let mut schedule = Self::new(now);
-        for (stream, (group, name, _)) in STREAMS.iter().enumerate() {
-            let rate_hz = parameters.value(&format!("SR{}_{name}", serial.index()));
+        for (group, name, _) in STREAMS {
+            let rate_hz = parameters.value(&rate_name(serial, name));
             if rate_hz > 0.0 {
-                schedule.defaults_hz[stream] = rate_hz;
                 schedule.set_stream(*group as u8, rate_hz as u16, now);
             }
         }
@@ -158,23 +154,34 @@ impl Schedule {
         self.earliest_ms = 0;
     }
 
-    /// Sets an interval in microseconds. 0 sets the rate of the message's stream at the boot, -1 switches the message
-    /// off; any other number that is too small (including negative ones) sets the shortest interval.
+    /// Sets an interval in microseconds. -1 switches the message off; any other number that is too small (including
+    /// negative ones) sets the shortest interval.
     pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
         let interval_ms = match interval_us {
             -1 => 0,
-            0 => self.default_ms(id),
             us => (us / 1000).clamp(SHORTEST_MS, LONGEST_MS) as u64,
         };
         self.set_ms(id, interval_ms, now);
     }
 
-    fn default_ms(&self, id: u32) -> u64 {
-        if id == HEARTBEAT {
-            return HEARTBEAT_MS;
-        }
-        let of = STREAMS.iter().position(|(.., ids)| ids.contains(&id));
-        of.map_or(0, |stream| interval_ms(self.defaults_hz[stream] as u16))
+    /// Sets the rate of the message's stream (`SRn_`), which is 0 for a message of no stream.
+    pub(super) fn set_default(
+        &mut self,
+        id: u32,
+        serial: Serial,
+        parameters: &Parameters,
+        now: Duration,
+    ) {
+        let of = STREAMS.iter().find(|(.., ids)| ids.contains(&id));
+        let of_stream = of.map_or(0, |(_, name, _)| {
+            interval_ms(parameters.value(&rate_name(serial, name)) as u16)
+        });
+        let default_ms = if id == HEARTBEAT {
+            HEARTBEAT_MS
+        } else {
+            of_stream
+        };
+        self.set_ms(id, default_ms, now);
     }
 
     fn set_ms(&mut self, id: u32, interval_ms: u64, now: Duration) {
@@ -265,6 +272,24 @@ impl Schedule {
     }
 }
 
+/// The parameters with the rates of a stream of `REQUEST_DATA_STREAM`.
+pub(super) fn rate_names(serial: Serial, stream: u8) -> impl Iterator<Item = String> {
+    let without_messages = [
+        (MavDataStream::MAV_DATA_STREAM_RAW_CONTROLLER, "RAW_CTRL"),
+        // The stream of traffic has no name in the dialect.
+        (MavDataStream::MAV_DATA_STREAM_ALL, "ADSB"),
+    ];
+    let with_messages = STREAMS.iter().map(|(group, name, _)| (*group, *name));
+    with_messages
+        .chain(without_messages)
+        .filter(move |(group, _)| stream == ALL_STREAMS || stream == *group as u8)
+        .map(move |(_, name)| rate_name(serial, name))
+}
+
+fn rate_name(serial: Serial, stream: &str) -> String {
+    format!("SR{}_{stream}", serial.index())
+}
+
 /// The interval of a stream with a rate.
 fn interval_ms(rate_hz: u16) -> u64 {
     1000_u64.checked_div(u64::from(rate_hz)).unwrap_or(0)
@@ -292,7 +317,6 @@ mod tests {
             (-5, 3_000, 3_331),
             (333_333, 333_000, 30),
             (100_000_000, 60_000_000, 0),
-            (0, -1, 0),
             (-1, -1, 0),
         ] {
             let mut schedule = Schedule::new(Duration::ZERO);
@@ -316,7 +340,13 @@ mod tests {
         schedule.set_stream(0, 0, Duration::ZERO);
         assert_eq!(schedule.interval_us(GLOBAL_POSITION_INT_DATA::ID), -1);
         schedule.set(HEARTBEAT, 500_000, Duration::ZERO);
-        schedule.set(HEARTBEAT, 0, Duration::ZERO);
+        let mut parameters = Parameters::new(1);
+        parameters.set("SR1_EXTRA1", 4.0);
+        for id in [HEARTBEAT, ATTITUDE_DATA::ID, VFR_HUD_DATA::ID] {
+            schedule.set_default(id, Serial::One, &parameters, Duration::ZERO);
+        }
+        assert_eq!(schedule.interval_us(ATTITUDE_DATA::ID), 250_000);
+        assert_eq!(schedule.interval_us(VFR_HUD_DATA::ID), -1);
         assert_eq!(schedule.interval_us(0), 1_000_000);
     }
     /// The times in milliseconds at which a message is sent within 4 s.

@@ -32,11 +32,14 @@ pub(super) fn set_interval(
         autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return MavResult::MAV_RESULT_DENIED;
     }
-    link.schedule.set(
-        id,
-        i64::from(command.p[1] as i32),
-        autopilot.vehicle.uptime(),
-    );
+    let now = autopilot.vehicle.uptime();
+    match command.p[1] as i32 {
+        0 => {
+            let parameters = &autopilot.vehicle.parameters;
+            link.schedule.set_default(id, link.serial, parameters, now);
+        }
+        interval_us => link.schedule.set(id, i64::from(interval_us), now),
+    }
     MavResult::MAV_RESULT_ACCEPTED
 }
 

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use super::Kind;
 
-/// Comments, and one line per parameter: name, type, default value. An indented line belongs to the switch above it.
+/// Comments, and one line per parameter: name, type, value at the first boot, and the default if it is another one. An indented line belongs to the switch above it.
 const LINES: &str = include_str!("arducopter.txt");
 
 /// The fixed properties of a parameter.
@@ -17,6 +17,9 @@ const LINES: &str = include_str!("arducopter.txt");
 pub(super) struct ParameterRow {
     pub(super) name: &'static str,
     pub(super) kind: Kind,
+    /// The value at the first boot.
+    pub(super) first: f32,
+    /// The default of the firmware.
     pub(super) default: f32,
 }
 
@@ -97,10 +100,15 @@ fn row(line: &'static str) -> Option<ParameterRow> {
         "i32" => Kind::Int32,
         _ => Kind::Real32,
     };
-    let default = words.next()?.parse().ok()?;
+    let first = words.next()?.parse().ok()?;
+    let default = match words.next() {
+        Some(word) => word.parse().ok()?,
+        None => first,
+    };
     Some(ParameterRow {
         name,
         kind,
+        first,
         default,
     })
 }
@@ -119,7 +127,9 @@ mod tests {
         assert_eq!(names.len(), TABLE.rows.len());
         for (place, row) in TABLE.rows.iter().enumerate() {
             assert_eq!(TABLE.place(row.name), Some(place));
-            assert!((row.kind.stored(row.default) - row.default).abs() < f32::EPSILON);
+            for value in [row.first, row.default] {
+                assert!((row.kind.stored(value) - value).abs() < f32::EPSILON);
+            }
         }
     }
 }

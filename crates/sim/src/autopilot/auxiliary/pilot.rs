@@ -228,7 +228,9 @@ impl Autopilot {
         match function {
             ACRO_TRAINER => {
                 let value = f32::from(number);
-                self.vehicle.parameters.set("ACRO_TRAINER", value);
+                self.vehicle
+                    .parameters
+                    .set_until_boot("ACRO_TRAINER", value);
                 self.vehicle.retune();
             }
             EKF_SOURCES => {

@@ -41,13 +41,15 @@ fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
     if autopilot.vehicle.flight.mode.number != mode::GUIDED || !autopilot.vehicle.safety.armed {
         return None;
     }
+    // During a takeoff, and until the next target, the vehicle reports a target that it does not fly to.
+    let rises = (DVec3::ZERO, DVec3::ZERO, POSITION_ONLY);
     match &autopilot.vehicle.flight.task {
+        Task::Goto { .. } if autopilot.vehicle.flight.holds_takeoff() => Some(rises),
         Task::Goto {
             goal_m, drift_m_s, ..
         } => Some((*goal_m, *drift_m_s, POSITION_ONLY)),
         Task::Velocity { wanted_m_s, .. } => Some((DVec3::ZERO, *wanted_m_s, VELOCITY_ONLY)),
-        // During a takeoff the vehicle reports a target that it does not fly to.
-        Task::Takeoff(_) => Some((DVec3::ZERO, DVec3::ZERO, POSITION_ONLY)),
+        Task::Takeoff(_) => Some(rises),
         Task::Wait
         | Task::Accelerate { .. }
         | Task::Attitude(_)
