@@ -181,14 +181,22 @@ impl Boot {
         }
     }
 
-    /// The reasons why the boot forbids arming, in the order of `ArduCopter`'s checks.
-    pub(super) fn obstacles(&self, mode: &Mode, has_home: bool) -> Vec<&'static str> {
+    /// The reasons why the boot forbids arming, in the order of `ArduCopter`'s checks. `is_blind` means that the GPS
+    /// has no position, and is checked.
+    pub(super) fn obstacles(
+        &self,
+        mode: &Mode,
+        has_home: bool,
+        is_blind: bool,
+    ) -> Vec<&'static str> {
         let mut reasons = Vec::new();
         if self.over {
             return reasons;
         }
+        let is_blind = is_blind && mode.needs_position() && !self.is_before(at::GPS_SEEN);
         if !self.realistic {
-            reasons.extend(self.reference_obstacle(mode));
+            let blind = is_blind.then_some("GPS 1: Bad fix");
+            reasons.extend(blind.or_else(|| self.reference_obstacle(mode)));
             return reasons;
         }
         let mut until = |time: u32, reason: &'static str| {
@@ -208,7 +216,9 @@ impl Boot {
         }
         until(at::ATTITUDE, "EKF attitude is bad");
         until(at::COMPASS_HEALTHY, "Compass not healthy");
-        if let Some(reason) = self.position_obstacle(mode, has_home) {
+        if is_blind {
+            reasons.push("GPS 1: Bad fix");
+        } else if let Some(reason) = self.position_obstacle(mode, has_home) {
             reasons.push(reason);
         }
         if self.is_before(at::BATTERY_HEALTHY) {

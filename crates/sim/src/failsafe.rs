@@ -13,6 +13,7 @@ use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 pub(super) use self::battery::BatteryRules;
 use self::battery::BatteryWatch;
 use self::ekf::EkfWatch;
+pub(super) use self::ekf::is_over;
 use self::links::LinkWatch;
 use super::battery::Battery;
 use super::estimator::{Estimator, RadioFault};

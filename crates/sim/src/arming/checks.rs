@@ -9,7 +9,7 @@ use super::values::ValueChecks;
 use crate::boot::Boot;
 use crate::cmd;
 use crate::estimator::{Estimator, Faults};
-use crate::failsafe::{Failsafe, FailsafeRules};
+use crate::failsafe::{Failsafe, FailsafeRules, is_over};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 use crate::plan::Item;
@@ -155,7 +155,9 @@ impl ArmingChecks<'_> {
         let mut reasons = self.parameter_obstacles();
         reasons.extend(self.radio_obstacle());
         if !self.boot.is_over() {
-            let reasons_of_boot = self.boot.obstacles(self.mode, self.has_home);
+            let gps = &self.faults.gps;
+            let is_blind = self.rules.has(Check::Gps) && (gps.disabled || gps.jammed);
+            let reasons_of_boot = self.boot.obstacles(self.mode, self.has_home, is_blind);
             reasons.extend(reasons_of_boot.into_iter().map(Reason::from));
         }
         self.sensor_obstacles(&mut reasons);
@@ -331,8 +333,13 @@ impl ArmingChecks<'_> {
         if !self.mode.needs_position() {
             return None;
         }
-        if self.rules.has(Check::Gps) && self.estimator.fix().is_some_and(|fix| !fix.is_locked()) {
-            return Some("GPS 1: Bad fix".into());
+        if self.rules.has(Check::Gps) {
+            if self.faults.gps.absent {
+                return Some("GPS 1: primary but TYPE 0".into());
+            }
+            if self.estimator.fix().is_some_and(|fix| !fix.is_locked()) {
+                return Some("GPS 1: Bad fix".into());
+            }
         }
         let precise = self.rules.hdop_max >= HDOP;
         self.source_obstacle()
@@ -345,13 +352,14 @@ impl ArmingChecks<'_> {
         if !self.mode.needs_position() {
             return None;
         }
-        if !self.estimator.has_position() {
+        let threshold = self.failsafe_rules.ekf_threshold;
+        let is_doubtful = threshold > 0.0 && is_over(self.estimator, threshold);
+        if is_doubtful || !self.estimator.has_position() {
             return Some("Need Position Estimate".into());
         }
         if self.estimator.is_glitching() {
             return Some("GPS glitching".into());
         }
-        let threshold = self.failsafe_rules.ekf_threshold;
         let ratios = self.estimator.ratios();
         let over = |ratio: f64| threshold > 0.0 && ratio >= threshold;
         if over(ratios.compass) {

@@ -17,6 +17,8 @@ const FIRST: u8 = 1;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GpsFault {
     pub(crate) disabled: bool,
+    /// A switch makes the autopilot ignore the position.
+    pub(crate) ignored: bool,
     /// No receiver is configured (`GPS1_TYPE` 0).
     pub(crate) absent: bool,
     pub(crate) jammed: bool,
@@ -110,6 +112,7 @@ impl Faults {
 
     /// Adds the switch that turns the GPS off.
     pub(crate) fn switch_gps(&mut self, off: bool) {
+        self.gps.ignored = off && !self.gps.disabled;
         self.gps.disabled |= off;
         self.any |= off;
     }
@@ -134,6 +137,7 @@ impl GpsFault {
         let absent = all.value("GPS1_TYPE") == 0.0;
         Self {
             disabled: all.value("SIM_GPS_DISABLE") != 0.0 || absent,
+            ignored: false,
             absent,
             // Only the value 1 jams.
             jammed: (all.value("SIM_GPS_JAM") - 1.0).abs() < 0.5,

@@ -111,7 +111,7 @@ impl Receiver {
         if fault.disabled || now < fault.lock_after {
             fix.kind = NO_FIX;
         }
-        if !fix.is_locked() {
+        if !fix.is_locked() && !fault.ignored {
             fix.satellites = SATELLITES_WITHOUT_FIX;
         }
         if fault.absent {

@@ -113,7 +113,7 @@ impl EkfWatch {
 
 /// Whether two of compass, velocity and position are beyond the threshold, or the velocity is beyond twice the
 /// threshold.
-fn is_over(estimator: &Estimator, threshold: f64) -> bool {
+pub(crate) fn is_over(estimator: &Estimator, threshold: f64) -> bool {
     let ratios = estimator.ratios();
     let mut over = u8::from(ratios.compass >= threshold);
     if ratios.velocity >= 2.0 * threshold {

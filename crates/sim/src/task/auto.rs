@@ -26,7 +26,7 @@ const CORNER_FROM_SHARE: f64 = 0.5;
     reason = "parameters are switched one by one"
 )]
 pub(crate) struct AutoRules {
-    pub(crate) radius_m: f64,
+    radius_m: f64,
     corner_accel_m_s2: f64,
     jerk_m_s3: f64,
     snap_m_s4: f64,

@@ -200,6 +200,19 @@ fn without_a_client_or_a_gps_the_boot_waits() {
 }
 
 #[test]
+fn a_gps_that_is_off_since_the_boot_is_the_reason_against_arming() {
+    let mut ground = Ground::new();
+    ground.set("SIM_GPS_DISABLE", 1.0);
+    ground.run(5.0);
+    ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0]);
+    assert_eq!(ground.long(ARM, [1.0, 0.0]), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(
+        ground.texts().last().map(String::as_str),
+        Some("Arm: GPS 1: Bad fix")
+    );
+}
+
+#[test]
 fn a_vehicle_asked_for_another_pace_tells_the_world() {
     let mut ground = Ground::new();
     assert_eq!(ground.world.wanted_speedup(), None);

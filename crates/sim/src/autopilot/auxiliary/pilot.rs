@@ -14,7 +14,7 @@ use crate::mode;
 use crate::plan::{Item, ListKind};
 use crate::radio::SimpleMode;
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
-use crate::task::{LineEnd, Task};
+use crate::task::{LineEnd, Route, Task};
 
 /// `MAV_FRAME_GLOBAL` and `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
 const ABOVE_SEA: u8 = 0;
@@ -154,28 +154,33 @@ impl Autopilot {
         if vehicle.flight.mode.number != mode::ZIGZAG {
             return;
         }
-        let mut here_m = vehicle.believed().position_m;
+        let here_m = vehicle.believed().position_m.truncate();
         let name = end.name();
         let zigzag = &mut vehicle.flight.pilot.zigzag;
-        if zigzag.store(end, here_m.truncate()) {
+        if zigzag.store(end, here_m) {
             return self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: point {name} stored"));
         }
-        here_m.z = vehicle.flight.control.path_m.z;
-        if let Some(goal_m) = zigzag.cross(end, here_m) {
-            vehicle.flight.task = Task::goto(goal_m);
-            self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: moving to {name}"));
-        }
+        let Some(goal_m) = zigzag.across(end, here_m) else {
+            return;
+        };
+        vehicle.with_cockpit(|task, cockpit| {
+            // A flight that is under way keeps its height.
+            let down_m = match task {
+                Task::Route(route) => route.goal_m().z,
+                _ => cockpit.control.path_m.z,
+            };
+            let mut route = Route::standing(cockpit);
+            route.go_to(goal_m.extend(down_m), cockpit);
+            *task = Task::Route(Box::new(route));
+        });
+        self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: moving to {name}"));
     }
 
     /// Returns control to the pilot of ZIGZAG at the destination, or after a landing; to be called ten times a second.
     pub(in crate::autopilot) fn watch_zigzag(&mut self) {
-        let vehicle = &self.vehicle;
-        let radius_m = vehicle.tuning.flight.auto.radius_m;
-        let here_m = vehicle.believed().position_m;
-        let path_m = vehicle.flight.control.path_m;
-        let zigzag = &vehicle.flight.pilot.zigzag;
-        let arrived = zigzag.has_arrived(path_m, here_m, radius_m);
-        if arrived || vehicle.safety.landed {
+        let flight = &self.vehicle.flight;
+        let arrived = matches!(&flight.task, Task::Route(route) if route.reached);
+        if arrived || self.vehicle.safety.landed {
             self.end_zigzag(arrived);
         }
     }
@@ -185,7 +190,7 @@ impl Autopilot {
     fn end_zigzag(&mut self, keeps_target: bool) {
         let vehicle = &mut self.vehicle;
         let is_zigzag = vehicle.flight.mode.number == mode::ZIGZAG;
-        if !is_zigzag || !vehicle.flight.pilot.zigzag.end() {
+        if !is_zigzag || !matches!(vehicle.flight.task, Task::Route(_)) {
             return;
         }
         vehicle.flight.task = Task::Piloted;

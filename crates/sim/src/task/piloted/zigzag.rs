@@ -1,10 +1,6 @@
 //! ZIGZAG: two stored points, and the lines through them at a right angle to the way from one to the other.
 
-use glam::{DVec2, DVec3};
-
-/// The vehicle is at its destination within this distance at most, once its path has ended there.
-const ARRIVED_MAX_M: f64 = 3.0;
-const PATH_ENDS_M: f64 = 0.05;
+use glam::DVec2;
 
 /// A point of ZIGZAG.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,8 +24,6 @@ impl LineEnd {
 pub(crate) struct ZigZag {
     a_m: Option<DVec2>,
     b_m: Option<DVec2>,
-    /// The destination, until the pilot has control again.
-    goal_m: Option<DVec3>,
 }
 
 impl ZigZag {
@@ -51,33 +45,15 @@ impl ZigZag {
         (a_m != b_m).then_some((a_m, b_m))
     }
 
-    /// Begins the flight from a place, at the height of the path, to the nearest point of the line through `end`; `None`
-    /// without both points. A flight that is under way keeps its height.
-    pub(crate) fn cross(&mut self, end: LineEnd, here_m: DVec3) -> Option<DVec3> {
+    /// The point nearest to a place on the line through `end`; `None` without both points.
+    pub(crate) fn across(&self, end: LineEnd, here_m: DVec2) -> Option<DVec2> {
         let (a_m, b_m) = self.line()?;
         let along = (b_m - a_m).normalize();
         let from_m = match end {
             LineEnd::A => a_m,
             LineEnd::B => b_m,
         };
-        let flat_m = here_m.truncate();
-        let down_m = self.goal_m.map_or(here_m.z, |goal_m| goal_m.z);
-        let goal_m = (flat_m - along * (flat_m - from_m).dot(along)).extend(down_m);
-        self.goal_m = Some(goal_m);
-        self.goal_m
-    }
-
-    /// Whether the path has ended at the destination, and the vehicle is within a radius of it.
-    pub(crate) fn has_arrived(&self, path_m: DVec3, here_m: DVec3, radius_m: f64) -> bool {
-        self.goal_m.is_some_and(|goal_m| {
-            let within = radius_m.min(ARRIVED_MAX_M);
-            goal_m.distance(path_m) <= PATH_ENDS_M && goal_m.distance(here_m) <= within
-        })
-    }
-
-    /// Ends a flight; `false` if there was none.
-    pub(crate) fn end(&mut self) -> bool {
-        self.goal_m.take().is_some()
+        Some(here_m - along * (here_m - from_m).dot(along))
     }
 }
 
@@ -86,20 +62,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_crossing_leads_straight_to_the_line_through_the_point() {
+    fn the_way_leads_straight_to_the_line_through_the_point() {
         let mut zigzag = ZigZag::default();
-        assert_eq!(zigzag.cross(LineEnd::A, DVec3::ZERO), None);
+        let here_m = DVec2::new(31.0, 20.0);
+        assert_eq!(zigzag.across(LineEnd::A, here_m), None);
         assert!(zigzag.store(LineEnd::A, DVec2::new(1.0, 0.0)));
         assert!(zigzag.store(LineEnd::B, DVec2::new(1.0, 20.0)));
         assert!(!zigzag.store(LineEnd::B, DVec2::ZERO));
-        let here_m = DVec3::new(31.0, 20.0, -10.0);
-        let goal_m = zigzag.cross(LineEnd::A, here_m).expect("both points");
-        assert!((goal_m - DVec3::new(31.0, 0.0, -10.0)).length() < 1e-9);
-        let near_m = goal_m + DVec3::Y * 1.9;
-        assert!(!zigzag.has_arrived(goal_m, here_m, 5.0));
-        assert!(!zigzag.has_arrived(goal_m, goal_m + DVec3::Y * 3.5, 5.0));
-        assert!(!zigzag.has_arrived(near_m, near_m, 2.0));
-        assert!(zigzag.has_arrived(goal_m, near_m, 2.0));
-        assert!(zigzag.end() && !zigzag.end());
+        let goal_m = zigzag.across(LineEnd::A, here_m).expect("both points");
+        assert!((goal_m - DVec2::new(31.0, 0.0)).length() < 1e-9);
     }
 }
