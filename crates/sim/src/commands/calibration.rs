@@ -55,8 +55,9 @@ pub(super) fn preflight(
         return says(autopilot, &texts);
     }
     if command.y == 1 {
+        let result = says(autopilot, &["Starting calibration", "Current"]);
         initialise(autopilot);
-        return says(autopilot, &["Starting calibration", "Current"]);
+        return result;
     }
     autopilot.workbench.radio_calibrates = command.p[3] > 0.0;
     match command.x {
@@ -83,7 +84,7 @@ pub(super) fn preflight(
 fn initialise(autopilot: &mut Autopilot) {
     let now = autopilot.vehicle.uptime();
     let last = &mut autopilot.workbench.initialised_at;
-    if last.is_none_or(|at| now > at + BRIEFLY_APART) {
+    if last.is_none_or(|at| now >= at + BRIEFLY_APART) {
         *last = Some(now);
         let text = "Initialising ArduPilot";
         autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);

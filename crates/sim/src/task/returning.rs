@@ -10,6 +10,9 @@ use crate::control::FlatMotion;
 /// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a separate
 /// leg on the real vehicle.
 const PLAN_TIME: Duration = Duration::from_millis(700);
+/// A leg home that is shorter than this still takes its time, since the real vehicle is never exactly at its start.
+const TINY_LEG_M: f64 = 0.1;
+const TINY_LEG_TIME: Duration = Duration::from_millis(900);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
 /// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and the same applies to the
@@ -181,7 +184,13 @@ impl Returning {
             && near
         {
             let since = *standing_since.get_or_insert(cockpit.now);
-            if cockpit.now >= since + PLAN_TIME {
+            let is_there = over.distance(self.goal_m) < TINY_LEG_M;
+            let tiny_leg = if is_there {
+                TINY_LEG_TIME
+            } else {
+                Duration::ZERO
+            };
+            if cockpit.now >= since + PLAN_TIME + tiny_leg {
                 self.stage = self.leg_home(over, cockpit);
             }
         }
