@@ -29,8 +29,10 @@ pub(super) enum ArmingMethod {
     Command,
     /// By a command that skips the optional checks.
     ForcedCommand,
-    /// By a stick or a switch of the remote control.
-    RemoteControl,
+    /// By a switch of the remote control.
+    Switch,
+    /// By the yaw stick.
+    YawStick,
 }
 
 /// The state of arming and landing.

@@ -1,10 +1,12 @@
 //! The transmitter's channels, and ground stations that override it (`RC_CHANNELS_OVERRIDE`, `MANUAL_CONTROL`).
 
+mod neutral;
 mod simple;
 mod switches;
 
 use std::time::Duration;
 
+use self::neutral::NeutralRules;
 pub(super) use self::simple::{SimpleMode, SimpleSticks};
 use self::switches::Switches;
 pub(super) use self::switches::{
@@ -43,6 +45,7 @@ pub(super) struct RadioRules {
     rudder_arms: bool,
     /// The function of each channel's switch (`RCn_OPTION`); 0 for none.
     functions: [u16; CHANNELS],
+    neutral: NeutralRules,
 }
 
 impl RadioRules {
@@ -86,9 +89,10 @@ impl RadioRules {
         };
         let channel = |name| (all.value(name) as usize).clamp(1, CHANNELS);
         let lasts_s = all.value("RC_OVERRIDE_TIME");
+        let channels = ["RCMAP_ROLL", "RCMAP_PITCH", "RCMAP_THROTTLE", "RCMAP_YAW"].map(channel);
         Self {
-            sticks: ["RCMAP_ROLL", "RCMAP_PITCH", "RCMAP_THROTTLE", "RCMAP_YAW"]
-                .map(|name| stick(channel(name))),
+            neutral: NeutralRules::read(all, channels),
+            sticks: channels.map(stick),
             override_time: if lasts_s == 0.0 {
                 None
             } else if lasts_s < 0.0 {

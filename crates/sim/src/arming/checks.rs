@@ -212,6 +212,12 @@ impl ArmingChecks<'_> {
         (self.rules.has(Check::Radio) && high && !by_itself).then(|| "Throttle too high".into())
     }
 
+    /// Whether the positions of sticks and switches are checked: a lost remote control has none.
+    pub(crate) fn checks_sticks(&self) -> bool {
+        let is_lost = self.failsafe.radio_is_lost() || !self.radio_was_heard;
+        self.rules.has(Check::Radio) && !self.rules.is_off() && !is_lost
+    }
+
     fn parameter_obstacles(&self) -> Vec<Reason> {
         let rules = self.rules;
         let failsafes = self.failsafe_rules;

@@ -27,6 +27,9 @@ impl Autopilot {
                 let last = last.or_else(|| self.arming_checks().last_obstacle(method));
                 reasons.extend(last);
             }
+            if reasons.is_empty() {
+                reasons.extend(self.stick_obstacles(method));
+            }
             if !reasons.is_empty() {
                 refuse(&mut self.vehicle, "Arm", &reasons);
                 return false;
@@ -34,6 +37,18 @@ impl Autopilot {
         }
         start_motors(&mut self.vehicle, forced);
         true
+    }
+
+    /// The last check: the positions of sticks and switches.
+    fn stick_obstacles(&self, method: ArmingMethod) -> Vec<Reason> {
+        let vehicle = &self.vehicle;
+        if !self.arming_checks().checks_sticks() {
+            return Vec::new();
+        }
+        let rules = &vehicle.tuning.flight.radio;
+        let by_yaw_stick = method == ArmingMethod::YawStick;
+        let reasons = rules.arming_obstacles(&vehicle.sticks(), by_yaw_stick);
+        reasons.into_iter().map(Reason::from).collect()
     }
 
     /// A mode in which the vehicle does not arm.

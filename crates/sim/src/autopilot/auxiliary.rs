@@ -184,7 +184,7 @@ impl Autopilot {
             self.obey_mode_switch();
         }
         if asked.arms {
-            self.arm(ArmingMethod::RemoteControl);
+            self.arm(ArmingMethod::YawStick);
         }
         for moved in asked.moves {
             if let Some((_, name)) = ANNOUNCED.iter().find(|(known, _)| *known == moved.function) {
@@ -249,10 +249,10 @@ impl Autopilot {
             }
             (ARM_OR_EMERGENCY_STOP, High) => {
                 safety.emergency_stop = false;
-                self.arm(ArmingMethod::RemoteControl);
+                self.arm(ArmingMethod::Switch);
             }
             (ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE, High) => {
-                self.arm(ArmingMethod::RemoteControl);
+                self.arm(ArmingMethod::Switch);
             }
             (ARM_OR_DISARM | ARM_OR_DISARM_AIRMODE, Low) | (DISARM, High) => self.disarm(),
             (_, Low | Middle | High) => {}
