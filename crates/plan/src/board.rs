@@ -211,6 +211,22 @@ pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
     Ok(stored)
 }
 
+/// The item of a mission without a place that the vehicle does not keep: `ArduPilot`'s file of a mission repeats there
+/// that of the item before.
+#[must_use]
+pub fn without_leftovers(item: &Item) -> Item {
+    let Some(kept) = letters(item.command) else {
+        return *item;
+    };
+    let keeps = |parameter: usize| kept[4] == b'L' || kept[parameter] != b'.';
+    Item {
+        x: if keeps(4) { item.x } else { 0 },
+        y: if keeps(5) { item.y } else { 0 },
+        z: if keeps(6) { item.z } else { 0.0 },
+        ..*item
+    }
+}
+
 /// A rally point as the vehicle keeps it, or the reason to refuse it.
 ///
 /// # Errors

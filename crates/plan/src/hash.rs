@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use crate::{HeightFrame, Item, command};
+use crate::{HeightFrame, Item, board, command};
 
 /// CRC-32 (ISO-HDLC) of the items of a list in a normal form, which is the same for what a ground station sends and
-/// what the vehicle sends back: both variants of a frame are one, unset parameters are 0, and commands without a place
-/// have no frame. `auto_continue` is ignored, because ArduPilot does not store it.
+/// what the vehicle sends back: both spellings of a frame are one, unset parameters are 0, and commands without a place
+/// have no frame and no place. `auto_continue` does not count: ArduPilot does not keep it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ContentHash(pub u32);
 
@@ -15,6 +15,7 @@ impl ContentHash {
     pub fn of(items: &[Item]) -> Self {
         let mut crc = u32::MAX;
         for item in items {
+            let item = board::without_leftovers(item);
             let mut add = |bytes: &[u8]| {
                 for byte in bytes {
                     crc = (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)];
@@ -134,5 +135,14 @@ mod tests {
             assert_ne!(of(other), of(WAYPOINT));
         }
         assert_eq!(of(WAYPOINT).to_string().len(), 4);
+        let home = Item {
+            command: command::RETURN_TO_LAUNCH,
+            ..WAYPOINT
+        };
+        let bare = Item {
+            command: command::RETURN_TO_LAUNCH,
+            ..Item::default()
+        };
+        assert_eq!(of(home), of(bare));
     }
 }

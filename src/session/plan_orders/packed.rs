@@ -1,7 +1,7 @@
 //! A list as a file of the vehicle: `@MISSION/mission.dat`, `fence.dat` and `rally.dat`; and the layout of its items,
 //! which is that of `MISSION_ITEM_INT`. Source: `AP_Filesystem_Mission.cpp` of `ArduPilot`.
 
-use crate::plan::{Item, ListKind};
+use crate::plan::{Item, ListKind, board};
 use crate::wire::MavAddress;
 
 const MAGIC: u16 = 0x763D;
@@ -55,7 +55,13 @@ pub(super) fn unpack(kind: ListKind, file: &[u8]) -> Option<Vec<Item>> {
     if short(0)? != MAGIC || short(2)? != u16::from(kind.number()) || short(6)? != 0 || !is_whole {
         return None;
     }
-    rest.chunks_exact(ITEM).map(item_at).collect()
+    let items = rest.chunks_exact(ITEM).map(item_at);
+    match kind {
+        ListKind::Plan => items
+            .map(|item| item.as_ref().map(board::without_leftovers))
+            .collect(),
+        ListKind::Fence | ListKind::Rally => items.collect(),
+    }
 }
 
 fn item_at(bytes: &[u8]) -> Option<Item> {

@@ -9,6 +9,7 @@ use crate::autopilot::Autopilot;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
 use crate::vehicle::Vehicle;
+use sortie_plan::board;
 
 const MAGIC: u16 = 0x763D;
 const HEADER: usize = 10;
@@ -31,6 +32,7 @@ pub(super) fn kind_of(name: &str) -> Option<ListKind> {
 /// A list as a file.
 pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     let length = vehicle.plans.list(kind).len();
+    let mut before = Item::default();
     let mut writer = Writer::default();
     for number in [MAGIC, kind as u16, 0, 0, length as u16] {
         writer = writer.short(number);
@@ -38,11 +40,38 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     let to = [u8::from(kind == ListKind::Plan); 2];
     for seq in 0..length {
         if let Some(item) = lists::as_sent(vehicle, kind, seq) {
+            // A command without a place repeats that of the item before, as in the real vehicle's file.
+            let item = if board::has_place(item.command) || kind != ListKind::Plan {
+                item
+            } else {
+                repeating(&item, &before)
+            };
+            before = item;
             let place = whole_place(&item);
             writer = writer.bytes(&laid_out(&item, seq as u16, to, kind, place));
         }
     }
     writer.done()
+}
+
+/// An item with the place of another where it has none.
+fn repeating(item: &Item, other: &Item) -> Item {
+    let other = Item {
+        command: item.command,
+        ..*other
+    };
+    let kept = board::without_leftovers(&other);
+    let take = |own: i32, other: i32, kept: i32| if kept == other { own } else { other };
+    Item {
+        x: take(item.x, other.x, kept.x),
+        y: take(item.y, other.y, kept.y),
+        z: if kept.z.to_bits() == other.z.to_bits() {
+            item.z
+        } else {
+            other.z
+        },
+        ..*item
+    }
 }
 
 /// Stores a file that a ground station wrote; `false` if it is incomplete or invalid.
