@@ -19,7 +19,7 @@ use mavlink::dialects::ardupilotmega::{EkfStatusFlags, MavMessage, MavSeverity};
 
 use self::barometer::Barometer;
 use self::compass::Compass;
-pub(super) use self::faults::{Faults, RadioFault};
+pub(super) use self::faults::{Faults, GpsUnused, RadioFault};
 pub(super) use self::gps::Fix;
 use self::gps::Receiver;
 use self::trust::Trust;

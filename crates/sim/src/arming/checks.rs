@@ -8,7 +8,7 @@ use super::values::ValueChecks;
 
 use crate::boot::Boot;
 use crate::cmd;
-use crate::estimator::{Estimator, Faults};
+use crate::estimator::{Estimator, Faults, GpsUnused};
 use crate::failsafe::{Failsafe, FailsafeRules, is_over};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
@@ -121,6 +121,7 @@ pub(crate) struct ArmingChecks<'a> {
     /// The throttle received from the remote control, and the stick itself, in microseconds.
     pub(crate) received_throttle_us: f64,
     pub(crate) throttle_us: u16,
+    pub(crate) throttle_is_down: bool,
     /// The motors were stopped by a switch.
     pub(crate) is_stopped: bool,
     /// Whether the motor interlock is on; `None` without a switch for it.
@@ -208,7 +209,8 @@ impl ArmingChecks<'_> {
                 self.mode.number,
                 mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
             );
-        let high = self.throttle_us > CLIMB_US;
+        let drives_motors = !self.mode.controls_height;
+        let high = self.throttle_us > CLIMB_US || (drives_motors && !self.throttle_is_down);
         (self.rules.has(Check::Radio) && high && !by_itself).then(|| "Throttle too high".into())
     }
 
@@ -340,7 +342,7 @@ impl ArmingChecks<'_> {
             return None;
         }
         if self.rules.has(Check::Gps) {
-            if self.faults.gps.absent {
+            if self.faults.gps.unused == Some(GpsUnused::Absent) {
                 return Some("GPS 1: primary but TYPE 0".into());
             }
             if self.estimator.fix().is_some_and(|fix| !fix.is_locked()) {

@@ -72,6 +72,8 @@ impl Autopilot {
         let voltage_v = vehicle.plant.battery.voltage_v;
         let battery = &tuning.failsafes.battery;
         let fence = &tuning.flight.fence;
+        let [_, _, throttle, _] = &tuning.flight.radio.sticks;
+        let throttle_us = vehicle.sticks().channels_us[2];
         ArmingChecks {
             rules: &tuning.arming,
             failsafe_rules: &tuning.failsafes,
@@ -82,7 +84,8 @@ impl Autopilot {
             mode: &vehicle.flight.mode,
             has_home: vehicle.datum.home().is_some(),
             received_throttle_us: vehicle.reception().throttle_us,
-            throttle_us: vehicle.sticks().channels_us[2],
+            throttle_us,
+            throttle_is_down: throttle.pushed(throttle_us) == 0.0,
             is_stopped: vehicle.safety.emergency_stop,
             interlock: vehicle.interlock(),
             has_stop_switch: tuning.flight.radio.has_emergency_stop(),

@@ -41,6 +41,9 @@ const SAVE_WAYPOINT: u16 = 7;
 const FENCE: u16 = 11;
 const SUPER_SIMPLE: u16 = 13;
 const ACRO_TRAINER: u16 = 14;
+const PARACHUTE_ENABLE: u16 = 21;
+const PARACHUTE_RELEASE: u16 = 22;
+const PARACHUTE: u16 = 23;
 const MISSION_RESET: u16 = 24;
 const RELAY: u16 = 28;
 const OVERRIDES: u16 = 46;
@@ -63,6 +66,9 @@ const ACTING: &[(u16, &str)] = &[
     (FENCE, "Fence Enable"),
     (SUPER_SIMPLE, "Super Simple Mode"),
     (ACRO_TRAINER, "Acro Trainer"),
+    (PARACHUTE_ENABLE, "Parachute Enable"),
+    (PARACHUTE_RELEASE, "Parachute Release"),
+    (PARACHUTE, "Parachute 3pos"),
     (MISSION_RESET, "Auto Mission Reset"),
     (RELAY, "Relay1 On/Off"),
     (MOTOR_EMERGENCY_STOP, "Motor Emergency Stop"),
@@ -83,10 +89,9 @@ const ACTING: &[(u16, &str)] = &[
 ];
 /// Functions that exist but have no effect in the simulation.
 const WITHOUT_EFFECT: &[u16] = &[
-    9, 10, 15, 19, 21, 22, 23, 25, 26, 27, 29, 30, 34, 35, 36, 38, 39, 40, 44, 45, 62, 66, 67, 75,
-    78, 79, 80, 83, 84, 85, 100, 101, 102, 103, 104, 105, 106, 109, 110, 111, 112, 156, 158, 159,
-    160, 162, 163, 164, 172, 177, 212, 213, 214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305,
-    306, 307,
+    9, 10, 15, 19, 25, 26, 27, 29, 30, 34, 35, 36, 38, 39, 40, 44, 45, 62, 66, 67, 75, 78, 79, 80,
+    83, 84, 85, 100, 101, 102, 103, 104, 105, 106, 109, 110, 111, 112, 156, 158, 159, 160, 162,
+    163, 164, 172, 177, 212, 213, 214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305, 306, 307,
 ];
 /// Functions that exist but fail.
 const FAILING: &[u16] = &[166, 167, 168, 169, 174, 175];
@@ -97,9 +102,9 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (10, "Rangefinder"),
     (FENCE, "Fence"),
     (15, "Sprayer"),
-    (21, "ParachuteEnable"),
-    (22, "ParachuteRelease"),
-    (23, "Parachute3Position"),
+    (PARACHUTE_ENABLE, "ParachuteEnable"),
+    (PARACHUTE_RELEASE, "ParachuteRelease"),
+    (PARACHUTE, "Parachute3Position"),
     (MISSION_RESET, "MissionReset"),
     (27, "RetractMount1"),
     (RELAY, "Relay1"),
@@ -201,7 +206,6 @@ impl Autopilot {
             self.switch_mode(*number, position);
             return true;
         }
-        let is_high = position == High;
         match function {
             ARM_OR_DISARM
             | ARM_OR_DISARM_AIRMODE
@@ -209,22 +213,18 @@ impl Autopilot {
             | DISARM
             | MOTOR_EMERGENCY_STOP
             | MOTOR_INTERLOCK => self.switch_motors(function, position),
-            FENCE => {
-                self.vehicle.enable_fence(is_high);
-            }
-            MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT if is_high => self.edit_mission(function),
-            MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT => {}
-            RELAY => self.workbench.relay_on = is_high,
+            FENCE | RELAY | OVERRIDES | GPS_OFF => self.switch_equipment(function, position),
+            MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT => self.edit_mission(function, position),
             SIMPLE | SUPER_SIMPLE | SIMPLE_HEADING => self.switch_simple(function, position),
-            OVERRIDES if position != Middle => self.vehicle.radio.allow_overrides(is_high),
-            GPS_OFF => self.switch_gps(is_high),
             ZIGZAG_POINTS => self.switch_zigzag(position),
+            PARACHUTE_ENABLE | PARACHUTE_RELEASE | PARACHUTE => {
+                self.switch_parachute(function, position);
+            }
             COMPASS_CALIBRATION => self.switch_compass_calibration(position),
             PAUSE => self.switch_pause(position),
             SAVE_TRIM | ACRO_TRAINER | STANDBY | EKF_SOURCES => {
                 self.switch_setting(function, position);
             }
-            OVERRIDES => {}
             known if WITHOUT_EFFECT.contains(&known) => {}
             known if FAILING.contains(&known) => return false,
             _ => {

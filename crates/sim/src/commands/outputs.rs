@@ -62,14 +62,7 @@ pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Comma
     match command.whole(0) {
         Some(PARACHUTE_DISABLE) => autopilot.workbench.parachute = false,
         Some(PARACHUTE_ENABLE) => autopilot.workbench.parachute = true,
-        Some(PARACHUTE_RELEASE)
-            if autopilot.workbench.parachute && autopilot.vehicle.safety.landed =>
-        {
-            autopilot
-                .vehicle
-                .say(MavSeverity::MAV_SEVERITY_INFO, "Parachute: Landed");
-        }
-        Some(PARACHUTE_RELEASE) => {}
+        Some(PARACHUTE_RELEASE) => autopilot.release_parachute(),
         _ => return MavResult::MAV_RESULT_FAILED,
     }
     MavResult::MAV_RESULT_ACCEPTED

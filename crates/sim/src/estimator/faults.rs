@@ -13,14 +13,21 @@ const GYROS_AGREE_RAD_S: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Bits of `SIM_ACC_FAIL_MSK` and `SIM_GYR_FAIL_MSK`: the first sensor.
 const FIRST: u8 = 1;
 
+/// Why the autopilot does not use its GPS receiver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum GpsUnused {
+    /// None is configured (`GPS1_TYPE` 0).
+    Absent,
+    /// A switch of the remote control has turned it off.
+    SwitchedOff,
+}
+
 /// The GPS receiver (`SIM_GPS_*`).
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GpsFault {
     pub(crate) disabled: bool,
-    /// A switch makes the autopilot ignore the position.
-    pub(crate) ignored: bool,
-    /// No receiver is configured (`GPS1_TYPE` 0).
-    pub(crate) absent: bool,
+    /// Why the autopilot does not use a receiver that works, if so.
+    pub(crate) unused: Option<GpsUnused>,
     pub(crate) jammed: bool,
     /// Degrees north, degrees east, metres up.
     pub(crate) glitch: DVec3,
@@ -112,7 +119,9 @@ impl Faults {
 
     /// Adds the switch that turns the GPS off.
     pub(crate) fn switch_gps(&mut self, off: bool) {
-        self.gps.ignored = off && !self.gps.disabled;
+        if off && !self.gps.disabled {
+            self.gps.unused = Some(GpsUnused::SwitchedOff);
+        }
         self.gps.disabled |= off;
         self.any |= off;
     }
@@ -137,8 +146,7 @@ impl GpsFault {
         let absent = all.value("GPS1_TYPE") == 0.0;
         Self {
             disabled: all.value("SIM_GPS_DISABLE") != 0.0 || absent,
-            ignored: false,
-            absent,
+            unused: absent.then_some(GpsUnused::Absent),
             // Only the value 1 jams.
             jammed: (all.value("SIM_GPS_JAM") - 1.0).abs() < 0.5,
             glitch,

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::GpsFixType;
 
-use super::faults::GpsFault;
+use super::faults::{GpsFault, GpsUnused};
 use sortie_geo::METRES_PER_DEGREE;
 use sortie_geo::maths;
 
@@ -111,11 +111,13 @@ impl Receiver {
         if fault.disabled || now < fault.lock_after {
             fix.kind = NO_FIX;
         }
-        if !fix.is_locked() && !fault.ignored {
-            fix.satellites = SATELLITES_WITHOUT_FIX;
-        }
-        if fault.absent {
-            (fix.kind, fix.satellites) = (GpsFixType::GPS_FIX_TYPE_NO_GPS, 0);
+        match fault.unused {
+            Some(GpsUnused::Absent) => {
+                (fix.kind, fix.satellites) = (GpsFixType::GPS_FIX_TYPE_NO_GPS, 0);
+            }
+            Some(GpsUnused::SwitchedOff) => {}
+            None if fix.is_locked() => {}
+            None => fix.satellites = SATELLITES_WITHOUT_FIX,
         }
         fix
     }

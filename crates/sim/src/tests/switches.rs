@@ -220,3 +220,16 @@ fn switches_turn_the_gps_and_overrides_off() {
     let channels = ground.world.slots[0].autopilot.vehicle.sticks().channels_us;
     assert_eq!(channels[7], 1900);
 }
+
+#[test]
+fn a_parachute_is_released_above_its_least_height_only() {
+    let mut ground = Ground::hovering(8.0);
+    ground.set("RC8_OPTION", 23.0);
+    fly(&mut ground, CENTRED, 1500, 1.0);
+    fly(&mut ground, CENTRED, 1900, 0.5);
+    assert!(said(&ground, "Parachute: Too low") && ground.truth().armed);
+    let mut ground = Ground::hovering(15.0);
+    ground.long(MavCmd::MAV_CMD_DO_PARACHUTE, [1.0]);
+    ground.long(MavCmd::MAV_CMD_DO_PARACHUTE, [2.0]);
+    assert!(said(&ground, "Parachute: Released") && !ground.truth().armed);
+}

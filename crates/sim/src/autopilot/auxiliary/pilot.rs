@@ -1,12 +1,13 @@
 //! Functions of switches with which a pilot changes the mission, the meaning of the sticks and the sensors.
 
 use mavlink::dialects::ardupilotmega::MavSeverity::{
-    self, MAV_SEVERITY_INFO, MAV_SEVERITY_NOTICE, MAV_SEVERITY_WARNING,
+    self, MAV_SEVERITY_ALERT, MAV_SEVERITY_INFO, MAV_SEVERITY_NOTICE, MAV_SEVERITY_WARNING,
 };
 
 use super::{
-    ACRO_TRAINER, CLEAR_MISSION, EKF_SOURCES, MISSION_RESET, SAVE_TRIM, SIMPLE, SIMPLE_HEADING,
-    STANDBY, SUPER_SIMPLE,
+    ACRO_TRAINER, CLEAR_MISSION, EKF_SOURCES, FENCE, GPS_OFF, MISSION_RESET, OVERRIDES, PARACHUTE,
+    PARACHUTE_ENABLE, PARACHUTE_RELEASE, RELAY, SAVE_TRIM, SIMPLE, SIMPLE_HEADING, STANDBY,
+    SUPER_SIMPLE,
 };
 use crate::autopilot::Autopilot;
 use crate::cmd;
@@ -27,9 +28,27 @@ impl Autopilot {
         self.vehicle.say(severity, text);
     }
 
-    /// Restarts the mission, empties it, or adds the place of the vehicle.
-    pub(super) fn edit_mission(&mut self, function: u16) {
+    /// Switches the fence, the relay, overrides by ground stations, or the GPS.
+    pub(super) fn switch_equipment(&mut self, function: u16, position: SwitchPosition) {
+        let is_high = position == High;
         match function {
+            FENCE => {
+                self.vehicle.enable_fence(is_high);
+            }
+            RELAY => self.workbench.relay_on = is_high,
+            GPS_OFF => {
+                self.vehicle.flight.gps_off = is_high;
+                self.vehicle.retune();
+            }
+            OVERRIDES if position != Middle => self.vehicle.radio.allow_overrides(is_high),
+            _ => {}
+        }
+    }
+
+    /// In the high position, restarts the mission, empties it, or adds the place of the vehicle.
+    pub(super) fn edit_mission(&mut self, function: u16, position: SwitchPosition) {
+        match function {
+            _ if position != High => {}
             MISSION_RESET => self.auto_plan.reset(),
             CLEAR_MISSION => self.clear_mission(),
             _ => self.save_waypoint(),
@@ -137,12 +156,6 @@ impl Autopilot {
         }
     }
 
-    /// Turns the GPS off or on.
-    pub(super) fn switch_gps(&mut self, off: bool) {
-        self.vehicle.flight.gps_off = off;
-        self.vehicle.retune();
-    }
-
     /// Stores a point of ZIGZAG, or flies to the line through it; the middle position returns control to the pilot.
     pub(super) fn switch_zigzag(&mut self, position: SwitchPosition) {
         let end = match position {
@@ -199,6 +212,38 @@ impl Autopilot {
             vehicle.flight.control.take_over(believed);
         }
         self.inform(MAV_SEVERITY_INFO, "ZIGZAG: manual control");
+    }
+
+    /// Enables, disables or releases the parachute.
+    pub(super) fn switch_parachute(&mut self, function: u16, position: SwitchPosition) {
+        match (function, position) {
+            (PARACHUTE_ENABLE, High) | (PARACHUTE, Middle) => self.workbench.parachute = true,
+            (PARACHUTE_ENABLE, Low | Middle) | (PARACHUTE, Low) => self.workbench.parachute = false,
+            (PARACHUTE_RELEASE, Low | Middle) => {}
+            (PARACHUTE, High) => {
+                self.workbench.parachute = true;
+                self.release_parachute();
+            }
+            _ => self.release_parachute(),
+        }
+    }
+
+    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No parachute brakes the
+    /// fall, as in a SITL without one.
+    pub(crate) fn release_parachute(&mut self) {
+        let vehicle = &mut self.vehicle;
+        if !self.workbench.parachute {
+            return;
+        }
+        let height_m = vehicle.datum.home_point().z - vehicle.believed().position_m.z;
+        if vehicle.safety.landed {
+            vehicle.say(MAV_SEVERITY_INFO, "Parachute: Landed");
+        } else if height_m < vehicle.parameters.value("CHUTE_ALT_MIN") {
+            vehicle.say(MAV_SEVERITY_ALERT, "Parachute: Too low");
+        } else {
+            vehicle.say(MAV_SEVERITY_INFO, "Parachute: Released");
+            self.disarm();
+        }
     }
 
     /// Begins or cancels the calibration of all compasses.
