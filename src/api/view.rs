@@ -17,6 +17,10 @@ use crate::vehicle::{Plan, Severity, Transfer, Vehicle, VehicleId};
 
 /// A vehicle's latest telemetry.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "telemetry has these facts side by side"
+)]
 pub struct VehicleView {
     pub vehicle: VehicleId,
     pub system_id: u8,

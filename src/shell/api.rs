@@ -56,7 +56,7 @@ pub struct ApiOptions {
 /// The programs that use the console.
 pub(super) struct Programs {
     arrivals: Option<mpsc::Receiver<Arrival>>,
-    programs: BTreeMap<ProgramId, Program>,
+    connected: BTreeMap<ProgramId, Program>,
     commands: bool,
     socket: PathBuf,
     ending: CancellationToken,
@@ -124,7 +124,7 @@ impl Programs {
             writers,
             ending: ending.clone(),
             arrivals: None,
-            programs: BTreeMap::new(),
+            connected: BTreeMap::new(),
             commands: false,
             socket: PathBuf::new(),
             listener: None,
@@ -156,7 +156,7 @@ impl Programs {
 
     /// Sends every program its news.
     pub fn tell(&mut self, state: &State) {
-        for program in self.programs.values_mut() {
+        for program in self.connected.values_mut() {
             if program.outbox.capacity() < ROOM_FOR_NEWS {
                 continue;
             }
@@ -169,13 +169,13 @@ impl Programs {
 
     /// Sends every program its last news and closes the socket.
     pub async fn close(mut self, state: &State) {
-        for program in self.programs.values_mut() {
+        for program in self.connected.values_mut() {
             for message in program.client.last_news(state, state.wall()) {
                 drop(program.outbox.try_send(message.line()));
             }
         }
         self.listener = None;
-        self.programs.clear();
+        self.connected.clear();
         self.arrivals = None;
         self.ending.cancel();
         // A program that does not read is not waited for.
@@ -194,7 +194,7 @@ impl Programs {
             outbox,
             is_noticed: false,
         };
-        self.programs.insert(id, program);
+        self.connected.insert(id, program);
     }
 }
 
@@ -203,7 +203,7 @@ impl Console {
     pub(super) async fn serve(&mut self, programs: &mut Programs, arrival: Arrival) {
         match arrival {
             Arrival::Opened(id, outbox) => programs.opened(id, outbox),
-            Arrival::Closed(id) => drop(programs.programs.remove(&id)),
+            Arrival::Closed(id) => drop(programs.connected.remove(&id)),
             Arrival::Line { from, line, reply } => {
                 let locale = self.app.state().locale().clone();
                 let call = line
@@ -228,7 +228,7 @@ impl Console {
         match request {
             Request::Get { what, vehicle } => present(self.app.state(), id, what, vehicle),
             Request::Watch { what, every_s } => {
-                if let Some(program) = programs.programs.get_mut(&from) {
+                if let Some(program) = programs.connected.get_mut(&from) {
                     program.client.watch(what, every_s, self.app.state());
                 }
                 Ok(accepted(None))
@@ -248,7 +248,7 @@ impl Console {
                     Some(Ok(ProgramAnswer { entry })) => {
                         self.note_commands(programs, from);
                         if let (Some(entry), Some(program)) =
-                            (entry, programs.programs.get_mut(&from))
+                            (entry, programs.connected.get_mut(&from))
                         {
                             program.client.follow(entry);
                         }
@@ -262,7 +262,7 @@ impl Console {
 
     /// Tells the user once that a program gives commands.
     fn note_commands(&mut self, programs: &mut Programs, from: ProgramId) {
-        let Some(program) = programs.programs.get_mut(&from) else {
+        let Some(program) = programs.connected.get_mut(&from) else {
             return;
         };
         if !std::mem::replace(&mut program.is_noticed, true) {
