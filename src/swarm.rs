@@ -31,7 +31,6 @@ mod geometry;
 mod guard;
 mod lanes;
 mod march;
-mod pattern;
 mod planner;
 mod site;
 mod slots;

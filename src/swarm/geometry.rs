@@ -2,17 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// The distance between a point and a segment.
-pub(super) fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
-    let way = to - from;
-    let length_squared = way.length_squared();
-    let share = if length_squared > 0.0 {
-        ((point - from).dot(way) / length_squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    point.distance(from + way * share)
-}
+use crate::plan::pattern::distance_to_segment;
 
 /// A straight segment on the ground, in metres east and north.
 #[derive(Debug, Clone, Copy, PartialEq)]

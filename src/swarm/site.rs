@@ -5,7 +5,6 @@ use glam::{DVec2, DVec3};
 use super::geometry::MovingPoint;
 use crate::commands::Datum;
 use crate::geo::LatLon;
-use crate::geo::maths;
 use crate::vehicle::Vehicle;
 
 /// A frame around a place: x is metres to the north, y to the east, z above home.
@@ -66,10 +65,4 @@ pub(super) fn velocity(vehicle: &Vehicle) -> DVec3 {
             -f64::from(global.down_m_s),
         )
     })
-}
-
-/// The unit vector of a course, degrees clockwise from north.
-pub(super) fn course(degrees: f64) -> DVec2 {
-    let (sine, cosine) = maths::sin_cos(degrees.to_radians());
-    DVec2::new(cosine, sine)
 }

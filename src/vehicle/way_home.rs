@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::{Vehicle, VehicleClass, Wind};
 use crate::geo::LatLon;
 use crate::geo::maths;
+use crate::plan::effort::{Effort, Pace};
 
 /// The mean current follows the measured one with this time constant, so that a short climb does not count for long.
 const LOAD_TIME_S: f32 = 15.0;
@@ -15,25 +16,14 @@ const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
 
-/// The default values of an `ArduCopter`'s return: `RTL_ALT`, `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `_DN`,
-/// `LAND_ALT_LOW`, `LAND_SPEED`.
+/// `RTL_ALT`.
 const RETURN_HEIGHT_M: f64 = 15.0;
-const RETURN_SPEED_M_S: f64 = 10.0;
-const CLIMB_M_S: f64 = 2.5;
-const DESCENT_M_S: f64 = 1.5;
-const LANDING_HEIGHT_M: f64 = 10.0;
-const LANDING_M_S: f64 = 0.5;
 /// The time for acceleration and braking, `RTL_LOIT_TIME`, and the stop of the motors.
 const PAUSES_S: f64 = 12.0;
-/// The highest airspeed of a return: a headwind stronger than the difference from `RETURN_SPEED_M_S` slows it down.
+/// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
 const FASTEST_M_S: f64 = 15.0;
 /// The minimum ground speed assumed in any wind.
 const SLOWEST_M_S: f64 = 1.0;
-/// The growth of current with the square of the airspeed, from a measurement of 12 % more at 10 m/s.
-const DRAG_PER_SPEED2: f64 = 0.0012;
-/// Current in a climb, relative to the hover.
-const CLIMBING: f64 = 1.3;
-
 /// The mean current of a vehicle over the last seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanCurrent {
@@ -105,7 +95,7 @@ impl Vehicle {
         }
         let percent_mah = f64::from(consumed_mah) / f64::from(used - 0.5);
         let percent_per_s = f64::from(load.mean_a) / 3.6 / percent_mah;
-        let way = ReturnFlight::of(global.at_point, home.at_point, global.altitude_m, self.wind);
+        let way = return_flight(global.at_point, home.at_point, global.altitude_m, self.wind);
         Some(WayHome {
             needed_percent: way.hover_s * percent_per_s,
             needed: Duration::from_secs_f64(way.time_s),
@@ -115,34 +105,20 @@ impl Vehicle {
     }
 }
 
-/// The duration of the way home.
-struct ReturnFlight {
-    time_s: f64,
-    /// The duration of a hover that draws the same charge.
-    hover_s: f64,
-}
-
-impl ReturnFlight {
-    fn of(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Self {
-        let distance_m = from.distance_m(home);
-        let top_m = height_m.max(RETURN_HEIGHT_M);
-        let climb_s = (top_m - height_m) / CLIMB_M_S;
-        let headwind_m_s = wind.map_or(0.0, |wind| {
-            let off = f64::from(wind.from_deg) - from.bearing_deg(home);
-            f64::from(wind.speed_m_s) * maths::cos(off.to_radians())
-        });
-        let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, RETURN_SPEED_M_S);
-        let airspeed_m_s = speed_m_s + headwind_m_s;
-        let cruise_s = distance_m / speed_m_s;
-        let descent_s = (top_m - LANDING_HEIGHT_M) / DESCENT_M_S + LANDING_HEIGHT_M / LANDING_M_S;
-        let rest_s = descent_s + PAUSES_S;
-        Self {
-            time_s: climb_s + cruise_s + rest_s,
-            hover_s: climb_s * CLIMBING
-                + cruise_s * (1.0 + DRAG_PER_SPEED2 * airspeed_m_s * airspeed_m_s)
-                + rest_s,
-        }
-    }
+/// What the way home takes.
+fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Effort {
+    let pace = Pace::default();
+    let top_m = height_m.max(RETURN_HEIGHT_M);
+    let headwind_m_s = wind.map_or(0.0, |wind| {
+        let off = f64::from(wind.from_deg) - from.bearing_deg(home);
+        f64::from(wind.speed_m_s) * maths::cos(off.to_radians())
+    });
+    let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, pace.speed_m_s);
+    let cruise_s = from.distance_m(home) / speed_m_s;
+    pace.rise(top_m - height_m)
+        + Effort::level(cruise_s, speed_m_s + headwind_m_s)
+        + pace.landing(top_m)
+        + Effort::hover(PAUSES_S)
 }
 
 #[cfg(test)]
@@ -151,12 +127,12 @@ mod tests {
 
     const HOME: LatLon = LatLon::new(50.0, 30.0);
 
-    fn way(distance_m: f64, height_m: f64, wind: Option<(f32, f32)>) -> ReturnFlight {
+    fn way(distance_m: f64, height_m: f64, wind: Option<(f32, f32)>) -> Effort {
         let wind = wind.map(|(speed_m_s, from_deg)| Wind {
             from_deg,
             speed_m_s,
         });
-        ReturnFlight::of(HOME.moved(-distance_m, 0.0), HOME, height_m, wind)
+        return_flight(HOME.moved(-distance_m, 0.0), HOME, height_m, wind)
     }
 
     #[test]

@@ -7,7 +7,9 @@ use crate::{Document, HeightFrame, Item, ListKind, command};
 mod flight;
 mod place;
 
-/// The kind of vehicle, which decides which commands it carries out.
+pub(crate) use place::is_crossed;
+
+/// The kind of vehicle, which decides what commands it flies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VehicleKind {
     /// A multicopter or a helicopter.

@@ -26,10 +26,13 @@ pub mod check;
 pub mod command;
 mod document;
 pub mod edit;
+pub mod effort;
 mod fault;
 mod files;
+pub mod generate;
 mod hash;
 mod item;
+pub mod pattern;
 mod place;
 
 pub use areas::{AreaShape, Fence, FenceArea, FenceError, is_inside};

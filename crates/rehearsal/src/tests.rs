@@ -1,4 +1,5 @@
 use sortie_geo::LatLon;
+use sortie_plan::generate::{Course, Manner, Part, Task, generate};
 use sortie_plan::{Home, Item, command};
 
 use super::*;
@@ -192,4 +193,79 @@ fn what_cannot_be_flown_is_said() {
         rehearse(&[one], &wrong),
         Err(RehearsalError::NoParameter("NO_SUCH".to_owned()))
     );
+}
+
+/// Plans that the generator makes for a task.
+fn generated(task: &Task, vehicles: usize) -> Vec<Participant> {
+    let homes: Vec<Home> = (0..vehicles)
+        .map(|index| {
+            let (x, y) = HOME.moved(0.0, 10.0 * index as f64).to_e7();
+            Home { x, y, z: 170.0 }
+        })
+        .collect();
+    let manner = Manner {
+        height_m: 30.0,
+        layer_m: 6.0,
+        speed_m_s: None,
+        fence: Vec::new(),
+    };
+    let plans = generate(task, &homes, &manner).expect("plans");
+    let participant = |part: Part| Participant {
+        document: part.document,
+        airframe: None,
+        delay_s: 0.0,
+    };
+    plans.parts.into_iter().map(participant).collect()
+}
+
+#[test]
+fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
+    let at = |north_m, east_m| HOME.moved(north_m, east_m);
+    let outline = vec![
+        at(60.0, -80.0),
+        at(330.0, -80.0),
+        at(260.0, 10.0),
+        at(330.0, 120.0),
+        at(60.0, 120.0),
+    ];
+    let datum = at(150.0, 20.0);
+    let tasks = [
+        Task::Survey {
+            rings: vec![outline],
+            spacing_m: 20.0,
+            course: Course::Best,
+        },
+        Task::Square {
+            datum,
+            spacing_m: 20.0,
+            radius_m: 100.0,
+        },
+        Task::Sector {
+            datum,
+            radius_m: 80.0,
+        },
+        Task::Line {
+            points: vec![at(60.0, 0.0), at(200.0, 60.0), at(340.0, 0.0)],
+            spacing_m: 12.0,
+        },
+        Task::Orbit {
+            centre: datum,
+            radius_m: 40.0,
+            turns: 2,
+        },
+    ];
+    for task in tasks {
+        let outcome = rehearse(&generated(&task, 4), &calm()).expect("they can fly");
+        let used = outcome.vehicles.iter().map(|flown| {
+            assert_eq!(flown.ending, Ending::Landed, "{task:?}");
+            100.0 - flown.energy_left_percent
+        });
+        let used: Vec<f64> = used.collect();
+        assert_eq!(outcome.conflicts().next(), None, "{task:?}");
+        if matches!(task, Task::Survey { .. } | Task::Square { .. }) {
+            let most = used.iter().copied().fold(0.0, f64::max);
+            let least = used.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(most < 1.1 * least, "{task:?}: {used:?}");
+        }
+    }
 }

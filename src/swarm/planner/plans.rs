@@ -6,12 +6,12 @@ use super::{FORMATION_SPACING_M, Made, Planner, SECTOR_RADIUS_M, SQUARE_TURNS};
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
+use crate::plan::pattern::{self, NoLanes};
 use crate::swarm::act::places::{is_staggered, members, route, share_lanes, take_places};
 use crate::swarm::act::{ActiveManoeuvre, Chain, Tail, Work};
 use crate::swarm::geometry::{assign, spread};
-use crate::swarm::lanes::{self, Lane, NoLanes};
+use crate::swarm::lanes::Lane;
 use crate::swarm::march::March;
-use crate::swarm::pattern;
 use crate::swarm::transit::MARGIN_M;
 use crate::text;
 use crate::text::Text;
@@ -31,7 +31,7 @@ impl Planner<'_> {
         let spacing_m = self.line_spacing(spacing_m, up_m);
         let corners = self.corners(ground)?;
         let lanes = self.cover(&corners, spacing_m, course_deg)?;
-        let gaps_m = lanes::gaps_m(&lanes, &corners);
+        let gaps_m = pattern::gaps_m(&lanes, &corners);
         if gaps_m >= LEAST_GAP_M {
             let metres = format!("{gaps_m:.0}");
             self.remarks.push(text!("swarm-gaps", metres = metres));
@@ -65,7 +65,7 @@ impl Planner<'_> {
         course_deg: Option<f64>,
     ) -> Result<Vec<Lane>, Text> {
         let cover = |course_deg| {
-            lanes::lanes(corners, spacing_m, course_deg).map_err(|why| match why {
+            pattern::lanes(corners, spacing_m, course_deg).map_err(|why| match why {
                 NoLanes::Empty => text!("swarm-no-area"),
                 NoLanes::TooMany(most) => text!("swarm-too-many-lines", most = most),
             })

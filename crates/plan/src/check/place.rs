@@ -89,8 +89,8 @@ fn length([north, east]: [f64; 2]) -> f64 {
     (north * north + east * east).sqrt()
 }
 
-/// Whether a straight leg between two allowed points leaves an inclusion area or enters an exclusion area.
-fn is_crossed(area: &FenceArea<[f64; 2]>, from: [f64; 2], to: [f64; 2]) -> bool {
+/// Whether a straight leg between two allowed points leaves an area to stay in, or enters one to stay out of.
+pub(crate) fn is_crossed(area: &FenceArea<[f64; 2]>, from: [f64; 2], to: [f64; 2]) -> bool {
     match &area.shape {
         AreaShape::Polygon(corners) => {
             let mut last = corners.last().copied();

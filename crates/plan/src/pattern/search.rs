@@ -2,14 +2,14 @@
 
 use glam::DVec2;
 
-use super::site::course;
+use super::course;
 
 /// More legs than this are a typing error.
 const MOST_LEGS: usize = 400;
 
 /// An expanding square from the datum, first to the north: two legs of the spacing, two of twice the spacing, and so
 /// on, until the square reaches the radius.
-pub(super) fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
+pub fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO];
     let mut at = DVec2::ZERO;
     for leg in 0..MOST_LEGS {
@@ -26,7 +26,7 @@ pub(super) fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
 
 /// A sector search: nine legs in three triangles, each leg as long as the radius, all turns by 120 degrees to
 /// starboard, so that every triangle begins and ends at the datum.
-pub(super) fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
+pub fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO];
     let mut at = DVec2::ZERO;
     let mut heading_deg = first_course_deg;
@@ -42,7 +42,7 @@ pub(super) fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
 }
 
 /// Divides a path into pieces of equal length.
-pub(super) fn pieces(points: &[DVec2], count: usize) -> Vec<Vec<DVec2>> {
+pub fn pieces(points: &[DVec2], count: usize) -> Vec<Vec<DVec2>> {
     let total: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
     let piece_m = total / count as f64;
     let mut pieces = Vec::new();
@@ -121,7 +121,7 @@ mod tests {
             let point = DVec2::new(north, east);
             let nearest = points
                 .windows(2)
-                .map(|leg| super::super::geometry::distance_to_segment(point, leg[0], leg[1]))
+                .map(|leg| crate::pattern::distance_to_segment(point, leg[0], leg[1]))
                 .fold(f64::INFINITY, f64::min);
             // Between two corners, the diagonal is the limit.
             let most = 10.0 * 2f64.sqrt();

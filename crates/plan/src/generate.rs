@@ -1,0 +1,308 @@
+//! Plans for several vehicles from a task: to survey an area, to search, to follow a line, to circle a place.
+//!
+//! Each vehicle takes off, crosses to its part at a height of its own, flies the part, and returns at its height to
+//! land at home. Parts are cut so that the largest energy is as small as possible ([`Pace`]).
+//!
+//! Inside, x is metres to the north of the first vehicle's home, y to the east.
+
+use glam::DVec2;
+use sortie_geo::LatLon;
+
+use crate::effort::{Effort, Pace};
+use crate::pattern::NoLanes;
+use crate::{Document, Home, Item};
+
+mod along;
+mod around;
+mod compose;
+mod field;
+mod layers;
+mod share;
+mod sweep;
+#[cfg(test)]
+mod tests;
+mod tour;
+
+use compose::compose;
+use field::Field;
+
+/// What the vehicles are to do.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Task {
+    /// Parallel lines over an area.
+    Survey {
+        /// The outline; further rings are holes.
+        rings: Vec<Vec<LatLon>>,
+        /// The largest distance between lines, in metres.
+        spacing_m: f64,
+        /// The direction of the lines.
+        course: Course,
+    },
+    /// An expanding square from a datum (IAMSAR), in pieces.
+    Square {
+        /// The most likely place.
+        datum: LatLon,
+        /// The distance between the turns, in metres.
+        spacing_m: f64,
+        /// From the datum to the last turn, in metres.
+        radius_m: f64,
+    },
+    /// A sector search around a datum (IAMSAR); each vehicle flies all of it, turned and at a height of its own.
+    Sector {
+        /// The most likely place.
+        datum: LatLon,
+        /// The length of a leg, in metres.
+        radius_m: f64,
+    },
+    /// One lane for each vehicle, side by side along a line.
+    Line {
+        /// The places of the line.
+        points: Vec<LatLon>,
+        /// The distance between lanes, in metres.
+        spacing_m: f64,
+    },
+    /// Circles around a place, evenly apart and each at a height of its own.
+    Orbit {
+        /// The place.
+        centre: LatLon,
+        /// In metres.
+        radius_m: f64,
+        /// The number of turns.
+        turns: u8,
+    },
+}
+
+/// The direction of parallel lines.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Course {
+    /// The one that takes the least energy.
+    #[default]
+    Best,
+    /// Along the longer side (IAMSAR: parallel sweep).
+    Long,
+    /// Along the shorter side (IAMSAR: creeping line).
+    Short,
+    /// Degrees clockwise from north.
+    Degrees(f64),
+}
+
+/// How the vehicles fly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Manner {
+    /// The height of the work above the first vehicle's home, in metres.
+    pub height_m: f64,
+    /// The distance between two heights of vehicles that could meet, in metres.
+    pub layer_m: f64,
+    /// The speed in m/s, if it is not the vehicle's own.
+    pub speed_m_s: Option<f64>,
+    /// The fence in which they stay.
+    pub fence: Vec<Item>,
+}
+
+/// Why there are no plans.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum GenerateError {
+    /// No vehicle.
+    #[error("no vehicle")]
+    NoVehicle,
+    /// The area has no extent, or the line no length.
+    #[error("the area has no extent")]
+    Empty,
+    /// The area needs too many lines; the most.
+    #[error("more than {0} lines")]
+    TooMany(usize),
+    /// The fence is not valid.
+    #[error("the fence is not valid")]
+    Fence,
+    /// The fence leaves nothing of the area, or the pattern breaks it.
+    #[error("the pattern breaks the fence")]
+    OutsideFence,
+    /// No way inside the fence leads from a vehicle's home to its part; the vehicle, counted from 0.
+    #[error("no way inside the fence for vehicle {0}")]
+    NoWay(usize),
+}
+
+impl From<NoLanes> for GenerateError {
+    fn from(why: NoLanes) -> Self {
+        match why {
+            NoLanes::Empty => Self::Empty,
+            NoLanes::TooMany(most) => Self::TooMany(most),
+        }
+    }
+}
+
+/// The plan of one vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// The vehicle, counted from 0.
+    pub vehicle: usize,
+    /// Its plan, home and fence.
+    pub document: Document,
+    /// The way from takeoff to landing over the ground, in metres.
+    pub length_m: f64,
+    /// What it takes.
+    pub effort: Effort,
+    /// The height at which it crosses, above the first vehicle's home, in metres.
+    pub layer_m: f64,
+}
+
+/// The plans of all vehicles that have something to do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Generated {
+    /// In the order of the vehicles; a vehicle whose home is too far away to help has none.
+    pub parts: Vec<Part>,
+    /// The share of the area that the fence keeps from being covered, from 0 to 1.
+    pub uncovered: f64,
+}
+
+impl Generated {
+    /// The largest energy of a vehicle as a multiple of the smallest.
+    pub fn imbalance(&self) -> f64 {
+        let efforts = self.parts.iter().map(|part| part.effort.hover_s);
+        let (least, most) = efforts.fold((f64::INFINITY, 0.0f64), |(least, most), it| {
+            (least.min(it), most.max(it))
+        });
+        if least > 0.0 && most > 0.0 {
+            most / least
+        } else {
+            1.0
+        }
+    }
+}
+
+/// A task in the plane.
+struct Scene {
+    origin: LatLon,
+    homes: Vec<DVec2>,
+    field: Field,
+    pace: Pace,
+}
+
+impl Scene {
+    fn new(team: &[Home], manner: &Manner) -> Result<Self, GenerateError> {
+        let place = |home: &Home| LatLon::from_e7(home.x, home.y);
+        let origin = team.first().map(place).ok_or(GenerateError::NoVehicle)?;
+        let field = Field::new(&manner.fence, origin)?;
+        let usual = Pace::default();
+        Ok(Self {
+            origin,
+            homes: team.iter().map(|home| flat(origin, place(home))).collect(),
+            field,
+            pace: Pace {
+                speed_m_s: manner.speed_m_s.unwrap_or(usual.speed_m_s),
+                ..usual
+            },
+        })
+    }
+
+    fn flat(&self, place: LatLon) -> DVec2 {
+        flat(self.origin, place)
+    }
+}
+
+fn flat(origin: LatLon, place: LatLon) -> DVec2 {
+    let (north_m, east_m) = origin.offset_to(place);
+    DVec2::new(north_m, east_m)
+}
+
+/// The work of one vehicle at one height.
+#[derive(Debug, Clone, PartialEq)]
+struct Work {
+    vehicle: usize,
+    points: Vec<DVec2>,
+    height_m: f64,
+    /// The height at which the vehicle crosses.
+    layer_m: f64,
+    circle: Option<Circle>,
+}
+
+/// Turns around a place that begin and end at the work's only point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Circle {
+    centre: DVec2,
+    radius_m: f64,
+    turns: u8,
+}
+
+/// Plans for the vehicles at these homes.
+///
+/// # Errors
+/// See [`GenerateError`].
+pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated, GenerateError> {
+    let scene = Scene::new(team, manner)?;
+    match task {
+        Task::Survey {
+            rings,
+            spacing_m,
+            course,
+        } => {
+            let rings: Vec<Vec<DVec2>> = rings
+                .iter()
+                .map(|ring| ring.iter().map(|at| scene.flat(*at)).collect())
+                .collect();
+            let lines = sweep::lines(&scene, &rings, *spacing_m, *course)?;
+            let uncovered = lines.uncovered;
+            let works = share::works(&scene, manner, &lines.ways, *spacing_m)?;
+            let parts = compose(&scene, team, manner, &works)?;
+            Ok(Generated { parts, uncovered })
+        }
+        Task::Square {
+            datum,
+            spacing_m,
+            radius_m,
+        } => {
+            let ways = around::square(scene.flat(*datum), *spacing_m, *radius_m);
+            let works = share::works(&scene, manner, &ways, *spacing_m)?;
+            checked(&scene, team, manner, &works)
+        }
+        Task::Sector { datum, radius_m } => {
+            let works = around::sectors(&scene, manner, scene.flat(*datum), *radius_m);
+            whole(&scene, team, manner, works)
+        }
+        Task::Line { points, spacing_m } => {
+            let points: Vec<DVec2> = points.iter().map(|at| scene.flat(*at)).collect();
+            let works = along::lanes(&scene, manner, &points, *spacing_m)?;
+            whole(&scene, team, manner, works)
+        }
+        Task::Orbit {
+            centre,
+            radius_m,
+            turns,
+        } => {
+            let circle = Circle {
+                centre: scene.flat(*centre),
+                radius_m: *radius_m,
+                turns: *turns,
+            };
+            let works = around::orbits(&scene, manner, circle);
+            whole(&scene, team, manner, works)
+        }
+    }
+}
+
+/// Plans for work that is shared out already.
+fn whole(
+    scene: &Scene,
+    team: &[Home],
+    manner: &Manner,
+    mut works: Vec<Work>,
+) -> Result<Generated, GenerateError> {
+    layers::set(scene, &mut works, manner.layer_m);
+    checked(scene, team, manner, &works)
+}
+
+/// Plans of a pattern that must not be cut off by a fence.
+fn checked(
+    scene: &Scene,
+    team: &[Home],
+    manner: &Manner,
+    works: &[Work],
+) -> Result<Generated, GenerateError> {
+    if !works.iter().all(|work| scene.field.holds(work)) {
+        return Err(GenerateError::OutsideFence);
+    }
+    Ok(Generated {
+        parts: compose(scene, team, manner, works)?,
+        uncovered: 0.0,
+    })
+}

@@ -1,0 +1,53 @@
+//! Patterns around a place.
+
+use glam::DVec2;
+
+use super::field::Field;
+use super::tour::Way;
+use super::{Circle, Manner, Scene, Work};
+use crate::pattern::{course, sector, square as expanding_square};
+
+/// The expanding square as one stroke.
+pub(super) fn square(datum: DVec2, spacing_m: f64, radius_m: f64) -> Vec<Way> {
+    let points = expanding_square(spacing_m, radius_m).into_iter();
+    let stroke: Vec<DVec2> = points.map(|point| datum + point).collect();
+    let way = Way::new(vec![stroke], &Field::default());
+    way.into_iter().collect()
+}
+
+/// A sector search for each vehicle: turned against the others, and higher by a layer each, as all cross the datum.
+pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f64) -> Vec<Work> {
+    let count = scene.homes.len();
+    let work = |vehicle: usize| {
+        let points = sector(radius_m, 60.0 * vehicle as f64 / count as f64);
+        Work {
+            vehicle,
+            points: points.into_iter().map(|point| datum + point).collect(),
+            height_m: manner.height_m + manner.layer_m * vehicle as f64,
+            layer_m: manner.height_m,
+            circle: None,
+        }
+    };
+    (0..count).map(work).collect()
+}
+
+/// Circles that begin evenly apart, each higher by a layer than the one before.
+pub(super) fn orbits(scene: &Scene, manner: &Manner, circle: Circle) -> Vec<Work> {
+    let count = scene.homes.len();
+    let towards = scene
+        .homes
+        .first()
+        .map_or(DVec2::X, |home| *home - circle.centre);
+    let first_deg = towards.to_angle().to_degrees();
+    let work = |vehicle: usize| {
+        let angle = first_deg + 360.0 * vehicle as f64 / count as f64;
+        Work {
+            vehicle,
+            points: vec![circle.centre + course(angle) * circle.radius_m],
+            height_m: manner.height_m + manner.layer_m * vehicle as f64,
+            layer_m: manner.height_m,
+            circle: Some(circle),
+        }
+    };
+    (0..count).map(work).collect()
+}

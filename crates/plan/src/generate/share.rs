@@ -1,0 +1,175 @@
+//! The shares of the vehicles in one way, cut so that the largest energy is as small as possible.
+
+use glam::DVec2;
+
+use super::compose::effort;
+use super::layers::{ASIDE_M, are_apart, set};
+use super::tour::Way;
+use super::{GenerateError, Manner, Scene, Work};
+
+/// The steps in which the limit of the energy is narrowed down, and the cut of a vehicle.
+const LIMIT_STEPS: u32 = 24;
+const CUT_STEPS: u32 = 22;
+/// The times that shares are cut again with the heights at which their vehicles cross.
+const ROUNDS: usize = 8;
+/// Less than this is no work for a vehicle, in metres.
+const LEAST_WORK_M: f64 = 1.0;
+
+/// One of the ways, divided among the vehicles.
+pub(super) fn works(
+    scene: &Scene,
+    manner: &Manner,
+    ways: &[Way],
+    spacing_m: f64,
+) -> Result<Vec<Work>, GenerateError> {
+    let first_m = manner.height_m + manner.layer_m;
+    let mut layers = vec![first_m; scene.homes.len()];
+    let mut best: Option<(f64, Vec<Work>)> = None;
+    let mut left: Vec<&Way> = ways.iter().collect();
+    for _ in 0..ROUNDS {
+        let shared = left.iter().filter_map(|way| {
+            let crew = Crew::of(scene, manner, way, &layers);
+            let (most, cuts) = crew.cut()?;
+            Some((most, *way, crew.works(&cuts, spacing_m)))
+        });
+        let least = shared.min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, way, mut works)) = least else {
+            break;
+        };
+        left = vec![way];
+        let is_settled = are_apart(scene, &works, manner.layer_m);
+        if !is_settled {
+            set(scene, &mut works, manner.layer_m);
+        }
+        let costs = works.iter().filter_map(|work| {
+            // Heights that only grow do not swing between two solutions.
+            let layer_m = &mut layers[work.vehicle];
+            *layer_m = layer_m.max(work.layer_m);
+            Some(effort(scene, work)?.hover_s)
+        });
+        let most = costs.fold(0.0, f64::max);
+        if best.as_ref().is_none_or(|(least, _)| most < *least) {
+            best = Some((most, works));
+        }
+        if is_settled {
+            break;
+        }
+    }
+    best.map(|(_, works)| works).ok_or(GenerateError::NoWay(0))
+}
+
+/// The vehicles in the order of their shares.
+struct Crew<'a> {
+    scene: &'a Scene,
+    manner: &'a Manner,
+    way: &'a Way,
+    /// The heights at which they cross.
+    layers: &'a [f64],
+    order: Vec<usize>,
+}
+
+impl<'a> Crew<'a> {
+    fn of(scene: &'a Scene, manner: &'a Manner, way: &'a Way, layers: &'a [f64]) -> Self {
+        let direction = way.direction();
+        let mut order: Vec<usize> = (0..scene.homes.len()).collect();
+        let key = |vehicle: &usize| scene.homes[*vehicle].dot(direction);
+        order.sort_by(|a, b| key(a).total_cmp(&key(b)));
+        Self {
+            scene,
+            manner,
+            way,
+            layers,
+            order,
+        }
+    }
+
+    fn work(&self, vehicle: usize, points: Vec<DVec2>) -> Work {
+        Work {
+            vehicle,
+            points,
+            height_m: self.manner.height_m,
+            layer_m: self.layers[vehicle],
+            circle: None,
+        }
+    }
+
+    /// What a share takes from a vehicle; infinite if no way leads there.
+    fn cost(&self, vehicle: usize, from_m: f64, to_m: f64) -> f64 {
+        let work = self.work(vehicle, self.way.part(from_m, to_m));
+        effort(self.scene, &work).map_or(f64::INFINITY, |effort| effort.hover_s)
+    }
+
+    /// The least limit with which all is done, and the ends of the shares.
+    fn cut(&self) -> Option<(f64, Vec<f64>)> {
+        let length_m = self.way.length_m();
+        let alone = self.order.iter().map(|it| self.cost(*it, 0.0, length_m));
+        let mut high = alone.fold(f64::INFINITY, f64::min);
+        if !high.is_finite() {
+            return None;
+        }
+        high *= 2.0;
+        let mut low = 0.0;
+        let mut cuts = self.cuts(high)?;
+        for _ in 0..LIMIT_STEPS {
+            let middle = f64::midpoint(low, high);
+            match self.cuts(middle) {
+                Some(found) => (high, cuts) = (middle, found),
+                None => low = middle,
+            }
+        }
+        Some((high, cuts))
+    }
+
+    /// The ends of the shares if no vehicle takes more than `most`; `None` if something is left.
+    fn cuts(&self, most: f64) -> Option<Vec<f64>> {
+        let length_m = self.way.length_m();
+        let mut at_m = 0.0;
+        let mut cuts = Vec::new();
+        for &vehicle in &self.order {
+            at_m = self.reach(vehicle, at_m, most);
+            cuts.push(at_m);
+        }
+        (at_m >= length_m - 1e-6).then_some(cuts)
+    }
+
+    /// How far a vehicle can go on from a place.
+    fn reach(&self, vehicle: usize, from_m: f64, most: f64) -> f64 {
+        let end_m = self.way.length_m();
+        let least_m = (from_m + LEAST_WORK_M).min(end_m);
+        if from_m >= end_m || self.cost(vehicle, from_m, least_m) > most {
+            return from_m;
+        }
+        if self.cost(vehicle, from_m, end_m) <= most {
+            return end_m;
+        }
+        let (mut low, mut high) = (least_m, end_m);
+        for _ in 0..CUT_STEPS {
+            let middle = f64::midpoint(low, high);
+            if self.cost(vehicle, from_m, middle) <= most {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        self.way.snapped(low).max(from_m)
+    }
+
+    /// The shares; close ones are flown at two heights in turn.
+    fn works(&self, cuts: &[f64], spacing_m: f64) -> Vec<Work> {
+        let mut from_m = 0.0;
+        let mut works: Vec<Work> = Vec::new();
+        for (&vehicle, &to_m) in self.order.iter().zip(cuts) {
+            let points = self.way.part(from_m, to_m);
+            from_m = to_m;
+            if points.is_empty() {
+                continue;
+            }
+            let mut work = self.work(vehicle, points);
+            if spacing_m < ASIDE_M && works.len() % 2 == 1 {
+                work.height_m += self.manner.layer_m;
+            }
+            works.push(work);
+        }
+        works
+    }
+}
