@@ -16,6 +16,7 @@ use crate::text::{Locale, Text};
 mod check;
 mod convert;
 mod deconflict;
+mod generate;
 mod rehearse;
 
 pub(super) use check::report;
@@ -44,7 +45,27 @@ enum PlanCommand {
                             sortie plan rehearse one.plan two.plan three.plan\n  \
                             sortie plan rehearse *.waypoints --wind 8,270 --json")]
     Rehearse(rehearse::RehearseArguments),
-    /// Proposes later starts or separate heights that keep the vehicles apart.
+    /// Divides parallel lines over an area among vehicles: one plan each.
+    #[command(after_help = "Examples:\n  \
+                            sortie plan survey field.kml --home 50.45,30.52 --vehicles 4 --spacing 20 --write parts\n  \
+                            sortie plan survey field.geojson --homes pads.kml --height 40 --course 30\n  \
+                            sortie plan survey --points '50.45,30.52 50.46,30.52 50.46,30.54' --home 50.449,30.52")]
+    Survey(generate::SurveyArguments),
+    /// Divides a search among vehicles: expanding square or sectors around a datum, parallel or creeping lines over an
+    /// area (IAMSAR).
+    #[command(after_help = "Examples:\n  \
+                            sortie plan search square --datum 50.45,30.52 --radius 200 --home 50.449,30.52 --vehicles 3\n  \
+                            sortie plan search parallel field.kml --home 50.449,30.52 --vehicles 3 --write parts")]
+    Search(generate::SearchArguments),
+    /// Gives each vehicle its own lane along a line.
+    #[command(after_help = "Examples:\n  \
+                            sortie plan line road.geojson --home 50.449,30.52 --vehicles 3 --spacing 15 --write parts")]
+    Line(generate::LineArguments),
+    /// Lets vehicles circle a place, evenly apart and at different heights.
+    #[command(after_help = "Examples:\n  \
+                            sortie plan orbit --datum 50.45,30.52 --radius 40 --turns 3 --home 50.449,30.52 --vehicles 2")]
+    Orbit(generate::OrbitArguments),
+    /// Proposes later starts or layers of height that keep the vehicles apart.
     #[command(after_help = "Examples:\n  \
                             sortie plan deconflict *.plan\n  \
                             sortie plan deconflict *.plan --write apart")]
@@ -84,6 +105,10 @@ pub(super) fn plan(options: &PlanArguments, settings: &CliSettings) -> Result<Ex
         PlanCommand::Check(options) => check::check(options, &locale),
         PlanCommand::Convert(options) => convert::convert(options, &locale),
         PlanCommand::Rehearse(options) => rehearse::rehearse(options, &locale),
+        PlanCommand::Survey(options) => generate::survey(options, &locale),
+        PlanCommand::Search(options) => generate::search(options, &locale),
+        PlanCommand::Line(options) => generate::line(options, &locale),
+        PlanCommand::Orbit(options) => generate::orbit(options, &locale),
         PlanCommand::Deconflict(options) => deconflict::deconflict(options, &locale),
     }
 }

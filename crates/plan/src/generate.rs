@@ -18,6 +18,7 @@ mod compose;
 mod field;
 mod layers;
 mod share;
+pub mod source;
 mod sweep;
 #[cfg(test)]
 mod tests;

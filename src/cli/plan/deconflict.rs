@@ -30,7 +30,7 @@ pub(super) struct DeconflictArguments {
     flying: FlyingArguments,
 }
 
-fn parse_layer(text: &str) -> Result<f32, String> {
+pub(super) fn parse_layer(text: &str) -> Result<f32, String> {
     let metres = text.parse().ok();
     metres
         .filter(|metres: &f32| (3.5..=100.0).contains(metres))

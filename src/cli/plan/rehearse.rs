@@ -11,7 +11,7 @@ use super::{Failure, ShapeArguments, invalid, load_all};
 use crate::cli::backend::frame;
 use crate::cli::home::StartPlace;
 use crate::cli::table::{Side, TextTable};
-use crate::plan::Loaded;
+use crate::plan::{Document as PlanDocument, Loaded};
 use crate::preflight::list_words;
 use crate::rehearsal::{
     self, Approach, Conditions, Ending, Flown, Outcome, Participant, RehearsalError,
@@ -38,14 +38,23 @@ pub(super) struct RehearseArguments {
 /// Options for the vehicles and the weather.
 #[derive(Debug, Args)]
 pub(super) struct FlyingArguments {
-    /// Use this airframe: a JSON frame file of ArduPilot's SITL. Repeat the option for several vehicles: one file for
-    /// each, the last one for all that follow.
-    #[arg(long = "frame", value_name = "FILE")]
-    frames: Vec<PathBuf>,
     /// Start vehicles here if their file has no home: latitude, longitude, height above sea level in metres, heading in
     /// degrees.
     #[arg(long, allow_hyphen_values = true, value_name = "LAT,LON,ALT,HDG")]
     home: Option<StartPlace>,
+    #[command(flatten)]
+    air: AirArguments,
+    #[command(flatten)]
+    shapes: ShapeArguments,
+}
+
+/// The airframes and the weather of a rehearsal.
+#[derive(Debug, Args)]
+pub(super) struct AirArguments {
+    /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
+    /// times: one file for each vehicle, the last one for all that follow.
+    #[arg(long = "frame", value_name = "FILE")]
+    frames: Vec<PathBuf>,
     /// The mean wind: speed in m/s, and the direction from which it blows, in degrees.
     #[arg(long, value_name = "M/S[,FROM]", value_parser = parse_wind)]
     wind: Option<(f32, f32)>,
@@ -61,8 +70,6 @@ pub(super) struct FlyingArguments {
     /// Stop after this many minutes of flight.
     #[arg(long, value_name = "MIN", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=600))]
     limit: u32,
-    #[command(flatten)]
-    shapes: ShapeArguments,
 }
 
 fn parse_wind(text: &str) -> Result<(f32, f32), String> {
@@ -95,23 +102,36 @@ pub(super) struct Cast {
 impl FlyingArguments {
     pub(super) fn cast(&self, files: &[PathBuf]) -> Result<Cast, Failure> {
         let loaded: Vec<(String, Loaded)> = load_all(files, self.shapes.options())?;
+        let documents = loaded.into_iter();
+        let documents = documents.map(|(name, loaded)| (name, loaded.document));
+        self.air.cast(documents.collect(), self.home)
+    }
+}
+
+impl AirArguments {
+    /// The plans with their names, to be flown.
+    pub(super) fn cast(
+        &self,
+        plans: Vec<(String, PlanDocument)>,
+        home: Option<StartPlace>,
+    ) -> Result<Cast, Failure> {
         let frames: Result<Vec<_>, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         let frames = frames?;
         let (wind_m_s, wind_from_deg) = self.wind.unwrap_or_default();
         let airframe = |vehicle: usize| frames.get(vehicle).or(frames.last()).cloned();
         Ok(Cast {
-            names: loaded.iter().map(|(name, _)| name.clone()).collect(),
-            participants: loaded
+            names: plans.iter().map(|(name, _)| name.clone()).collect(),
+            participants: plans
                 .into_iter()
                 .enumerate()
-                .map(|(vehicle, (_, loaded))| Participant {
-                    document: loaded.document,
+                .map(|(vehicle, (_, document))| Participant {
+                    document,
                     airframe: airframe(vehicle),
                     delay_s: 0.0,
                 })
                 .collect(),
             conditions: Conditions {
-                home: self.home.map(|place| place.0),
+                home: home.map(|place| place.0),
                 wind_m_s,
                 wind_from_deg,
                 turbulence: self.turbulence,
@@ -158,8 +178,8 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
     Ok(ExitCode::from(u8::from(!is_sound(&outcome))))
 }
 
-/// Whether every vehicle flew its plan to the end, inside its fence and clear of the others.
-fn is_sound(outcome: &Outcome) -> bool {
+/// Whether every vehicle flew its plan to the end, inside its fence and apart from the others.
+pub(super) fn is_sound(outcome: &Outcome) -> bool {
     let flew = |flown: &Flown| match flown.ending {
         Ending::Landed | Ending::InAir => flown.broke_fence_s.is_none(),
         Ending::LeftPlan(_) | Ending::Grounded | Ending::Crashed | Ending::TimeUp => false,
@@ -202,6 +222,11 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
             say!("{}", locale.text(&moved))?;
         }
     }
+    print_approaches(outcome, locale)
+}
+
+/// The pairs that come close to each other.
+pub(super) fn print_approaches(outcome: &Outcome, locale: &Locale) -> Result<(), Failure> {
     for (place, approach) in outcome.closest.iter().enumerate() {
         if approach.is_conflict() || place < LISTED {
             say!("{}", locale.text(&approach_words(approach)))?;
@@ -210,7 +235,7 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
     Ok(())
 }
 
-fn minutes(seconds: f64) -> String {
+pub(super) fn minutes(seconds: f64) -> String {
     clock(Duration::from_secs_f64(seconds.max(0.0)))
 }
 
@@ -222,7 +247,7 @@ fn fence_words(flown: &Flown, has_fence: bool) -> Text {
     }
 }
 
-fn ending_words(ending: Ending) -> Text {
+pub(super) fn ending_words(ending: Ending) -> Text {
     match ending {
         Ending::Landed => text!("plan-rehearse-landed"),
         Ending::InAir => text!("plan-rehearse-in-air"),

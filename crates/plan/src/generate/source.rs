@@ -1,0 +1,97 @@
+//! The shapes in a document from which tasks are made.
+
+use sortie_geo::{LatLon, Outline};
+
+use crate::areas::{AreaShape, Fence, FenceArea};
+use crate::{Document, command, is_inside};
+
+/// The areas of a document, each with its outline and then its holes: the areas to stay in of its fence, without those to
+/// stay out of; if there is no fence, the area within the places of its plan.
+pub fn areas(document: &Document) -> Vec<Vec<Vec<LatLon>>> {
+    let fence = Fence::check(&document.fence).unwrap_or_default();
+    let (inside, outside): (Vec<_>, Vec<_>) = fence.areas.iter().partition(|it| it.keeps_in);
+    let holes: Vec<Vec<LatLon>> = outside.into_iter().map(corners).collect();
+    let areas = inside.into_iter().map(|area| {
+        let outline = corners(area);
+        let degrees = |at: &LatLon| [at.lat_deg, at.lon_deg];
+        let edge: Vec<[f64; 2]> = outline.iter().map(degrees).collect();
+        let within = |hole: &&Vec<LatLon>| {
+            let first = hole.first().map(degrees);
+            first.is_some_and(|first| is_inside(first, &edge))
+        };
+        let own = holes.iter().filter(within).cloned();
+        std::iter::once(outline.clone()).chain(own).collect()
+    });
+    let mut areas: Vec<Vec<Vec<LatLon>>> = areas.collect();
+    let way = line(document);
+    if document.fence.is_empty() && way.len() >= 3 {
+        areas.push(vec![way]);
+    }
+    areas
+}
+
+fn corners(area: &FenceArea<LatLon>) -> Vec<LatLon> {
+    match &area.shape {
+        AreaShape::Polygon(corners) => corners.clone(),
+        AreaShape::Circle { centre, radius_m } => {
+            let (centre, radius_m) = (*centre, *radius_m);
+            Outline::Circle { centre, radius_m }.corners()
+        }
+    }
+}
+
+/// The places of a document's plan, in order.
+pub fn line(document: &Document) -> Vec<LatLon> {
+    let items = document.plan.iter();
+    items
+        .filter(|item| !item.is_takeoff() && item.command != command::LAND)
+        .filter(|item| item.is_waypoint())
+        .map(crate::Item::point)
+        .collect()
+}
+
+/// The single places of a document: its rally points.
+pub fn places(document: &Document) -> Vec<LatLon> {
+    document.rally.iter().map(crate::Item::point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ReadOptions, read};
+
+    fn document(text: &str) -> Document {
+        let loaded = read(text.as_bytes(), &ReadOptions::default());
+        loaded.expect("a good file").document
+    }
+
+    #[test]
+    fn polygons_with_holes_lines_and_points_are_found() {
+        let found = document(
+            r#"{"type": "GeometryCollection", "geometries": [
+                {"type": "Polygon", "coordinates": [[[30, 50], [30.1, 50], [30.1, 50.1], [30, 50]],
+                                                    [[30.06, 50.02], [30.07, 50.02], [30.07, 50.03], [30.06, 50.02]]]},
+                {"type": "Polygon", "coordinates": [[[31, 50], [31.1, 50], [31.1, 50.1], [31, 50]]]},
+                {"type": "LineString", "coordinates": [[30, 50], [30.2, 50]]},
+                {"type": "Point", "coordinates": [30.5, 50.5]}]}"#,
+        );
+        let rings: Vec<usize> = areas(&found).iter().map(Vec::len).collect();
+        assert_eq!(rings, [2, 1]);
+        assert_eq!(line(&found).len(), 2);
+        assert_eq!(places(&found).len(), 1);
+    }
+
+    #[test]
+    fn a_plan_without_a_fence_is_an_outline() {
+        let found = document(
+            "QGC WPL 110\n\
+             0\t1\t0\t16\t0\t0\t0\t0\t50\t30\t170\t1\n\
+             1\t0\t3\t22\t0\t0\t0\t0\t50\t30\t20\t1\n\
+             2\t0\t3\t16\t0\t0\t0\t0\t50.01\t30\t20\t1\n\
+             3\t0\t3\t16\t0\t0\t0\t0\t50.01\t30.01\t20\t1\n\
+             4\t0\t3\t16\t0\t0\t0\t0\t50.02\t30.01\t20\t1\n",
+        );
+        assert_eq!(areas(&found).len(), 1);
+        assert_eq!(areas(&found)[0][0].len(), 3);
+    }
+}
