@@ -53,7 +53,7 @@ pub use records::{
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, read, read_bytes, user_path};
+pub use source::{Source, StoreError, read, read_bytes, read_start, user_path};
 
 mod shipped {
     //! The embedded files: `build.rs` lists `missions/`, so that a new mission needs no further entry.

@@ -86,7 +86,18 @@ plan-above-ceiling = { $height } m above home; the limit is { $most } m
 plan-no-takeoff = no takeoff before the first place: the vehicle stays on the ground
 plan-no-end = the plan has no end: the vehicle hovers after the last item; add RTL or LAND
 plan-unreached = this item is never reached
-plan-no-terrain = the height is above terrain, and the vehicle has no terrain data (add `--terrain` if it has)
+plan-no-terrain = the height is above terrain, and the vehicle has no terrain data (`--has-terrain` if it has)
+plan-below-ground = the leg to this item goes { $depth } m into the ground, { $along } m from its start
+plan-low-over-ground = the leg to this item passes { $height } m above the ground, { $along } m from its start; at least { $least } m are needed (`--clearance`)
+plan-no-ground = the height counts from the ground, and no terrain file covers this leg
+plan-uncovered = { $count ->
+    [one] no terrain file covers { $count } leg
+   *[other] no terrain file covers { $count } legs
+}
+plan-home-height = home is at { $home } m above sea level in the file; the ground there is at { $ground } m
+plan-terrain-lowest = lowest over the ground: { $height } m, on the leg to item { $number }
+plan-terrain-no-folder = { $path }: no such folder
+plan-terrain-size = { $path }: { $bytes } bytes; an .hgt file has 2884802 (3 arc seconds) or 25934402 (1 arc second)
 plan-mixed-frames = the height changes its reference: { $before }, now { $here }
 plan-mixed-frames-home = the height changes its reference: { $before }, now { $here } ({ $first } m and { $second } m above home)
 plan-height-sea = { $height } m above sea level

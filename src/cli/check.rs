@@ -13,8 +13,6 @@ use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
-use crate::plan::ReadOptions;
-use crate::plan::check::CheckOptions;
 use crate::store::{self, Source};
 use crate::text::Locale;
 use crate::workshop::{Design, PartSlot};
@@ -94,8 +92,7 @@ pub(super) fn check(
     for path in files {
         if plan::is_plan_file(path) {
             let locale = Locale::new(settings.language());
-            let (reading, rules) = (ReadOptions::default(), CheckOptions::default());
-            faulty |= plan::report(path, reading, &rules, &locale)?;
+            faulty |= plan::report(path, &plan::Checking::default(), &locale)?;
             continue;
         }
         match store::read(path, "file-any") {

@@ -17,9 +17,10 @@ mod check;
 mod convert;
 mod deconflict;
 mod generate;
+mod ground;
 mod rehearse;
 
-pub(super) use check::report;
+pub(super) use check::{Checking, report};
 
 /// Options of `sortie plan`.
 #[derive(Debug, Args)]
@@ -33,7 +34,8 @@ enum PlanCommand {
     /// Checks plans by the rules of the vehicle that is to fly them, and prints each fault with its line and column.
     #[command(after_help = "Examples:\n  \
                             sortie plan check survey.plan\n  \
-                            sortie plan check --ceiling 120 --radius 500 *.waypoints")]
+                            sortie plan check --ceiling 120 --radius 500 *.waypoints\n  \
+                            sortie plan check survey.plan --terrain srtm --clearance 20")]
     Check(check::CheckArguments),
     /// Converts a plan; the extension of OUT is the format: .waypoints, .fence, .rally, .plan, .kml or .geojson.
     #[command(after_help = "Examples:\n  \

@@ -64,10 +64,37 @@ fn kind_words(kind: &FindingKind) -> Text {
         FindingKind::LowHeight { height_m } => {
             text!("plan-low-height", height = figure(*height_m, 0))
         }
+        FindingKind::LowOverGround {
+            height_m,
+            along_m,
+            least_m,
+        } => low_over_ground(*height_m, *along_m, *least_m),
+        FindingKind::NoGround => text!("plan-no-ground"),
+        FindingKind::Uncovered(count) => text!("plan-uncovered", count = *count),
+        FindingKind::HomeHeight { home_m, ground_m } => text!(
+            "plan-home-height",
+            home = figure(*home_m, 0),
+            ground = figure(*ground_m, 0)
+        ),
         FindingKind::FarAway { distance_m } => {
             let distance = figure(f64::from(*distance_m) / 1000.0, 0);
             text!("plan-far-away", distance = distance)
         }
+    }
+}
+
+fn low_over_ground(height_m: f32, along_m: f32, least_m: f32) -> Text {
+    let along = figure(along_m, 0);
+    if height_m < 0.0 {
+        let depth = figure(-height_m, 0);
+        text!("plan-below-ground", depth = depth, along = along)
+    } else {
+        text!(
+            "plan-low-over-ground",
+            height = figure(height_m, 0),
+            along = along,
+            least = figure(least_m, 0)
+        )
     }
 }
 

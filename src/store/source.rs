@@ -115,21 +115,29 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
 /// # Errors
 /// It does not exist, cannot be read or is too large.
 pub fn read_bytes(path: &Path, kind: &'static str) -> Result<Vec<u8>, StoreError> {
-    let unreadable = |error| StoreError::Unreadable {
-        path: path.to_owned(),
-        error,
-    };
-    // The reported size means nothing for a device or a pipe, so the reading itself is limited.
-    let mut bytes = Vec::new();
-    fs::File::open(path)
-        .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
-        .map_err(unreadable)?;
+    let bytes = read_start(path, LARGEST_FILE + 1)?;
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(StoreError::TooLarge {
             path: path.to_owned(),
             kind,
         });
     }
+    Ok(bytes)
+}
+
+/// Reads at most so many bytes from the start of a file.
+///
+/// # Errors
+/// It does not exist or cannot be read.
+pub fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, StoreError> {
+    // The reported size means nothing for a device or a pipe, so the reading itself is limited.
+    let mut bytes = Vec::new();
+    fs::File::open(path)
+        .and_then(|file| file.take(most).read_to_end(&mut bytes))
+        .map_err(|error| StoreError::Unreadable {
+            path: path.to_owned(),
+            error,
+        })?;
     Ok(bytes)
 }
 

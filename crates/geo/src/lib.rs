@@ -10,9 +10,11 @@ use serde::{Deserialize, Serialize};
 
 pub mod maths;
 mod outline;
+mod terrain;
 mod viewport;
 
 pub use outline::Outline;
+pub use terrain::{Square, Terrain, WrongSize};
 pub use viewport::{DOTS_ACROSS, DOTS_DOWN, Dot, Extent, GridSize, Viewport, Zoom, scale_bar};
 
 /// WGS-84 semi-major axis, in metres.

@@ -6,8 +6,10 @@ use crate::{Document, HeightFrame, Item, ListKind, command};
 
 mod flight;
 mod place;
+mod terrain;
 
 pub(crate) use place::is_crossed;
+pub use terrain::{Leg, check_terrain, legs};
 
 /// The kind of vehicle, which decides what commands it flies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -195,7 +197,27 @@ pub enum FindingKind {
         /// The height above home, in metres.
         height_m: f32,
     },
-    /// The place is far from home, often because of a wrong sign, or because latitude and longitude are swapped.
+    /// The leg to the item goes into the ground, or comes too near to it.
+    LowOverGround {
+        /// The least height above the ground, in metres.
+        height_m: f32,
+        /// Where that is, in metres from the start of the leg.
+        along_m: f32,
+        /// The least that is allowed, in metres.
+        least_m: f32,
+    },
+    /// The height counts from the ground, and no terrain file covers the leg.
+    NoGround,
+    /// No terrain file covers so many legs.
+    Uncovered(usize),
+    /// The height of home in the file is not that of the ground there.
+    HomeHeight {
+        /// In the file, in metres above mean sea level.
+        home_m: f32,
+        /// The ground, in metres above mean sea level.
+        ground_m: f32,
+    },
+    /// The place is far from home, which is often a wrong sign or two numbers that changed places.
     FarAway {
         /// The distance from home, in metres.
         distance_m: f32,
@@ -218,13 +240,17 @@ impl FindingKind {
             | Self::BeyondRadius { .. }
             | Self::AboveCeiling { .. }
             | Self::HomeBreaksFence { .. }
-            | Self::NoTerrain => Severity::Error,
+            | Self::NoTerrain
+            | Self::LowOverGround { .. } => Severity::Error,
             Self::Skipped { .. }
             | Self::NoTakeoff
             | Self::NoEnd
             | Self::Unreached
             | Self::MixedFrames { .. }
             | Self::LowHeight { .. }
+            | Self::NoGround
+            | Self::Uncovered(_)
+            | Self::HomeHeight { .. }
             | Self::FarAway { .. } => Severity::Warning,
         }
     }

@@ -1,5 +1,7 @@
 //! Separates vehicles whose plans bring them too close to each other, by later starts or by layers of height.
 
+use std::collections::BTreeMap;
+
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
@@ -14,7 +16,13 @@ const LONGEST_DELAY_S: u32 = 1800;
 /// The margins tried in the search, as multiples of the conflict limits: tracks have gaps between their points, and a
 /// vehicle that starts later meets other gusts.
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
-/// The maximum number of times that layers are rehearsed and extended.
+/// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
+const LIFTS_AFTER_ARMING_S: u32 = 2;
+/// So many vehicles are placed in every order.
+const ALL_ORDERS: usize = 5;
+/// The times that the neighbours in the order of more vehicles are exchanged.
+const SWAP_ROUNDS: usize = 12;
+/// The number of times that layers are flown and added to.
 const LAYER_ROUNDS: usize = 6;
 
 /// The change to one vehicle's plan.
@@ -36,12 +44,13 @@ impl Remedy {
         match self {
             Self::Nothing => {}
             Self::Delay(seconds) => {
-                // -1: no time of day.
+                // No time of the day: -1.
+                let wait_s = (seconds + LIFTS_AFTER_ARMING_S) as f32;
                 let wait = Item {
                     command: command::DELAY,
                     frame: 3,
                     auto_continue: true,
-                    params: [seconds as f32, -1.0, -1.0, -1.0],
+                    params: [wait_s, -1.0, -1.0, -1.0],
                     ..Item::default()
                 };
                 if let Ok(plan) = insert(&document.plan, 0, &[wait]) {
@@ -83,8 +92,9 @@ pub struct Proposal {
 }
 
 /// Finds later starts, or layers `layer_m` apart, that leave no conflict, whichever loses less time; `None` if neither
-/// does. Vehicles are placed in their order, each as early or as low as those before it allow; that is not always the
-/// least of all possible delays. The participants' own delays are taken as 0.
+/// does. Vehicles are placed one after the other, each as early or as low as those before it allow, in the order that
+/// loses the least in all: of all orders for a few vehicles, of many for more. The participants' own delays are taken
+/// as 0.
 ///
 /// # Errors
 /// See [`RehearsalError`].
@@ -162,25 +172,27 @@ fn tried(
     conditions: &Conditions,
     remedies: Vec<Remedy>,
 ) -> Result<Proposal, RehearsalError> {
+    // As they are written to files, so that what is found holds for the files.
     let changed: Vec<Participant> = participants
         .iter()
         .zip(&remedies)
-        .map(|(participant, remedy)| match remedy {
-            Remedy::Nothing => participant.clone(),
-            Remedy::Delay(seconds) => Participant {
-                delay_s: f64::from(*seconds),
-                ..participant.clone()
-            },
-            Remedy::Layer(_) => Participant {
-                document: remedy.apply(&participant.document),
-                ..participant.clone()
-            },
+        .map(|(participant, remedy)| Participant {
+            document: remedy.apply(&participant.document),
+            ..participant.clone()
         })
         .collect();
+    let mut conditions = conditions.clone();
+    if remedies
+        .iter()
+        .any(|remedy| matches!(remedy, Remedy::Delay(_)))
+    {
+        // A vehicle that waits on the ground must not disarm.
+        conditions.parameters.push(("DISARM_DELAY".to_owned(), 0.0));
+    }
     Ok(Proposal {
         remedies,
         lost_s: 0.0,
-        outcome: rehearse(&changed, conditions)?,
+        outcome: rehearse(&changed, &conditions)?,
     })
 }
 
@@ -205,25 +217,113 @@ pub(crate) fn by_delays(
     Ok(None)
 }
 
-/// The shortest delay of each vehicle that keeps it away from those before it.
+/// The delays with the least sum that keep the vehicles apart.
 fn delays(tracks: &[Track], limit: f64) -> Option<Vec<u32>> {
-    let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
-    let mut delays: Vec<u32> = Vec::new();
-    for (vehicle, track) in tracks.iter().enumerate() {
-        let is_free = |delay: u32| {
-            let earlier = tracks[..vehicle].iter().zip(&delays);
-            earlier.into_iter().all(|(other, other_delay)| {
-                let shift = |seconds: u32| seconds as usize * per_second;
-                are_apart((track, shift(delay)), (other, shift(*other_delay)), limit)
-            })
-        };
+    let mut pairs = Pairs::new(tracks, limit);
+    let found = best_order(tracks.len(), |order| {
+        let delays = delays_in(order, &mut pairs)?;
+        Some((delays.iter().sum(), delays))
+    });
+    found.map(|(_, delays)| delays)
+}
+
+/// The least delay of each vehicle that keeps it away from those before it in an order.
+fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
+    let mut delays = vec![0; order.len()];
+    for (place, &vehicle) in order.iter().enumerate() {
         let mut candidates = (0..=LONGEST_DELAY_S).step_by(DELAY_STEP_S as usize);
-        delays.push(candidates.find(|delay| is_free(*delay))?);
+        delays[vehicle] = candidates.find(|delay| {
+            let mut earlier = order[..place].iter();
+            earlier.all(|other| pairs.are_apart((vehicle, *delay), (*other, delays[*other])))
+        })?;
     }
     Some(delays)
 }
 
-/// Whether two vehicles stay apart if they start after these numbers of points.
+/// Which pairs stay apart with which difference of their delays, as far as it has been asked.
+struct Pairs<'a> {
+    tracks: &'a [Track],
+    limit: f64,
+    known: BTreeMap<(usize, usize, i64), bool>,
+}
+
+impl<'a> Pairs<'a> {
+    fn new(tracks: &'a [Track], limit: f64) -> Self {
+        Self {
+            tracks,
+            limit,
+            known: BTreeMap::new(),
+        }
+    }
+
+    fn are_apart(&mut self, (a, a_delay): (usize, u32), (b, b_delay): (usize, u32)) -> bool {
+        let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
+        let least = a_delay.min(b_delay);
+        let shift = |delay: u32| (delay - least) as usize * per_second;
+        let (tracks, limit) = (self.tracks, self.limit);
+        let key = (a, b, i64::from(a_delay) - i64::from(b_delay));
+        *self.known.entry(key).or_insert_with(|| {
+            are_apart(
+                (&tracks[a], shift(a_delay)),
+                (&tracks[b], shift(b_delay)),
+                limit,
+            )
+        })
+    }
+}
+
+/// The best result of all orders of so many vehicles: the one with the least cost. Of more than [`ALL_ORDERS`] vehicles,
+/// neighbours are exchanged as long as that helps.
+fn best_order<R>(
+    vehicles: usize,
+    mut result: impl FnMut(&[usize]) -> Option<(u32, R)>,
+) -> Option<(u32, R)> {
+    let mut order: Vec<usize> = (0..vehicles).collect();
+    let mut best = result(&order);
+    let is_better = |found: &Option<(u32, R)>, best: &Option<(u32, R)>| match (found, best) {
+        (Some((cost, _)), Some((least, _))) => cost < least,
+        (Some(_), None) => true,
+        (None, _) => false,
+    };
+    if vehicles <= ALL_ORDERS {
+        while next_order(&mut order) {
+            let found = result(&order);
+            if is_better(&found, &best) {
+                best = found;
+            }
+        }
+        return best;
+    }
+    for _ in 0..SWAP_ROUNDS {
+        let mut helped = false;
+        for place in 1..vehicles {
+            order.swap(place - 1, place);
+            let found = result(&order);
+            if is_better(&found, &best) {
+                (best, helped) = (found, true);
+            } else {
+                order.swap(place - 1, place);
+            }
+        }
+        if !helped {
+            break;
+        }
+    }
+    best
+}
+
+/// The next order by the alphabet; false after the last.
+fn next_order(order: &mut [usize]) -> bool {
+    let Some(pivot) = order.windows(2).rposition(|pair| pair[0] < pair[1]) else {
+        return false;
+    };
+    let greater = order.iter().rposition(|it| *it > order[pivot]);
+    order.swap(pivot, greater.unwrap_or(pivot));
+    order[pivot + 1..].reverse();
+    true
+}
+
+/// Whether two vehicles that start after so many points stay apart.
 fn are_apart((a, a_shift): (&Track, usize), (b, b_shift): (&Track, usize), limit: f64) -> bool {
     let end = (a.points.len() + a_shift).max(b.points.len() + b_shift);
     // A vehicle that ends in the air stays there.
@@ -272,17 +372,86 @@ pub(crate) fn by_layers(
     Ok(None)
 }
 
-/// The lowest layer for each vehicle that is not used by a nearby vehicle before it.
+/// The layers with the least sum that part those who come near each other.
 fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
-    let mut layers: Vec<usize> = Vec::new();
-    for vehicle in 0..vehicles {
-        let is_near = |other: usize| near.contains(&(other, vehicle));
-        let taken: Vec<usize> = (0..vehicle)
-            .filter(|it| is_near(*it))
-            .map(|it| layers[it])
-            .collect();
-        let free = (0..=vehicle).find(|layer| !taken.contains(layer));
-        layers.push(free.unwrap_or_default());
+    let found = best_order(vehicles, |order| {
+        let layers = layers_in(order, near);
+        let sum: usize = layers.iter().sum();
+        Some((u32::try_from(sum).unwrap_or(u32::MAX), layers))
+    });
+    found.map(|(_, layers)| layers).unwrap_or_default()
+}
+
+/// The lowest layer for each vehicle that none of those before it has, of those that come near it.
+fn layers_in(order: &[usize], near: &[(usize, usize)]) -> Vec<usize> {
+    let mut layers = vec![0; order.len()];
+    for (place, &vehicle) in order.iter().enumerate() {
+        let is_near =
+            |other: usize| near.contains(&(other, vehicle)) || near.contains(&(vehicle, other));
+        let earlier = order[..place].iter().filter(|other| is_near(**other));
+        let taken: Vec<usize> = earlier.map(|other| layers[*other]).collect();
+        let free = (0..=place).find(|layer| !taken.contains(layer));
+        layers[vehicle] = free.unwrap_or_default();
     }
     layers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_orders_are_visited_once() {
+        let mut order = vec![0, 1, 2, 3];
+        let mut seen = vec![order.clone()];
+        while next_order(&mut order) {
+            seen.push(order.clone());
+        }
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen.len(), 24);
+    }
+
+    /// A track at one place: in the air from the start to the end.
+    fn track(places: &[f64]) -> Track {
+        let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
+        let points = places
+            .iter()
+            .flat_map(|north| vec![Some([*north, 0.0, 0.0]); per_second])
+            .chain([None]);
+        Track {
+            points: points.collect(),
+        }
+    }
+
+    /// One vehicle is in a place for long, two pass it early: it is cheaper that the one waits than that both do.
+    #[test]
+    fn the_order_with_the_least_delay_is_found() {
+        let long = [0.0; 30];
+        let short = [0.0, 100.0, 200.0];
+        let mut late = vec![300.0; 2];
+        late.extend(short);
+        let tracks = [track(&long), track(&short), track(&late)];
+        let mut pairs = Pairs::new(&tracks, 1.0);
+        let greedy = delays_in(&[0, 1, 2], &mut pairs).expect("a way");
+        assert!(greedy.iter().sum::<u32>() >= 50, "{greedy:?}");
+        let best = delays(&tracks, 1.0).expect("a way");
+        assert!(best.iter().sum::<u32>() <= 4, "{best:?}");
+        assert!(best[0] > 0, "{best:?}");
+    }
+
+    #[test]
+    fn one_layer_for_the_vehicle_in_the_middle_is_enough() {
+        // Vehicle 0 comes near all others, which are apart: it alone is raised.
+        let near = [(0, 1), (0, 2), (0, 3)];
+        assert_eq!(layers(4, &near), [1, 0, 0, 0]);
+        assert_eq!(layers_in(&[0, 1, 2, 3], &near), [0, 1, 1, 1]);
+    }
+
+    #[test]
+    fn many_vehicles_are_ordered_by_exchanges() {
+        let near: Vec<(usize, usize)> = (1..9).map(|other| (0, other)).collect();
+        let raised: usize = layers(9, &near).iter().sum();
+        assert_eq!(raised, 1);
+    }
 }

@@ -1,18 +1,21 @@
 //! `sortie plan check`.
 
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
+use super::ground::{Ground, GroundArguments};
 use super::{Failure, ShapeArguments, load};
 use crate::cli::fault::FileFault;
+use crate::plan::Document;
 use crate::plan::ReadOptions;
-use crate::plan::check::{CheckOptions, Severity, VehicleKind, check as findings};
+use crate::plan::check::{
+    CheckOptions, Severity, VehicleKind, check as findings, check_terrain, legs,
+};
 use crate::preflight;
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, figure};
 
 /// Options of `sortie plan check`.
 #[derive(Debug, Args)]
@@ -31,7 +34,9 @@ pub(in crate::cli) struct CheckArguments {
     radius: Option<f32>,
     /// The vehicle has terrain data for the area.
     #[arg(long)]
-    terrain: bool,
+    has_terrain: bool,
+    #[command(flatten)]
+    ground: GroundArguments,
     #[command(flatten)]
     shapes: ShapeArguments,
 }
@@ -58,24 +63,37 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
         vehicle: options.vehicle.map(VehicleKind::from),
         ceiling_m: options.ceiling,
         radius_m: options.radius,
-        has_terrain: options.terrain,
+        has_terrain: options.has_terrain,
+    };
+    let checking = Checking {
+        reading: options.shapes.options(),
+        rules,
+        ground: Some(options.ground.clone()),
     };
     let mut faulty = false;
     for path in &options.files {
-        faulty |= report(path, options.shapes.options(), &rules, locale)?;
+        faulty |= report(path, &checking, locale)?;
     }
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-/// Prints the faults of a plan file; returns whether there is an error.
+/// How files are checked.
+#[derive(Debug, Default)]
+pub(in crate::cli) struct Checking {
+    reading: ReadOptions,
+    rules: CheckOptions,
+    /// The ground with which heights are compared.
+    ground: Option<GroundArguments>,
+}
+
+/// Prints what is wrong with a plan file; returns whether there is an error.
 pub(in crate::cli) fn report(
     path: &Path,
-    reading: ReadOptions,
-    rules: &CheckOptions,
+    checking: &Checking,
     locale: &Locale,
-) -> Result<bool, io::Error> {
+) -> Result<bool, Failure> {
     let name = path.display().to_string();
-    let loaded = match load(path, reading) {
+    let loaded = match load(path, checking.reading) {
         Ok(loaded) => loaded,
         Err(FileFault::Inside(source, faults)) => {
             for fault in faults {
@@ -88,7 +106,15 @@ pub(in crate::cli) fn report(
             return Ok(true);
         }
     };
-    let remarks = preflight::remarks(&loaded, &findings(&loaded.document, rules));
+    let mut found = findings(&loaded.document, &checking.rules);
+    let ground = checking.ground.as_ref();
+    let ground = ground.map(|ground| ground.below(&loaded.document, locale));
+    let ground = ground.transpose()?.flatten();
+    if let Some(ground) = &ground {
+        let height = |place| ground.terrain.height_m(place);
+        found.extend(check_terrain(&loaded.document, &height, ground.clearance_m));
+    }
+    let remarks = preflight::remarks(&loaded, &found);
     for remark in &remarks {
         let line = locale.text(&remark.diagnostic.text(&name, &loaded.text));
         match remark.severity {
@@ -100,10 +126,33 @@ pub(in crate::cli) fn report(
         .iter()
         .any(|remark| remark.severity == Severity::Error);
     let content = locale.text(&preflight::summary(&loaded.document));
+    if let Some(ground) = &ground {
+        print_lowest(&name, &loaded.document, ground, locale)?;
+    }
     if faulty {
         say!("{name}: {content}")?;
     } else {
         say!("{name}: {}: {content}", locale.text(&text!("plan-good")))?;
     }
     Ok(faulty)
+}
+
+/// Where the plan is nearest to the ground.
+fn print_lowest(
+    name: &str,
+    document: &Document,
+    ground: &Ground,
+    locale: &Locale,
+) -> Result<(), Failure> {
+    let height = |place| ground.terrain.height_m(place);
+    let lowest = legs(document, &height)
+        .into_iter()
+        .filter_map(|leg| Some((leg.lowest?[0], leg.item)))
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((height_m, item)) = lowest {
+        let height = figure(height_m, 0);
+        let lowest = text!("plan-terrain-lowest", height = height, number = item + 1);
+        say!("{name}: {}", locale.text(&lowest))?;
+    }
+    Ok(())
 }
