@@ -144,7 +144,7 @@ enum CliCommand {
     Watch(watch::WatchArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
-    /// Checks, converts and rehearses plans, fences and rally points in files.
+    /// Makes, checks, converts and rehearses plans, fences and rally points in files.
     Plan(plan::PlanArguments),
     /// Serves the embedded simulator to any ground station.
     Sim(sim::SimArguments),

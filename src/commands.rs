@@ -32,6 +32,7 @@ mod raw;
 mod request;
 mod setpoint;
 mod speeds;
+mod task;
 #[cfg(test)]
 mod tests;
 
@@ -56,6 +57,7 @@ pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
+pub use task::PlanTask;
 
 /// A command to one vehicle, by subject. Every variant has one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]

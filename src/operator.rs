@@ -6,24 +6,29 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 use std::time::Duration;
 
-use crate::commands::{Act, Deed, Order};
+use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanTask};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Context, Statement};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Flight;
 use crate::notice::Notice;
+use crate::plan::ListKind;
 use crate::session::{Steering, VehicleCommand};
 use crate::swarm::{Conductor, Path, Rules};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
 
+mod rehearsing;
 #[cfg(test)]
 mod tests;
 
-/// A task that an operator hands to its owner.
+pub use rehearsing::{Meeting, PlanRehearsal, Rehearsed};
+
+/// Work for the owner of an operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Dispatch {
     /// Apply a change of a row to the ledger.
@@ -34,6 +39,8 @@ pub enum Dispatch {
     Steer(VehicleId, Steering),
     /// Show the user a notice.
     Notice(Notice),
+    /// Fly plans in simulation, which takes a while.
+    Rehearse(PlanRehearsal),
     /// Show the mission's reason for refusing an order. The rows have it too, but no vehicle sends it.
     Refused(Text),
 }
@@ -102,7 +109,7 @@ impl Dispatch {
         match self {
             Self::Row(row) => Self::Row(RowUpdate { at: now, ..row }),
             Self::Notice(notice) => Self::Notice(Notice { at: now, ..notice }),
-            Self::Command(..) | Self::Steer(..) | Self::Refused(_) => self,
+            Self::Command(..) | Self::Steer(..) | Self::Rehearse(_) | Self::Refused(_) => self,
         }
     }
 }
@@ -137,8 +144,57 @@ impl Operator {
                 work
             }
             Act::Manoeuvre(_) => self.assign(entry, order, &scene).0,
+            Act::Plans(task) => self.put_plans(entry, order, task, &scene),
+            Act::Rehearse => {
+                let (rows, rehearsal) =
+                    rehearsing::prepare(entry, order, scene.vehicles, scene.now);
+                let rows = rows.into_iter().map(Dispatch::Row);
+                rows.chain(rehearsal.map(Dispatch::Rehearse)).collect()
+            }
             Act::Deed(deed) => done_by_mission(entry, order, deed, scene),
         }
+    }
+
+    /// Gives each target its plan, to be put on board.
+    fn put_plans(
+        &self,
+        entry: EntryId,
+        order: &Order,
+        task: &PlanTask,
+        scene: &OperatorScene<'_>,
+    ) -> Vec<Dispatch> {
+        let plans = match self.conductor.plans(task, &order.targets, scene.vehicles) {
+            Ok(plans) => plans,
+            Err(reason) => return refused(entry, order, &reason, scene.now),
+        };
+        let mut commands: BTreeMap<VehicleId, Command> = BTreeMap::new();
+        for (vehicle, document) in plans {
+            let command = PlanCommand {
+                kind: ListKind::Plan,
+                deed: PlanDeed::Put(Arc::new(document)),
+            };
+            commands.insert(vehicle, Command::Plan(command));
+        }
+        let flight = scene.flight.as_deref();
+        let mut refusals = commands.values().filter_map(|it| flight?.refusal(it));
+        if let Some(reason) = refusals.next() {
+            return refused(entry, order, &reason, scene.now);
+        }
+        let dispatch = |&vehicle: &VehicleId| match commands.get(&vehicle) {
+            Some(command) => {
+                let command = VehicleCommand::new(entry, order.verb, command.clone());
+                Dispatch::Command(vehicle, command)
+            }
+            None => Dispatch::Row(RowUpdate {
+                entry,
+                vehicle,
+                state: RowState::NoEffect,
+                tries: 0,
+                at: scene.now,
+                explanation: Some(text!("outcome-plan-idle")),
+            }),
+        };
+        order.targets.iter().map(dispatch).collect()
     }
 
     /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose own autopilots

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::plan::board;
 use crate::plan::check::{Finding, Severity};
+use crate::plan::generate::GenerateError;
 use crate::plan::{ContentHash, Document, Fault, ListKind, Loaded, Note};
 use crate::text;
 use crate::text::Text;
@@ -82,6 +83,18 @@ pub fn list_words(kind: ListKind) -> Text {
         ListKind::Plan => text!("plan-list-plan"),
         ListKind::Fence => text!("plan-list-fence"),
         ListKind::Rally => text!("plan-list-rally"),
+    }
+}
+
+/// Why a task has no plans; `vehicle` is the number of the vehicle that the error concerns.
+pub fn ungenerated(error: GenerateError, vehicle: usize) -> Text {
+    match error {
+        GenerateError::NoVehicle => text!("plan-generate-no-vehicle"),
+        GenerateError::Empty => text!("plan-generate-empty"),
+        GenerateError::TooMany(most) => text!("plan-generate-too-many", most = most),
+        GenerateError::Fence => text!("plan-generate-fence"),
+        GenerateError::OutsideFence => text!("plan-generate-outside"),
+        GenerateError::NoWay(_) => text!("plan-generate-no-way", vehicle = vehicle),
     }
 }
 

@@ -27,6 +27,7 @@ use crate::vehicle::{GlobalPosition, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
+mod drafts;
 mod geometry;
 mod guard;
 mod lanes;
@@ -172,7 +173,7 @@ impl Conductor {
                     rows: self.begin(call, vehicles, now),
                 }
             }
-            Act::Deed(_) => Assignment::default(),
+            Act::Deed(_) | Act::Plans(_) | Act::Rehearse => Assignment::default(),
         }
     }
 

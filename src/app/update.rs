@@ -142,6 +142,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             return order::advanced(state, &row);
         }
         VehicleEvent::Paths(paths) => state.session.paths = paths,
+        VehicleEvent::Meetings(meetings) => state.session.meetings = meetings,
     }
     state.touch();
     Effects::none()

@@ -1,6 +1,6 @@
 //! An order: a line for vehicles, from the command line to its execution.
 
-use super::{Command, Deed, Manoeuvre};
+use super::{Command, Deed, Manoeuvre, PlanCommand, PlanTask};
 use crate::ledger::{Given, Risk};
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
@@ -36,16 +36,21 @@ pub enum Act {
     /// Carried out by the mission, for each target.
     Deed(Deed),
     Manoeuvre(Manoeuvre),
+    /// Each target gets a plan of its own.
+    Plans(PlanTask),
+    /// The plans on board are flown in simulation; no vehicle notices.
+    Rehearse,
 }
 
 impl Order {
     /// Why it needs a confirmation although its verb does not, by the state of its vehicles.
     pub fn hazard(&self, vehicles: &Vehicles) -> Option<Text> {
-        let Act::Command(command) = &self.act else {
-            return None;
-        };
         let mut targets = self.targets.iter().filter_map(|id| vehicles.get(id));
-        targets.find_map(|vehicle| command.hazard(vehicle))
+        match &self.act {
+            Act::Command(command) => targets.find_map(|vehicle| command.hazard(vehicle)),
+            Act::Plans(_) => targets.find_map(|vehicle| PlanCommand::replacing_hazard(vehicle)),
+            Act::Deed(_) | Act::Manoeuvre(_) | Act::Rehearse => None,
+        }
     }
 }
 
@@ -53,7 +58,7 @@ impl Act {
     pub fn risk(&self) -> Risk {
         match self {
             Self::Command(command) => command.risk(),
-            Self::Deed(_) | Self::Manoeuvre(_) => Risk::None,
+            Self::Deed(_) | Self::Manoeuvre(_) | Self::Plans(_) | Self::Rehearse => Risk::None,
         }
     }
 }

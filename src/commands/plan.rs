@@ -1,23 +1,27 @@
 //! Commands about the lists that a vehicle carries: its plan, its fence and its rally points.
 
-use crate::plan::ListKind;
+use std::sync::Arc;
+
+use crate::plan::{Document, ListKind};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle};
 
 /// A command about a list of a vehicle.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PlanCommand {
     pub kind: ListKind,
     pub deed: PlanDeed,
 }
 
-/// An action on a list of the vehicle.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What is done with a list.
+#[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
     /// Replace the list by that of a file.
     Upload { file: String },
-    /// Write the list on board to a new file.
+    /// Replace it by that of a document.
+    Put(Arc<Document>),
+    /// Write it into a new file.
     Download { file: String },
     /// Remove all items of the list on board.
     Clear,
@@ -33,7 +37,7 @@ impl PlanCommand {
             ListKind::Plan => false,
         };
         let writes = match self.deed {
-            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+            PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => true,
             PlanDeed::Download { .. } | PlanDeed::Show => false,
         };
         is_limit && writes
@@ -41,23 +45,34 @@ impl PlanCommand {
 
     /// Why it needs a confirmation for this vehicle now; `None` if it does not.
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
-        let plans = &vehicle.plans;
-        let transfer = match self.kind {
-            ListKind::Plan => plans.plan.transfer,
-            ListKind::Fence => plans.fence.transfer,
-            ListKind::Rally => plans.rally.transfer,
-        };
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
-            PlanDeed::Upload { .. } | PlanDeed::Clear if flies_plan(vehicle) => {
-                Some(text!("hazard-plan-auto"))
+            PlanDeed::Clear if vehicle.armed() && !flies_plan(vehicle) => {
+                Some(text!("hazard-plan-armed"))
             }
-            PlanDeed::Clear if vehicle.armed() => Some(text!("hazard-plan-armed")),
-            PlanDeed::Upload { .. } | PlanDeed::Clear => {
-                (transfer != Transfer::Done).then(|| text!("hazard-plan-unread"))
+            PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => {
+                replacing_hazard(self.kind, vehicle)
             }
         }
     }
+
+    /// Why a new plan needs a confirmation for this vehicle now; `None` if it does not.
+    pub fn replacing_hazard(vehicle: &Vehicle) -> Option<Text> {
+        replacing_hazard(ListKind::Plan, vehicle)
+    }
+}
+
+fn replacing_hazard(kind: ListKind, vehicle: &Vehicle) -> Option<Text> {
+    let plans = &vehicle.plans;
+    let transfer = match kind {
+        ListKind::Plan => plans.plan.transfer,
+        ListKind::Fence => plans.fence.transfer,
+        ListKind::Rally => plans.rally.transfer,
+    };
+    if flies_plan(vehicle) {
+        return Some(text!("hazard-plan-auto"));
+    }
+    (transfer != Transfer::Done).then(|| text!("hazard-plan-unread"))
 }
 
 /// Whether the vehicle flies its plan.

@@ -80,6 +80,15 @@ impl<L> Exercise<L> {
                 }
             }
             Dispatch::Notice(notice) => self.tell(since(self.prelude, notice), now),
+            Dispatch::Rehearse(rehearsal) => {
+                let rehearsed = rehearsal.fly(now);
+                for row in &rehearsed.rows {
+                    self.advance_row(row, now);
+                }
+                for notice in rehearsed.notices {
+                    self.tell(since(self.prelude, notice), now);
+                }
+            }
             // The report's ledger contains the reason.
             Dispatch::Refused(_) => {}
         }

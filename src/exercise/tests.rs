@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::language::Context;
+use crate::ledger::{LedgerRow, RowState};
 use crate::mission::Mission;
 use crate::mission::record::{Occasion, Stored};
 use crate::scoring::{EventKind, FlightBackend};
@@ -312,4 +313,70 @@ fn marking_blindly_does_not_pay_in_the_plant_accident() {
     let blind = share_of("people", mission, &blind(pilot, "3 goto c1"));
     let looked = share_of("people", mission, pilot);
     assert!(blind < 0.5 && looked > 0.9, "{blind} {looked}");
+}
+
+/// The rows of the entries whose lines begin so, after a script in a mission with two drones.
+fn rows_of(script: &str, lines: &[&str]) -> Vec<Vec<(RowState, String)>> {
+    let file = include_str!("../../missions/06-lane-survey.toml");
+    let mission = Arc::new(Mission::parse(file).expect("no faults"));
+    let places = mission.places_to_name();
+    let context = Context {
+        places: Some(&places),
+        vehicles: &[1, 2],
+        ..Context::default()
+    };
+    let script = Script::parse(script, &context).expect("no faults");
+    let mut exercise = Exercise::new(mission, 1, script, Vec::new());
+    let limit = Duration::from_secs(120);
+    while !exercise.is_over() && exercise.now() < limit {
+        exercise.step();
+        exercise.take_notices();
+    }
+    let entry = |line: &&str| {
+        let mut entries = exercise.ledger.entries();
+        let entry = entries.find(|entry| entry.line.starts_with(line));
+        let rows = entry.expect("it was given").rows.iter();
+        let words = |row: &LedgerRow| {
+            let words = row.explanation.as_ref().map(ToString::to_string);
+            (row.state, words.unwrap_or_default())
+        };
+        rows.map(words).collect()
+    };
+    lines.iter().map(entry).collect()
+}
+
+#[test]
+fn a_survey_becomes_plans_on_board_which_are_rehearsed() {
+    let script = "wait all ready timeout 60s\n\
+                  1 plan rehearse\n\
+                  all plan survey n 20 e -20 to n 60 e 20 spacing 10 up 15\n\
+                  wait 40s\n\
+                  all plan rehearse\n\
+                  wait 5s\n";
+    let found = rows_of(
+        script,
+        &["1 plan rehearse", "all plan survey", "all plan rehearse"],
+    );
+    assert_eq!(found[0][0].0, RowState::Refused, "{found:?}");
+    for (state, words) in &found[1] {
+        assert_eq!(*state, RowState::Done, "{found:?}");
+        assert!(words.contains("read back"), "{words}");
+    }
+    assert_eq!(found[2].len(), 2);
+    for (state, words) in &found[2] {
+        assert_eq!(*state, RowState::Done, "{found:?}");
+        assert!(words.contains("lands after"), "{words}");
+    }
+}
+
+#[test]
+fn a_survey_that_no_vehicle_can_fly_is_refused_with_the_reason() {
+    let script = "wait all ready timeout 60s\n\
+                  all plan survey n 0 e 0 to n 90000 e 90000 spacing 1\n\
+                  wait 2s\n";
+    let found = rows_of(script, &["all plan survey"]);
+    for (state, words) in &found[0] {
+        assert_eq!(*state, RowState::Refused);
+        assert!(words.contains("lines"), "{words}");
+    }
 }

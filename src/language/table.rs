@@ -3,7 +3,7 @@
 use super::argument::{Arguments, Problem};
 use super::console::ConsoleLine;
 use super::verb::{Meaning, Scope, VerbRow};
-use crate::commands::{Act, Command, Deed, Manoeuvre};
+use crate::commands::{Act, Command, Deed, Manoeuvre, PlanTask};
 use crate::verb::{Retry, Verb};
 
 mod console;
@@ -92,6 +92,14 @@ fn deed(deed: Deed) -> Built {
 )]
 fn manoeuvre(manoeuvre: Manoeuvre) -> Built {
     Ok(Meaning::Act(Act::Manoeuvre(manoeuvre)))
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn plans(task: PlanTask) -> Built {
+    Ok(Meaning::Act(Act::Plans(task)))
 }
 
 #[expect(

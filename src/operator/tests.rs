@@ -147,6 +147,7 @@ fn answered(line: &str, stake: Stake, rules: &str) -> Vec<RowState> {
         Dispatch::Command(..)
         | Dispatch::Steer(..)
         | Dispatch::Notice(_)
+        | Dispatch::Rehearse(_)
         | Dispatch::Refused(_) => None,
     });
     rows.collect()

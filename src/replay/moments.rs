@@ -94,7 +94,8 @@ impl Lookout {
                 Event::Vehicle(
                     VehicleEvent::Parameters { .. }
                     | VehicleEvent::Given { .. }
-                    | VehicleEvent::Paths(_),
+                    | VehicleEvent::Paths(_)
+                    | VehicleEvent::Meetings(_),
                 )
                 | Event::Session(
                     SessionEvent::Started(_)

@@ -164,7 +164,7 @@ fn wanted(
     vehicle: &Vehicle,
 ) -> Result<Option<Vec<Item>>, Text> {
     let writes = match &command.deed {
-        PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+        PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => true,
         PlanDeed::Download { .. } | PlanDeed::Show => false,
     };
     let is_ardupilot = vehicle
@@ -180,17 +180,22 @@ fn wanted(
             Err(text!("refused-plan-clear-auto"))
         }
         PlanDeed::Clear => Ok(Some(Vec::new())),
+        PlanDeed::Put(document) => checked(document, command.kind).map(Some),
         PlanDeed::Upload { file } => {
             let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
-            let document = shelf.read(&named(file, vehicle))?;
-            let own = document.list(command.kind);
-            if own.is_empty() {
-                return Err(text!("refused-plan-empty"));
-            }
-            compare::check(command.kind, own)?;
-            Ok(Some(whole(&document, command.kind)))
+            checked(&shelf.read(&named(file, vehicle))?, command.kind).map(Some)
         }
     }
+}
+
+/// A document's list for a vehicle, unless the vehicle would refuse it.
+fn checked(document: &Document, kind: ListKind) -> Result<Vec<Item>, Text> {
+    let own = document.list(kind);
+    if own.is_empty() {
+        return Err(text!("refused-plan-empty"));
+    }
+    compare::check(kind, own)?;
+    Ok(whole(document, kind))
 }
 
 /// A list as a vehicle carries it: with home as item 0 of a plan, which the vehicle replaces by its own.

@@ -28,6 +28,7 @@ mod logbook;
 mod mission_run;
 mod orders;
 mod recorder;
+mod rehearsals;
 mod start;
 
 use forwards::SessionForwards;
@@ -38,6 +39,7 @@ use links::SessionLinks;
 pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
 use recorder::FlightRecorder;
+use rehearsals::Rehearsals;
 pub(super) use start::{SessionBackend, SessionPlan};
 
 /// The maximum number of fleet events per tick, so that a flood of notices cannot block the screen.
@@ -59,6 +61,7 @@ pub(super) struct RunningSession {
     /// The embedded simulator's speed, and whether it is paused.
     pace: watch::Sender<SimulatorPace>,
     operator: Operator,
+    rehearsals: Rehearsals,
     /// The paths of manoeuvres, as last shown.
     paths: Vec<Path>,
     vehicle_time: PacedClock,
@@ -165,6 +168,7 @@ impl RunningSession {
             }
         }
         collected.extend(self.changed_parameters());
+        collected.extend(self.rehearsals.take(now));
         let mut heard: Vec<Notice> = self.links.hear(now).collect();
         heard.extend(self.forwards.hear(now));
         for notice in heard {

@@ -18,14 +18,14 @@ use crate::vehicle::{VehicleId, Vehicles};
 mod plans;
 
 /// The default spacing of lines.
-const USUAL_SPACING_M: f64 = 20.0;
+pub(super) const USUAL_SPACING_M: f64 = 20.0;
 /// Sensors with a narrower strip do not set the line spacing.
 const LEAST_SPACING_M: f64 = 1.0;
 /// The default distance between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
-const SECTOR_RADIUS_M: f64 = 100.0;
+pub(super) const SECTOR_RADIUS_M: f64 = 100.0;
 /// The default extent of an expanding square, in spacings.
-const SQUARE_TURNS: f64 = 5.0;
+pub(super) const SQUARE_TURNS: f64 = 5.0;
 
 /// The vehicles called to a manoeuvre.
 pub(super) struct Planner<'a> {

@@ -209,8 +209,11 @@ mod tests {
     #[test]
     fn a_climb_takes_more_than_a_descent_of_the_same_time() {
         let pace = Pace::default();
-        assert_eq!(pace.rise(25.0).time_s, 10.0);
-        assert_eq!(pace.rise(25.0).hover_s, 13.0);
+        let climb = Effort {
+            time_s: 10.0,
+            hover_s: 13.0,
+        };
+        assert_eq!(pace.rise(25.0), climb);
         assert_eq!(pace.rise(-15.0), Effort::hover(10.0));
         assert_eq!(pace.landing(25.0), Effort::hover(30.0));
     }

@@ -199,6 +199,11 @@ impl Scene {
     fn flat(&self, place: LatLon) -> DVec2 {
         flat(self.origin, place)
     }
+
+    fn flat_rings(&self, rings: &[Vec<LatLon>]) -> Vec<Vec<DVec2>> {
+        let flat = |ring: &Vec<LatLon>| ring.iter().map(|at| self.flat(*at)).collect();
+        rings.iter().map(flat).collect()
+    }
 }
 
 fn flat(origin: LatLon, place: LatLon) -> DVec2 {
@@ -231,21 +236,18 @@ struct Circle {
 /// See [`GenerateError`].
 pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated, GenerateError> {
     let scene = Scene::new(team, manner)?;
-    match task {
+    let works = match task {
         Task::Survey {
             rings,
             spacing_m,
             course,
         } => {
-            let rings: Vec<Vec<DVec2>> = rings
-                .iter()
-                .map(|ring| ring.iter().map(|at| scene.flat(*at)).collect())
-                .collect();
-            let lines = sweep::lines(&scene, &rings, *spacing_m, *course)?;
-            let uncovered = lines.uncovered;
+            let lines = sweep::lines(&scene, &scene.flat_rings(rings), *spacing_m, *course)?;
             let works = share::works(&scene, manner, &lines.ways, *spacing_m)?;
-            let parts = compose(&scene, team, manner, &works)?;
-            Ok(Generated { parts, uncovered })
+            return Ok(Generated {
+                parts: compose(&scene, team, manner, &works)?,
+                uncovered: lines.uncovered,
+            });
         }
         Task::Square {
             datum,
@@ -254,16 +256,14 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
         } => {
             let ways = around::square(scene.flat(*datum), *spacing_m, *radius_m);
             let works = share::works(&scene, manner, &ways, *spacing_m)?;
-            checked(&scene, team, manner, &works)
+            return checked(&scene, team, manner, &works);
         }
         Task::Sector { datum, radius_m } => {
-            let works = around::sectors(&scene, manner, scene.flat(*datum), *radius_m);
-            whole(&scene, team, manner, works)
+            around::sectors(&scene, manner, scene.flat(*datum), *radius_m)
         }
         Task::Line { points, spacing_m } => {
             let points: Vec<DVec2> = points.iter().map(|at| scene.flat(*at)).collect();
-            let works = along::lanes(&scene, manner, &points, *spacing_m)?;
-            whole(&scene, team, manner, works)
+            along::lanes(&scene, manner, &points, *spacing_m)?
         }
         Task::Orbit {
             centre,
@@ -275,10 +275,10 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
                 radius_m: *radius_m,
                 turns: *turns,
             };
-            let works = around::orbits(&scene, manner, circle);
-            whole(&scene, team, manner, works)
+            around::orbits(&scene, manner, circle)
         }
-    }
+    };
+    whole(&scene, team, manner, works)
 }
 
 /// Plans for work that is shared out already.

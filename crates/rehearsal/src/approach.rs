@@ -1,6 +1,8 @@
 //! The closest approaches of vehicles to each other.
 
-/// Two vehicles closer than this horizontally, in metres, ..
+use sortie_geo::LatLon;
+
+/// Two vehicles nearer than this over the ground...
 pub const TOO_NEAR_M: f64 = 5.0;
 /// .. and closer than this vertically are in conflict.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
@@ -19,6 +21,8 @@ pub struct Approach {
     pub vertical_m: f64,
     /// The time in seconds since the first vehicle started.
     pub at_s: f64,
+    /// The place half-way between them.
+    pub place: LatLon,
 }
 
 impl Approach {
@@ -79,8 +83,8 @@ impl Closest {
         }
     }
 
-    /// The pairs that were in the air together, closest first.
-    pub(crate) fn found(&self, sample_s: f64) -> Vec<Approach> {
+    /// The pairs that were in the air together, the closest first; points were measured from `origin`.
+    pub(crate) fn found(&self, sample_s: f64, origin: LatLon) -> Vec<Approach> {
         let mut found = Vec::new();
         let mut pairs = self.pairs.iter();
         for a in 0..self.vehicles {
@@ -95,6 +99,10 @@ impl Closest {
                     horizontal_m: (north * north + east * east).sqrt(),
                     vertical_m: up.abs(),
                     at_s: f64::from(*sample) * sample_s,
+                    place: origin.moved(
+                        f64::midpoint(first[0], second[0]),
+                        f64::midpoint(first[1], second[1]),
+                    ),
                 });
             }
         }

@@ -6,6 +6,7 @@ use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
 use crate::approach::nearness;
+use crate::order::best_order;
 use crate::place::{self, Place, TRACK_EVERY, Track, sample_s};
 use crate::stage::Stage;
 use crate::{Conditions, Outcome, Participant, RehearsalError, rehearse};
@@ -18,10 +19,6 @@ const LONGEST_DELAY_S: u32 = 1800;
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
 /// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
 const LIFTS_AFTER_ARMING_S: u32 = 2;
-/// So many vehicles are placed in every order.
-const ALL_ORDERS: usize = 5;
-/// The times that the neighbours in the order of more vehicles are exchanged.
-const SWAP_ROUNDS: usize = 12;
 /// The number of times that layers are flown and added to.
 const LAYER_ROUNDS: usize = 6;
 
@@ -272,57 +269,6 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// The best result of all orders of so many vehicles: the one with the least cost. Of more than [`ALL_ORDERS`] vehicles,
-/// neighbours are exchanged as long as that helps.
-fn best_order<R>(
-    vehicles: usize,
-    mut result: impl FnMut(&[usize]) -> Option<(u32, R)>,
-) -> Option<(u32, R)> {
-    let mut order: Vec<usize> = (0..vehicles).collect();
-    let mut best = result(&order);
-    let is_better = |found: &Option<(u32, R)>, best: &Option<(u32, R)>| match (found, best) {
-        (Some((cost, _)), Some((least, _))) => cost < least,
-        (Some(_), None) => true,
-        (None, _) => false,
-    };
-    if vehicles <= ALL_ORDERS {
-        while next_order(&mut order) {
-            let found = result(&order);
-            if is_better(&found, &best) {
-                best = found;
-            }
-        }
-        return best;
-    }
-    for _ in 0..SWAP_ROUNDS {
-        let mut helped = false;
-        for place in 1..vehicles {
-            order.swap(place - 1, place);
-            let found = result(&order);
-            if is_better(&found, &best) {
-                (best, helped) = (found, true);
-            } else {
-                order.swap(place - 1, place);
-            }
-        }
-        if !helped {
-            break;
-        }
-    }
-    best
-}
-
-/// The next order by the alphabet; false after the last.
-fn next_order(order: &mut [usize]) -> bool {
-    let Some(pivot) = order.windows(2).rposition(|pair| pair[0] < pair[1]) else {
-        return false;
-    };
-    let greater = order.iter().rposition(|it| *it > order[pivot]);
-    order.swap(pivot, greater.unwrap_or(pivot));
-    order[pivot + 1..].reverse();
-    true
-}
-
 /// Whether two vehicles that start after so many points stay apart.
 fn are_apart((a, a_shift): (&Track, usize), (b, b_shift): (&Track, usize), limit: f64) -> bool {
     let end = (a.points.len() + a_shift).max(b.points.len() + b_shift);
@@ -399,18 +345,6 @@ fn layers_in(order: &[usize], near: &[(usize, usize)]) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn all_orders_are_visited_once() {
-        let mut order = vec![0, 1, 2, 3];
-        let mut seen = vec![order.clone()];
-        while next_order(&mut order) {
-            seen.push(order.clone());
-        }
-        seen.sort_unstable();
-        seen.dedup();
-        assert_eq!(seen.len(), 24);
-    }
 
     /// A track at one place: in the air from the start to the end.
     fn track(places: &[f64]) -> Track {

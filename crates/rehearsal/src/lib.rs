@@ -8,6 +8,7 @@
 mod approach;
 mod deconflict;
 mod flight;
+mod order;
 mod place;
 mod stage;
 
@@ -28,6 +29,8 @@ pub struct Participant {
     pub airframe: Option<Arc<Airframe>>,
     /// The time at which its motors start, in seconds.
     pub delay_s: f64,
+    /// Parameters of this vehicle alone; those that the simulator does not have are left out.
+    pub parameters: Vec<(String, f32)>,
 }
 
 /// The conditions that are the same for all vehicles.

@@ -18,6 +18,7 @@ pub(crate) struct Stage {
     starts_m: Vec<[f64; 2]>,
     amsl_m: Vec<f64>,
     limit: u32,
+    origin: LatLon,
 }
 
 impl Stage {
@@ -45,6 +46,7 @@ impl Stage {
         let mut flights = Vec::new();
         for (vehicle, (participant, place)) in participants.iter().zip(starts).enumerate() {
             let mut flight = Flight::new(vehicle, participant, place, &mut world);
+            carry_over(&mut flight, vehicle, participant, &mut world);
             prepare(&mut flight, vehicle, conditions, &mut world)?;
             flights.push(flight);
         }
@@ -68,6 +70,7 @@ impl Stage {
                 .iter()
                 .map(|place| place.start.altitude_amsl_m)
                 .collect(),
+            origin,
             limit: ((conditions.limit_s + last.fold(0.0, f64::max)) / sample_s()) as u32,
         })
     }
@@ -91,7 +94,7 @@ impl Stage {
         }
         Outcome {
             vehicles: self.flights.iter().map(Flight::flown).collect(),
-            closest: closest.found(sample_s()),
+            closest: closest.found(sample_s(), self.origin),
             simulated_s: f64::from(sample) * sample_s(),
             tracks: self
                 .flights
@@ -118,7 +121,16 @@ impl Stage {
     }
 }
 
-/// Sets the parameters of a vehicle.
+/// Sets the vehicle's own parameters, as far as the simulator has them.
+fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, world: &mut World) {
+    for (name, value) in &participant.parameters {
+        if world.find_parameter(vehicle, name).is_some() {
+            flight.set_parameter(world, name, *value);
+        }
+    }
+}
+
+/// Sets the parameters that all vehicles have.
 fn prepare(
     flight: &mut Flight,
     vehicle: usize,

@@ -38,6 +38,7 @@ fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
         },
         airframe: None,
         delay_s: 0.0,
+        parameters: Vec::new(),
     }
 }
 
@@ -217,6 +218,7 @@ fn generated(task: &Task, vehicles: usize) -> Vec<Participant> {
         document: part.document,
         airframe: None,
         delay_s: 0.0,
+        parameters: Vec::new(),
     };
     plans.parts.into_iter().map(participant).collect()
 }

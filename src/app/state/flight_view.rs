@@ -11,8 +11,10 @@ use super::{
 use crate::app::room_list::Room;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
-use crate::ledger::{LedgerEntry, LedgerRow};
-use crate::mission::Stake;
+use crate::language::Groups;
+use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow, RowState, RowUpdate};
+use crate::mission::{Area, Listing, Progress, Stake};
+use crate::operator::Meeting;
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
@@ -34,15 +36,25 @@ pub struct FlightView {
     pub(in crate::app) alarms: Alarms,
     /// The planned paths of vehicles in a joint manoeuvre.
     pub(in crate::app) paths: Vec<Path>,
-    /// The places that commands may name.
-    pub(in crate::app) places: BTreeMap<String, LatLon>,
-    pub(in crate::app) choice: Choice,
-    pub(in crate::app) commands: SessionLedger,
-    pub(in crate::app) connections: Connections,
-    /// The processes that simulate the vehicles, if any.
-    pub(in crate::app) hangar: Option<Hangar>,
-    pub(in crate::app) task: FlownMission,
-    pub(in crate::app) timing: Timing,
+    /// Where vehicles come too close to each other in the newest rehearsal.
+    pub(in crate::app) meetings: Vec<Meeting>,
+    /// For each vehicle, its newest ledger entry and those that were under way when that was opened.
+    recent: BTreeMap<VehicleId, Vec<EntryId>>,
+    /// The speed-up of simulated time.
+    pub(in crate::app) pace: SessionPace,
+    /// Whether the user has moved the cursor.
+    cursor_placed: bool,
+}
+
+/// Whether a session's time runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum TimeFlow {
+    #[default]
+    Passes,
+    /// The session is paused.
+    Paused,
+    /// The mission has not begun: its brief is still shown.
+    AwaitsReader,
 }
 
 /// The kind of session.

@@ -8,12 +8,9 @@ use clap::{Args, ValueEnum};
 use super::ground::{Ground, GroundArguments};
 use super::{Failure, ShapeArguments, load};
 use crate::cli::fault::FileFault;
-use crate::plan::Document;
-use crate::plan::ReadOptions;
-use crate::plan::check::{
-    CheckOptions, Severity, VehicleKind, check as findings, check_terrain, legs,
-};
-use crate::preflight;
+use crate::plan::check::{CheckOptions, Severity, VehicleKind, check as findings};
+use crate::plan::{Document, Loaded, ReadOptions};
+use crate::preflight::{self, Remark};
 use crate::text;
 use crate::text::{Locale, figure};
 
@@ -106,22 +103,14 @@ pub(in crate::cli) fn report(
             return Ok(true);
         }
     };
+    let ground = match &checking.ground {
+        Some(ground) => ground.below(&loaded.document, locale)?,
+        None => None,
+    };
     let mut found = findings(&loaded.document, &checking.rules);
-    let ground = checking.ground.as_ref();
-    let ground = ground.map(|ground| ground.below(&loaded.document, locale));
-    let ground = ground.transpose()?.flatten();
-    if let Some(ground) = &ground {
-        let height = |place| ground.terrain.height_m(place);
-        found.extend(check_terrain(&loaded.document, &height, ground.clearance_m));
-    }
+    found.extend(ground.iter().flat_map(|it| it.findings(&loaded.document)));
     let remarks = preflight::remarks(&loaded, &found);
-    for remark in &remarks {
-        let line = locale.text(&remark.diagnostic.text(&name, &loaded.text));
-        match remark.severity {
-            Severity::Error => say!("{line}")?,
-            Severity::Warning => say!("{line} {}", locale.text(&text!("plan-warning")))?,
-        }
-    }
+    print_remarks(&name, &loaded, &remarks, locale)?;
     let faulty = remarks
         .iter()
         .any(|remark| remark.severity == Severity::Error);
@@ -137,6 +126,22 @@ pub(in crate::cli) fn report(
     Ok(faulty)
 }
 
+fn print_remarks(
+    name: &str,
+    loaded: &Loaded,
+    remarks: &[Remark],
+    locale: &Locale,
+) -> Result<(), Failure> {
+    for remark in remarks {
+        let line = locale.text(&remark.diagnostic.text(name, &loaded.text));
+        match remark.severity {
+            Severity::Error => say!("{line}")?,
+            Severity::Warning => say!("{line} {}", locale.text(&text!("plan-warning")))?,
+        }
+    }
+    Ok(())
+}
+
 /// Where the plan is nearest to the ground.
 fn print_lowest(
     name: &str,
@@ -144,12 +149,7 @@ fn print_lowest(
     ground: &Ground,
     locale: &Locale,
 ) -> Result<(), Failure> {
-    let height = |place| ground.terrain.height_m(place);
-    let lowest = legs(document, &height)
-        .into_iter()
-        .filter_map(|leg| Some((leg.lowest?[0], leg.item)))
-        .min_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((height_m, item)) = lowest {
+    if let Some((height_m, item)) = ground.lowest(document) {
         let height = figure(height_m, 0);
         let lowest = text!("plan-terrain-lowest", height = height, number = item + 1);
         say!("{name}: {}", locale.text(&lowest))?;

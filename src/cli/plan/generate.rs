@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 
 use super::{Failure, invalid};
 use crate::plan::generate::{Course, GenerateError, Manner, Task, generate};
-use crate::text;
-use crate::text::{Locale, Text};
+use crate::preflight::ungenerated;
+use crate::text::Locale;
 
 mod place;
 mod report;
@@ -200,18 +200,16 @@ fn run(task: &Task, team: &TeamArguments, locale: &Locale) -> Result<ExitCode, F
         fence: team.fence(locale)?,
     };
     let plans = generate(task, &homes, &manner);
-    let plans = plans.map_err(|error| invalid(&refusal(error), locale))?;
+    let plans = plans.map_err(|error| {
+        let vehicle = match error {
+            GenerateError::NoWay(vehicle) => vehicle + 1,
+            GenerateError::NoVehicle
+            | GenerateError::Empty
+            | GenerateError::TooMany(_)
+            | GenerateError::Fence
+            | GenerateError::OutsideFence => 0,
+        };
+        invalid(&ungenerated(error, vehicle), locale)
+    })?;
     report::report(&plans, &homes, team, locale)
-}
-
-/// Why there are no plans.
-fn refusal(error: GenerateError) -> Text {
-    match error {
-        GenerateError::NoVehicle => text!("plan-generate-no-vehicle"),
-        GenerateError::Empty => text!("plan-generate-empty"),
-        GenerateError::TooMany(most) => text!("plan-generate-too-many", most = most),
-        GenerateError::Fence => text!("plan-generate-fence"),
-        GenerateError::OutsideFence => text!("plan-generate-outside"),
-        GenerateError::NoWay(vehicle) => text!("plan-generate-no-way", vehicle = vehicle + 1),
-    }
 }

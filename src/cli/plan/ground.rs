@@ -8,6 +8,7 @@ use clap::Args;
 use super::{Failure, invalid};
 use crate::geo::{Extent, LatLon, Square, Terrain};
 use crate::plan::Document;
+use crate::plan::check::{Finding, check_terrain, legs};
 use crate::store::{self, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -37,8 +38,24 @@ fn parse_clearance(text: &str) -> Result<f64, String> {
 
 /// The ground below a plan, and the least height above it.
 pub(super) struct Ground {
-    pub(super) terrain: Terrain,
-    pub(super) clearance_m: f64,
+    terrain: Terrain,
+    clearance_m: f64,
+}
+
+impl Ground {
+    /// What is wrong with the heights of a plan.
+    pub(super) fn findings(&self, document: &Document) -> Vec<Finding> {
+        let height = |place| self.terrain.height_m(place);
+        check_terrain(document, &height, self.clearance_m)
+    }
+
+    /// The least height of a plan above the ground, in metres, and the item to which that leg leads, counted from 0.
+    pub(super) fn lowest(&self, document: &Document) -> Option<(f64, usize)> {
+        let height = |place| self.terrain.height_m(place);
+        let legs = legs(document, &height).into_iter();
+        let heights = legs.filter_map(|leg| Some((leg.lowest?[0], leg.item)));
+        heights.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
 }
 
 impl GroundArguments {

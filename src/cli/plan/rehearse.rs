@@ -128,6 +128,7 @@ impl AirArguments {
                     document,
                     airframe: airframe(vehicle),
                     delay_s: 0.0,
+                    parameters: Vec::new(),
                 })
                 .collect(),
             conditions: Conditions {

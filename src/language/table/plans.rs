@@ -3,9 +3,12 @@
 use super::super::argument::{Argument, Arguments, Kind, Unit};
 use super::super::verb::{Form, Scope, VerbRow};
 use super::{ASK, Built, CHANGE, ONCE, command};
-use crate::commands::{Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed};
+use crate::commands::{Act, Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed};
+use crate::language::Meaning;
 use crate::plan::ListKind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+
+mod tasks;
 
 /// The table's rows of this group.
 pub(super) const ROWS: &[VerbRow] = &[PLAN, FENCE, RALLY];
@@ -57,6 +60,8 @@ const GOTO: Verb = Verb {
     ..list_verb("plan goto")
 };
 
+const REHEARSE: Verb = list_verb("plan rehearse");
+
 const PLAN: VerbRow = VerbRow {
     verb: list_verb("plan"),
     scope: Scope::Everywhere,
@@ -68,10 +73,24 @@ const PLAN: VerbRow = VerbRow {
         "all plan show",
         "1-4 plan start",
         "plan goto 7",
+        "1-6 plan survey lane spacing 20 up 40",
+        "1-3 plan search square around 50.4501 30.5234 radius 200",
+        "1-4 plan orbit 50.4501 30.5234 radius 40 turns 3",
+        "all plan rehearse",
     ],
     forms: &[
         Form::new(&[UPLOAD], |given| upload(ListKind::Plan, given)),
         Form::new(&[DOWNLOAD], |given| download(ListKind::Plan, given)),
+        tasks::SURVEY_BETWEEN,
+        tasks::SURVEY_AROUND,
+        tasks::SURVEY_AREA,
+        tasks::SEARCH_AROUND,
+        tasks::SEARCH_FROM_ORIGIN,
+        tasks::ORBIT,
+        Form::new(&[Argument::flag("rehearse", "")], |_| {
+            Ok(Meaning::Act(Act::Rehearse))
+        })
+        .meaning(&REHEARSE),
         Form::new(&[Argument::flag("clear", "")], |_| {
             deed(ListKind::Plan, PlanDeed::Clear)
         }),

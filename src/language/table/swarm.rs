@@ -12,23 +12,23 @@ use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD];
 
-const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
-const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
-const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
+pub(super) const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
+pub(super) const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
+pub(super) const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
 /// The gap between vehicles or lines.
-const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
-const RADIUS: Kind = Kind::Number(Unit::Metres, 1.0, 10_000.0);
+pub(super) const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
+pub(super) const RADIUS: Kind = Kind::Number(Unit::Metres, 1.0, 10_000.0);
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
 
-const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-north-of-origin");
-const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
+pub(super) const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-north-of-origin");
+pub(super) const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
 const UP: Argument = Argument::keyed("up", "up", HEIGHT, "argument-swarm-height").optional();
-const LINES: Argument =
+pub(super) const LINES: Argument =
     Argument::keyed("spacing", "spacing", GAP, "argument-line-spacing").optional();
-const COURSE: Argument =
+pub(super) const COURSE: Argument =
     Argument::keyed("course", "course", HEADING, "argument-line-course").optional();
-const AROUND: Argument = Argument::flag("around", "argument-around");
-const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
+pub(super) const AROUND: Argument = Argument::flag("around", "argument-around");
+pub(super) const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
 
 const SURVEY: VerbRow = VerbRow {
     verb: Verb {
@@ -197,12 +197,12 @@ const SPREAD: VerbRow = VerbRow {
     )],
 };
 
-const PATTERN: Argument = Argument::value(
+pub(super) const PATTERN: Argument = Argument::value(
     "pattern",
     Kind::Choice(Pattern::VARIANTS),
     "argument-pattern",
 );
-const REACH: Argument =
+pub(super) const REACH: Argument =
     Argument::keyed("radius", "radius", RADIUS, "argument-search-radius").optional();
 
 const SEARCH: VerbRow = VerbRow {
@@ -293,7 +293,11 @@ fn chain(given: &Arguments, to: FarEnd) -> Built {
     })
 }
 
-fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<Datum, Problem> {
+pub(super) fn local(
+    given: &Arguments,
+    north: &'static str,
+    east: &'static str,
+) -> Result<Datum, Problem> {
     Ok(Datum::Local {
         north_m: given.required(north)?,
         east_m: given.required(east)?,

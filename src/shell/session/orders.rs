@@ -54,6 +54,10 @@ impl RunningSession {
                 None
             }
             Dispatch::Notice(notice) => Some(Event::Notice(notice)),
+            Dispatch::Rehearse(rehearsal) => {
+                self.rehearsals.begin(rehearsal, &self.parameters);
+                None
+            }
             // Not every room shows the ledger.
             Dispatch::Refused(text) => {
                 Some(Event::Notice(Notice::general(now, Severity::Warning, text)))

@@ -15,6 +15,7 @@ use super::inspection::Inspection;
 use super::links::SessionLinks;
 use super::mission_run::MissionRun;
 use super::recorder::FlightRecorder;
+use super::rehearsals::Rehearsals;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
@@ -142,6 +143,7 @@ impl RunningSession {
             inspection: Inspection::default(),
             dropped: 0,
             mission_run: None,
+            rehearsals: Rehearsals::default(),
             pace: watch::Sender::new(SimulatorPace {
                 speedup: backend.speedup,
                 held: false,

@@ -156,3 +156,138 @@ fn a_rehearsal_finds_the_vehicles_that_meet_and_a_proposal_keeps_them_apart() {
     );
     assert!(!folder.path().join("apart/one.waypoints").exists());
 }
+
+/// An area of about 330 m by 390 m with a bay, in front of the homes.
+const FIELD: &str = r#"{"type": "Polygon", "coordinates": [[[30.5234, 50.4511], [30.5280, 50.4511], [30.5265, 50.4525],
+                        [30.5280, 50.4545], [30.5234, 50.4545], [30.5234, 50.4511]]]}"#;
+const HOME: &str = "50.4505,30.5240,170";
+
+#[test]
+fn an_area_becomes_a_plan_for_each_vehicle_that_can_be_rehearsed() {
+    let folder = folder_with(&[("field.geojson", FIELD)]);
+    let run = |arguments: &[&str]| sortie_in(folder.path(), arguments);
+    let survey = [
+        "plan",
+        "survey",
+        "field.geojson",
+        "--home",
+        HOME,
+        "--vehicles",
+        "3",
+        "--spacing",
+        "30",
+    ];
+    let shown = run(&survey);
+    let said = text(&shown.stdout);
+    assert_eq!(
+        shown.status.code(),
+        Some(0),
+        "{said}{}",
+        text(&shown.stderr)
+    );
+    assert!(
+        said.contains("part-3.plan") && said.contains("times the smallest"),
+        "{said}"
+    );
+    assert!(!folder.path().join("part-1.plan").exists());
+    let written = run(&[&survey[..], &["--write", "out/v{id}.waypoints"]].concat());
+    assert_eq!(written.status.code(), Some(0), "{}", text(&written.stdout));
+    let again = run(&[&survey[..], &["--write", "out/v{id}.waypoints"]].concat());
+    assert_eq!(again.status.code(), Some(2), "files that exist are kept");
+    let files = ["out/v1.waypoints", "out/v2.waypoints", "out/v3.waypoints"];
+    let flown = run(&[&["plan", "rehearse"], &files[..]].concat());
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stdout));
+    let checked = run(&[&["plan", "check"], &files[..]].concat());
+    assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stdout));
+}
+
+#[test]
+fn searches_lines_and_orbits_are_planned_from_places() {
+    let folder = folder_with(&[("field.geojson", FIELD)]);
+    let run = |arguments: &[&str]| {
+        let all = [&["plan"], arguments, &["--home", HOME, "--vehicles", "2"]].concat();
+        sortie_in(folder.path(), &all)
+    };
+    let line = "50.4512,30.5240 50.4525,30.5245 50.4535,30.5225";
+    for arguments in [
+        ["search", "square", "--datum", "50.452,30.5234"].as_slice(),
+        &[
+            "search",
+            "sector",
+            "--datum",
+            "50.452,30.5234",
+            "--radius",
+            "60",
+        ],
+        &["search", "creeping", "field.geojson", "--spacing", "40"],
+        &["line", "--points", line],
+        &["orbit", "--datum", "50.452,30.5234", "--turns", "1"],
+    ] {
+        let output = run(arguments);
+        let said = text(&output.stdout);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{arguments:?}: {said}{}",
+            text(&output.stderr)
+        );
+        assert!(said.contains("landed"), "{said}");
+    }
+    for (arguments, wanted) in [
+        (
+            ["survey", "--points", "50.45,30.52 50.45,30.52"].as_slice(),
+            "no extent",
+        ),
+        (&["line", "field.geojson"], "no line"),
+        (&["orbit"], "--datum"),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(
+            text(&output.stderr).contains(wanted),
+            "{}",
+            text(&output.stderr)
+        );
+    }
+}
+
+#[test]
+fn plans_are_compared_with_the_ground() {
+    // Ground at 170 m, but for a hill of 100 m in the north.
+    let side = 1201;
+    let height = |row: usize| {
+        if row < side * 11 / 20 - 59 {
+            270_i16
+        } else {
+            170
+        }
+    };
+    let ground: Vec<u8> = (0..side)
+        .flat_map(|row| std::iter::repeat_n(height(row).to_be_bytes(), side))
+        .flatten()
+        .collect();
+    let far = good().replace("50.4511\t30.5248", "50.5350\t30.5248");
+    let folder = folder_with(&[("near.waypoints", &good()), ("far.waypoints", &far)]);
+    fs::create_dir(folder.path().join("srtm")).expect("a folder");
+    fs::write(folder.path().join("srtm/N50E030.hgt"), &ground).expect("written");
+    let check = |arguments: &[&str]| {
+        let all = [&["plan", "check"], arguments, &["--terrain", "srtm"]].concat();
+        sortie_in(folder.path(), &all)
+    };
+    let near = check(&["near.waypoints"]);
+    let said = text(&near.stdout);
+    assert_eq!(near.status.code(), Some(0), "{said}");
+    assert!(said.contains("lowest over the ground: 20 m"), "{said}");
+    let low = check(&["near.waypoints", "--clearance", "25"]);
+    assert_eq!(low.status.code(), Some(1), "{}", text(&low.stdout));
+    let hill = check(&["far.waypoints"]);
+    let said = text(&hill.stdout);
+    assert_eq!(hill.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("far.waypoints:5:1") && said.contains("into the ground"),
+        "{said}"
+    );
+    fs::write(folder.path().join("srtm/N50E030.hgt"), &ground[1..]).expect("written");
+    let broken = check(&["near.waypoints"]);
+    assert_eq!(broken.status.code(), Some(2), "{}", text(&broken.stdout));
+}

@@ -157,48 +157,44 @@ pub fn check_terrain(
     ground_m: &dyn Fn(LatLon) -> Option<f64>,
     clearance_m: f64,
 ) -> Vec<Finding> {
-    let mut findings = Vec::new();
     let whole = |kind| Finding {
         list: ListKind::Plan,
         item: None,
         kind,
     };
-    if let Some(home) = document.home
-        && let Some(ground) = ground_m(place_of(home))
-        && (ground - f64::from(home.z)).abs() > HOME_SLACK_M
-    {
-        findings.push(whole(FindingKind::HomeHeight {
-            home_m: home.z,
-            ground_m: ground as f32,
-        }));
-    }
+    let home = document.home.and_then(|home| home_fault(home, ground_m));
+    let mut findings: Vec<Finding> = home.map(whole).into_iter().collect();
     let mut uncovered = 0;
     for leg in legs(document, ground_m) {
-        match leg.lowest {
-            Some([height_m, along_m]) if height_m < clearance_m => {
-                let kind = FindingKind::LowOverGround {
-                    height_m: height_m as f32,
-                    along_m: along_m as f32,
-                    least_m: clearance_m as f32,
-                };
-                findings.push(plan_finding(leg.item, kind));
-            }
-            Some(_) => {}
+        let frame = document.plan[leg.item].height_frame();
+        let kind = match leg.lowest {
+            Some([height_m, along_m]) if height_m < clearance_m => FindingKind::LowOverGround {
+                height_m: height_m as f32,
+                along_m: along_m as f32,
+                least_m: clearance_m as f32,
+            },
+            Some(_) => continue,
+            None if frame == HeightFrame::Terrain => FindingKind::NoGround,
             None => {
-                let frame = document.plan[leg.item].height_frame();
-                if frame == HeightFrame::Terrain {
-                    findings.push(plan_finding(leg.item, FindingKind::NoGround));
-                } else {
-                    uncovered += 1;
-                }
+                uncovered += 1;
+                continue;
             }
-        }
+        };
+        findings.push(plan_finding(leg.item, kind));
     }
-    if uncovered > 0 {
-        findings.push(whole(FindingKind::Uncovered(uncovered)));
-    }
+    findings.extend((uncovered > 0).then(|| whole(FindingKind::Uncovered(uncovered))));
     findings.sort_by_key(|finding| (finding.list, finding.item));
     findings
+}
+
+/// A height of home that is not that of the ground.
+fn home_fault(home: Home, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> Option<FindingKind> {
+    let ground = ground_m(place_of(home))?;
+    let is_off = (ground - f64::from(home.z)).abs() > HOME_SLACK_M;
+    is_off.then_some(FindingKind::HomeHeight {
+        home_m: home.z,
+        ground_m: ground as f32,
+    })
 }
 
 #[cfg(test)]
@@ -230,10 +226,9 @@ mod tests {
     }
 
     /// Ground at 100 m with a ridge of 60 m, 500 m north of home, 400 m wide.
-    fn ridge(place: LatLon) -> Option<f64> {
+    fn ridge_m(place: LatLon) -> f64 {
         let (north_m, _) = HOME.offset_to(place);
-        let up_m = 60.0 * (1.0 - (north_m - 500.0).abs() / 200.0).max(0.0);
-        Some(100.0 + up_m)
+        100.0 + 60.0 * (1.0 - (north_m - 500.0).abs() / 200.0).max(0.0)
     }
 
     fn over(frame: u8, z: f32) -> Vec<FindingKind> {
@@ -242,7 +237,7 @@ mod tests {
             item(command::WAYPOINT, frame, 1000.0, z),
             item(command::RETURN_TO_LAUNCH, 3, 0.0, 0.0),
         ]);
-        let found = check_terrain(&plan, &ridge, 10.0).into_iter();
+        let found = check_terrain(&plan, &|at| Some(ridge_m(at)), 10.0).into_iter();
         found.map(|finding| finding.kind).collect()
     }
 
@@ -265,7 +260,7 @@ mod tests {
                 (-10.1..-6.0).contains(height_m) && (along_m - 500.0).abs() < 11.0,
                 "{kind:?}"
             );
-            assert_eq!(*least_m, 10.0);
+            assert!((least_m - 10.0).abs() < 1e-6, "{kind:?}");
         }
         // 160 m above sea level is 60 m above home, right at the crest; 175 m clears it.
         assert_eq!(over(0, 160.0).len(), 2);
@@ -280,11 +275,11 @@ mod tests {
             item(command::WAYPOINT, 10, 100.0, 30.0),
             item(command::WAYPOINT, 10, 1000.0, 30.0),
         ]);
-        let legs = legs(&plan, &ridge);
+        let legs = legs(&plan, &|at| Some(ridge_m(at)));
         assert!(!legs[0].follows_ground && legs[1].follows_ground);
         assert_eq!(legs[1].lowest, Some([30.0, 0.0]));
-        assert_eq!(check_terrain(&plan, &ridge, 10.0), vec![]);
-        assert_eq!(check_terrain(&plan, &ridge, 35.0).len(), 2);
+        assert_eq!(check_terrain(&plan, &|at| Some(ridge_m(at)), 10.0), vec![]);
+        assert_eq!(check_terrain(&plan, &|at| Some(ridge_m(at)), 35.0).len(), 2);
     }
 
     #[test]
@@ -307,7 +302,7 @@ mod tests {
             item(command::WAYPOINT, 3, 100.0, 30.0),
         ]);
         plan.home = plan.home.map(|home| Home { z: 0.0, ..home });
-        let found = check_terrain(&plan, &ridge, 10.0);
+        let found = check_terrain(&plan, &|at| Some(ridge_m(at)), 10.0);
         let kinds: Vec<FindingKind> = found.into_iter().map(|it| it.kind).collect();
         assert_eq!(
             kinds,

@@ -42,6 +42,8 @@ pub enum SketchKind {
     Rally,
     /// A vehicle's path in a joint manoeuvre.
     Course,
+    /// Where two vehicles come too close to each other in a rehearsal.
+    Meeting,
 }
 
 impl SketchKind {
@@ -94,12 +96,18 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
             .iter()
             .filter_map(|path| course(state, path)),
     );
+    let meetings = state.session.meetings.iter().map(|meeting| {
+        let [a, b] = meeting.vehicles;
+        Sketch::point(SketchKind::Meeting, format!("{a}/{b}"), meeting.at_point)
+    });
+    let meetings: Vec<Sketch> = meetings.collect();
     for sketch in shown(state).flat_map(on_board) {
         let is_border = matches!(sketch.kind, SketchKind::Fence | SketchKind::KeepOut);
         if !is_border || !sketches.contains(&sketch) {
             sketches.push(sketch);
         }
     }
+    sketches.extend(meetings);
     sketches
 }
 

@@ -65,23 +65,13 @@ fn print(
     cast: &Cast,
     locale: &Locale,
 ) -> Result<(), Failure> {
-    let columns = [
-        (text!("plan-rehearse-vehicle"), Side::Right),
-        (text!("plan-rehearse-file"), Side::Left),
-        (text!("plan-generate-length"), Side::Right),
-        (text!("plan-rehearse-time"), Side::Right),
-        (text!("plan-generate-used"), Side::Right),
-        (text!("plan-generate-share"), Side::Right),
-        (text!("plan-generate-layer"), Side::Right),
-        (text!("plan-rehearse-end"), Side::Left),
-    ];
     let used: Vec<f64> = outcome
         .vehicles
         .iter()
         .map(|flown| 100.0 - flown.energy_left_percent)
         .collect();
     let all: f64 = used.iter().sum::<f64>().max(f64::EPSILON);
-    let mut table = TextTable::new(locale, &columns);
+    let mut table = TextTable::new(locale, &columns());
     let rows = plans.parts.iter().zip(&outcome.vehicles).zip(&cast.names);
     for (((part, flown), name), used) in rows.zip(&used) {
         table.push(vec![
@@ -96,14 +86,30 @@ fn print(
         ]);
     }
     say!("{}", table.plain().trim_end())?;
+    print_imbalance(&used, locale)
+}
+
+fn columns() -> [(Text, Side); 8] {
+    [
+        (text!("plan-rehearse-vehicle"), Side::Right),
+        (text!("plan-rehearse-file"), Side::Left),
+        (text!("plan-generate-length"), Side::Right),
+        (text!("plan-rehearse-time"), Side::Right),
+        (text!("plan-generate-used"), Side::Right),
+        (text!("plan-generate-share"), Side::Right),
+        (text!("plan-generate-layer"), Side::Right),
+        (text!("plan-rehearse-end"), Side::Left),
+    ]
+}
+
+/// How much more the vehicle with the largest share uses than the one with the smallest.
+fn print_imbalance(used: &[f64], locale: &Locale) -> Result<(), Failure> {
     let most = used.iter().copied().fold(0.0, f64::max);
     let least = used.iter().copied().fold(f64::INFINITY, f64::min);
     if used.len() > 1 && least > 0.0 {
         let times = figure(most / least, 2);
-        say!(
-            "{}",
-            locale.text(&text!("plan-generate-imbalance", times = times))
-        )?;
+        let imbalance = text!("plan-generate-imbalance", times = times);
+        say!("{}", locale.text(&imbalance))?;
     }
     Ok(())
 }

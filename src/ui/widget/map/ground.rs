@@ -35,6 +35,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Rally => Stroke::dotted(Role::Title),
         SketchKind::Course => Stroke::sparse(Role::Accent),
+        SketchKind::Meeting => Stroke::dense(Role::Danger),
     }
 }
 
@@ -45,6 +46,7 @@ pub const fn sign(kind: SketchKind) -> &'static str {
         SketchKind::Jamming => "~ ",
         SketchKind::People => "& ",
         SketchKind::Radio => "% ",
+        SketchKind::Meeting => "!",
         SketchKind::Task
         | SketchKind::Fence
         | SketchKind::KeepOut

@@ -12,7 +12,7 @@ use super::ways::{GHOST, target, trail};
 use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
-    Course, Fence, Jamming, KeepOut, NoFly, People, Plan, Radio, Rally, Task,
+    Course, Fence, Jamming, KeepOut, Meeting, NoFly, People, Plan, Radio, Rally, Task,
 };
 use crate::app::room::map::{leg, sketches};
 use crate::geo::{Viewport, scale_bar};
@@ -146,7 +146,7 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -168,6 +168,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
         (has(Plan), stroke(Plan), "map-legend-plan"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
         (has(Course), stroke(Course), "map-legend-course"),
+        (has(Meeting), stroke(Meeting), "map-legend-meeting"),
         (map.mark().is_some(), RULER, "map-legend-ruler"),
     ]
 }

@@ -1,0 +1,41 @@
+//! Tasks for which each target gets a plan of its own.
+//!
+//! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into plans.
+
+use super::{Datum, Ground, Pattern};
+
+/// What the plans of several vehicles do together.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlanTask {
+    /// Parallel lines over an area.
+    Survey {
+        ground: Ground,
+        /// The line spacing; `None` for the width that the sensor covers.
+        spacing_m: Option<f64>,
+        /// Height above home; `None` for the usual one.
+        up_m: Option<f64>,
+        /// Course of the lines, degrees clockwise from north; `None` for the least energy.
+        course_deg: Option<f64>,
+    },
+    /// A search around a place.
+    Search {
+        pattern: Pattern,
+        /// The most likely position of the object.
+        datum: Datum,
+        /// The radius of the search.
+        radius_m: Option<f64>,
+        /// The spacing of the square's turns; `None` for the width that the sensor covers.
+        spacing_m: Option<f64>,
+        /// Height above home; `None` for the usual one.
+        up_m: Option<f64>,
+    },
+    /// Circles around a place.
+    Orbit {
+        centre: Datum,
+        radius_m: f64,
+        /// The number of turns; `None` for the usual one.
+        turns: Option<u8>,
+        /// Height above home; `None` for the usual one.
+        up_m: Option<f64>,
+    },
+}

@@ -1,0 +1,56 @@
+//! Rehearsals of plans, flown beside the console's own work.
+
+use std::time::Duration;
+
+use tokio::sync::{mpsc, watch};
+use tokio::task::spawn_blocking;
+
+use crate::app::event::{Event, VehicleEvent};
+use crate::operator::{PlanRehearsal, Rehearsed};
+use crate::parameters::ParameterSnapshot;
+use crate::vehicle::VehicleId;
+
+/// The rehearsals under way.
+#[derive(Debug)]
+pub(super) struct Rehearsals {
+    sender: mpsc::UnboundedSender<Rehearsed>,
+    results: mpsc::UnboundedReceiver<Rehearsed>,
+}
+
+impl Default for Rehearsals {
+    fn default() -> Self {
+        let (sender, results) = mpsc::unbounded_channel();
+        Self { sender, results }
+    }
+}
+
+impl Rehearsals {
+    /// Begins a rehearsal, with the parameters that have been read.
+    pub fn begin(
+        &self,
+        mut rehearsal: PlanRehearsal,
+        parameters: &[(VehicleId, watch::Receiver<ParameterSnapshot>)],
+    ) {
+        for (vehicle, list) in parameters {
+            rehearsal.set_parameters(*vehicle, &list.borrow().list);
+        }
+        let sender = self.sender.clone();
+        spawn_blocking(move || {
+            // The session may be over by then.
+            let _ = sender.send(rehearsal.fly(Duration::ZERO));
+        });
+    }
+
+    /// The rows and notices of the rehearsals that are over.
+    pub fn take(&mut self, now: Duration) -> Vec<Event> {
+        let mut events = Vec::new();
+        while let Ok(rehearsed) = self.results.try_recv() {
+            let rehearsed = rehearsed.at(now);
+            let rows = rehearsed.rows.into_iter();
+            events.extend(rows.map(|row| Event::from(VehicleEvent::Row(row))));
+            events.extend(rehearsed.notices.into_iter().map(Event::Notice));
+            events.push(VehicleEvent::Meetings(rehearsed.meetings).into());
+        }
+        events
+    }
+}

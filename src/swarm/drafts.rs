@@ -1,0 +1,202 @@
+//! A plan for each vehicle from a task, from where the vehicles stand.
+
+use super::planner::{SECTOR_RADIUS_M, SQUARE_TURNS, USUAL_SPACING_M};
+use super::site::Site;
+use super::{Conductor, Rules};
+use crate::commands::{Datum, Ground, Pattern, PlanTask};
+use crate::geo::{LatLon, Outline};
+use crate::plan::generate::{Course, GenerateError, Manner, Task, generate};
+use crate::plan::{Document, Home, Item};
+use crate::preflight::ungenerated;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId, Vehicles};
+
+/// The height of the work above home, in metres.
+const USUAL_HEIGHT_M: f64 = 30.0;
+/// The turns of an orbit.
+const USUAL_TURNS: u8 = 2;
+
+impl Conductor {
+    /// The plan of each target that has something to do. They begin and end where the vehicles stand, or at home for those
+    /// in the air, and stay inside the fence that the first target has switched on.
+    ///
+    /// # Errors
+    /// A vehicle has no position, or the task has no plans.
+    pub fn plans(
+        &self,
+        task: &PlanTask,
+        targets: &[VehicleId],
+        vehicles: &Vehicles,
+    ) -> Result<Vec<(VehicleId, Document)>, Text> {
+        let draft = Draft::new(self.rules, targets, vehicles)?;
+        let (task, height_m) = draft.task(task)?;
+        let manner = Manner {
+            height_m,
+            layer_m: self.rules.clearance().above_m,
+            speed_m_s: None,
+            fence: draft.fence(),
+        };
+        let plans = generate(&task, &draft.homes, &manner).map_err(|error| {
+            let number = match error {
+                GenerateError::NoWay(vehicle) => targets.get(vehicle).copied(),
+                GenerateError::NoVehicle
+                | GenerateError::Empty
+                | GenerateError::TooMany(_)
+                | GenerateError::Fence
+                | GenerateError::OutsideFence => None,
+            };
+            ungenerated(error, number.map(usize::from).unwrap_or_default())
+        })?;
+        let parts = plans.parts.into_iter();
+        let named = parts.filter_map(|part| Some((*targets.get(part.vehicle)?, part.document)));
+        Ok(named.collect())
+    }
+}
+
+/// The vehicles of a task.
+struct Draft<'a> {
+    rules: Rules,
+    first: &'a Vehicle,
+    homes: Vec<Home>,
+    site: Site,
+}
+
+impl<'a> Draft<'a> {
+    fn new(rules: Rules, targets: &[VehicleId], vehicles: &'a Vehicles) -> Result<Self, Text> {
+        let unheard = || text!("refused-not-heard");
+        let all: Option<Vec<&Vehicle>> = targets
+            .iter()
+            .map(|id| vehicles.get(id).map(AsRef::as_ref))
+            .collect();
+        let all = all.ok_or_else(unheard)?;
+        let first = *all.first().ok_or_else(unheard)?;
+        let homes: Option<Vec<Home>> = all.iter().map(|vehicle| base(vehicle)).collect();
+        let homes = homes.ok_or_else(|| text!("refused-no-position"))?;
+        let origin = homes.first().map(|home| LatLon::from_e7(home.x, home.y));
+        Ok(Self {
+            rules,
+            first,
+            site: Site::new(origin.unwrap_or(LatLon::new(0.0, 0.0))),
+            homes,
+        })
+    }
+
+    /// The task with places on the earth, and its height.
+    fn task(&self, task: &PlanTask) -> Result<(Task, f64), Text> {
+        match task {
+            PlanTask::Survey {
+                ground,
+                spacing_m,
+                up_m,
+                course_deg,
+            } => {
+                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
+                let task = Task::Survey {
+                    rings: vec![self.outline(ground)?],
+                    spacing_m: self.spacing_m(*spacing_m, height_m),
+                    course: course_deg.map_or(Course::Best, Course::Degrees),
+                };
+                Ok((task, height_m))
+            }
+            PlanTask::Search {
+                pattern,
+                datum,
+                radius_m,
+                spacing_m,
+                up_m,
+            } => {
+                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
+                let spacing_m = self.spacing_m(*spacing_m, height_m);
+                let task = search(*pattern, self.place(*datum)?, *radius_m, spacing_m);
+                Ok((task, height_m))
+            }
+            PlanTask::Orbit {
+                centre,
+                radius_m,
+                turns,
+                up_m,
+            } => {
+                let task = Task::Orbit {
+                    centre: self.place(*centre)?,
+                    radius_m: *radius_m,
+                    turns: turns.unwrap_or(USUAL_TURNS),
+                };
+                Ok((task, up_m.unwrap_or(USUAL_HEIGHT_M)))
+            }
+        }
+    }
+
+    /// The distance between lines: as asked, as wide as the sensor sees, or the usual one.
+    fn spacing_m(&self, asked_m: Option<f64>, height_m: f64) -> f64 {
+        let seen = self.rules.swath.map(|swath| swath.width_m(height_m));
+        let seen = seen.filter(|width_m| *width_m >= 1.0);
+        asked_m.or(seen).unwrap_or(USUAL_SPACING_M)
+    }
+
+    fn place(&self, datum: Datum) -> Result<LatLon, Text> {
+        let spot = self.site.spot(datum, self.first);
+        let spot = spot.ok_or_else(|| text!("refused-no-position"))?;
+        Ok(self.site.place(spot))
+    }
+
+    fn outline(&self, ground: &Ground) -> Result<Vec<LatLon>, Text> {
+        Ok(match ground {
+            Ground::Outline(outline) => outline.corners(),
+            Ground::Between(from, to) => {
+                let spot = |datum| self.place(datum).map(|place| self.site.flat(place));
+                let (from, to) = (spot(*from)?, spot(*to)?);
+                let corners = [
+                    (from.x, from.y),
+                    (to.x, from.y),
+                    (to.x, to.y),
+                    (from.x, to.y),
+                ];
+                let place = |corner: (f64, f64)| self.site.place(corner.into());
+                corners.map(place).to_vec()
+            }
+            Ground::Around { centre, radius_m } => {
+                let (centre, radius_m) = (self.place(*centre)?, *radius_m);
+                Outline::Circle { centre, radius_m }.corners()
+            }
+        })
+    }
+
+    /// The fence of the first vehicle, if it is on and has been read.
+    fn fence(&self) -> Vec<Item> {
+        let is_on = self.first.fence.is_some();
+        let read = self.first.plans.fence.content.as_ref().filter(|_| is_on);
+        read.map(|fence| fence.items.clone()).unwrap_or_default()
+    }
+}
+
+fn search(pattern: Pattern, datum: LatLon, radius_m: Option<f64>, spacing_m: f64) -> Task {
+    match pattern {
+        Pattern::Square => Task::Square {
+            datum,
+            spacing_m,
+            radius_m: radius_m.unwrap_or(spacing_m * SQUARE_TURNS),
+        },
+        Pattern::Sector => Task::Sector {
+            datum,
+            radius_m: radius_m.unwrap_or(SECTOR_RADIUS_M),
+        },
+    }
+}
+
+/// Where a vehicle's flight begins and ends: where it stands, or home if it is in the air.
+fn base(vehicle: &Vehicle) -> Option<Home> {
+    let (at, amsl_m) = if vehicle.airborne() {
+        let home = vehicle.home?;
+        (home.at_point, home.altitude_amsl_m)
+    } else {
+        let here = vehicle.global?;
+        (here.at_point, here.altitude_amsl_m)
+    };
+    let (x, y) = at.to_e7();
+    Some(Home {
+        x,
+        y,
+        z: amsl_m as f32,
+    })
+}
