@@ -255,8 +255,7 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
             radius_m,
         } => {
             let ways = around::square(scene.flat(*datum), *spacing_m, *radius_m);
-            let works = share::works(&scene, manner, &ways, *spacing_m)?;
-            return checked(&scene, team, manner, &works);
+            share::works(&scene, manner, &ways, *spacing_m)?
         }
         Task::Sector { datum, radius_m } => {
             around::sectors(&scene, manner, scene.flat(*datum), *radius_m)
@@ -278,18 +277,7 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
             around::orbits(&scene, manner, circle)
         }
     };
-    whole(&scene, team, manner, works)
-}
-
-/// Plans for work that is shared out already.
-fn whole(
-    scene: &Scene,
-    team: &[Home],
-    manner: &Manner,
-    mut works: Vec<Work>,
-) -> Result<Generated, GenerateError> {
-    layers::set(scene, &mut works, manner.layer_m);
-    checked(scene, team, manner, &works)
+    checked(&scene, team, manner, &works)
 }
 
 /// Plans of a pattern that must not be cut off by a fence.

@@ -7,8 +7,8 @@ use clap::Args;
 
 use super::{Failure, invalid};
 use crate::geo::{Extent, LatLon, Square, Terrain};
-use crate::plan::Document;
 use crate::plan::check::{Finding, check_terrain, legs};
+use crate::plan::{Document, Item};
 use crate::store::{self, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -89,7 +89,7 @@ impl GroundArguments {
 /// The squares over which a plan leads.
 fn squares(document: &Document) -> Vec<Square> {
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
-    let places = document.plan.iter().filter_map(|item| item.place());
+    let places = document.plan.iter().filter_map(Item::place);
     let Some(extent) = Extent::around(places.chain(home)) else {
         return Vec::new();
     };

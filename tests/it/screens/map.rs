@@ -5,13 +5,14 @@ use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::event::{SessionEvent, Started, TerminalEvent};
+use sortie::app::event::{SessionEvent, Started, TerminalEvent, VehicleEvent};
 use sortie::app::room::map::{SketchKind, sketches};
 use sortie::app::state::Activity;
 use sortie::campaign::Stake;
 use sortie::config::Symbols;
 use sortie::geo::{LatLon, Outline};
 use sortie::mission::{Area, AreaKind, Mission};
+use sortie::operator::Meeting;
 use sortie::plan::{HeightFrame, Item};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Role};
@@ -286,6 +287,24 @@ fn the_fence_is_dashed_in_a_colour_of_its_own_and_an_alert_in_that_of_alerts() {
     let alarmed = signs_in(&console, Role::Danger, size);
     assert!(alarmed.iter().any(|row| row.contains("1!")), "{alarmed:#?}");
     assert!(!fence.iter().any(|row| row.contains('!')));
+}
+
+#[test]
+fn places_where_a_rehearsal_shows_a_conflict_are_on_the_map_until_the_next_one() {
+    let mut console = surveyed();
+    let meeting = Meeting {
+        vehicles: [1, 2],
+        at_point: fixtures::HOME.moved(60.0, -10.0),
+    };
+    console.hear(VehicleEvent::Meetings(vec![meeting]));
+    let shown = || drawn(&console, Symbols::Braille, Language::English, (120, 40));
+    assert!(shown().contains("!1/2"), "{}", shown());
+    console.press("i");
+    let text = drawn(&console, Symbols::Braille, Language::Ukrainian, (120, 40));
+    assert!(text.contains("випробуванні"), "{text}");
+    console.hear(VehicleEvent::Meetings(Vec::new()));
+    let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
+    assert!(!text.contains("!1/2"), "{text}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::layers::ASIDE_M;
+use super::layers::{ASIDE_M, set};
 use super::{GenerateError, Manner, Scene, Work};
 
 /// The farthest that a lane goes beyond a sharp corner, as a multiple of its distance from the line.
@@ -48,7 +48,9 @@ pub(super) fn lanes(
             circle: None,
         }
     });
-    Ok(works.collect())
+    let mut works: Vec<Work> = works.collect();
+    set(scene, &mut works, manner.layer_m);
+    Ok(works)
 }
 
 /// A line at a distance beside another: to the right if it is positive.

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::field::Field;
+use super::layers::stack;
 use super::tour::Way;
 use super::{Circle, Manner, Scene, Work};
 use crate::pattern::{course, sector, square as expanding_square};
@@ -15,7 +16,7 @@ pub(super) fn square(datum: DVec2, spacing_m: f64, radius_m: f64) -> Vec<Way> {
     way.into_iter().collect()
 }
 
-/// A sector search for each vehicle: turned against the others, and higher by a layer each, as all cross the datum.
+/// A sector search for each vehicle: turned against the others, and at a height of its own, as all cross the datum.
 pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f64) -> Vec<Work> {
     let count = scene.homes.len();
     let work = |vehicle: usize| {
@@ -23,15 +24,17 @@ pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f6
         Work {
             vehicle,
             points: points.into_iter().map(|point| datum + point).collect(),
-            height_m: manner.height_m + manner.layer_m * vehicle as f64,
+            height_m: manner.height_m,
             layer_m: manner.height_m,
             circle: None,
         }
     };
-    (0..count).map(work).collect()
+    let mut works: Vec<Work> = (0..count).map(work).collect();
+    stack(scene, &mut works, manner.layer_m);
+    works
 }
 
-/// Circles that begin evenly apart, each higher by a layer than the one before.
+/// Circles that begin evenly apart, each at a height of its own.
 pub(super) fn orbits(scene: &Scene, manner: &Manner, circle: Circle) -> Vec<Work> {
     let count = scene.homes.len();
     let towards = scene
@@ -44,10 +47,12 @@ pub(super) fn orbits(scene: &Scene, manner: &Manner, circle: Circle) -> Vec<Work
         Work {
             vehicle,
             points: vec![circle.centre + course(angle) * circle.radius_m],
-            height_m: manner.height_m + manner.layer_m * vehicle as f64,
+            height_m: manner.height_m,
             layer_m: manner.height_m,
             circle: Some(circle),
         }
     };
-    (0..count).map(work).collect()
+    let mut works: Vec<Work> = (0..count).map(work).collect();
+    stack(scene, &mut works, manner.layer_m);
+    works
 }

