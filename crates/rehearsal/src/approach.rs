@@ -1,14 +1,21 @@
 //! The closest approaches of vehicles to each other.
 
-use sortie_geo::LatLon;
+use sortie_geo::{LatLon, maths};
 
 /// Two vehicles nearer than this over the ground...
 pub const TOO_NEAR_M: f64 = 5.0;
 /// .. and closer than this vertically are in conflict.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
-/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, each
-/// divided by its limit, was smallest.
+/// Vehicles that start nearer to each other than this...
+const NEIGHBOURS_M: f64 = 6.5;
+/// ... are too near only at this share of that distance...
+const NEIGHBOURS_SHARE: f64 = 0.75;
+/// ... but at this one in any case.
+const LEAST_LIMIT_M: f64 = 1.0;
+
+/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, in units
+/// of what is too near, was smallest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach {
     /// The vehicle with the lower number.
@@ -23,26 +30,38 @@ pub struct Approach {
     pub at_s: f64,
     /// The place half-way between them.
     pub place: LatLon,
+    /// The distance over the ground below which these two are too near, in metres: [`TOO_NEAR_M`], or less for vehicles that
+    /// start nearer to each other.
+    pub limit_m: f64,
 }
 
 impl Approach {
     /// Whether the vehicles came too close to each other.
     pub fn is_conflict(&self) -> bool {
-        self.horizontal_m < TOO_NEAR_M && self.vertical_m < TOO_NEAR_VERTICALLY_M
+        self.horizontal_m < self.limit_m && self.vertical_m < TOO_NEAR_VERTICALLY_M
     }
 
     /// The square of the distance relative to the limits: less than 1 is a conflict.
     pub(crate) fn nearness(&self) -> f64 {
-        let horizontal = self.horizontal_m / TOO_NEAR_M;
+        let horizontal = self.horizontal_m / self.limit_m;
         let vertical = self.vertical_m / TOO_NEAR_VERTICALLY_M;
         (horizontal * horizontal).max(vertical * vertical)
     }
 }
 
-/// The nearness of two points in metres north, east and up.
-pub(crate) fn nearness(a: [f64; 3], b: [f64; 3]) -> f64 {
+/// The distance over the ground below which two vehicles are too near that start so far apart.
+pub(crate) fn limit_m(starts_m: f64) -> f64 {
+    if starts_m < NEIGHBOURS_M {
+        (starts_m * NEIGHBOURS_SHARE).clamp(LEAST_LIMIT_M, TOO_NEAR_M)
+    } else {
+        TOO_NEAR_M
+    }
+}
+
+/// The same for two points in metres north, east and up.
+pub(crate) fn nearness(a: [f64; 3], b: [f64; 3], limit_m: f64) -> f64 {
     let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    let horizontal = (north * north + east * east) / (TOO_NEAR_M * TOO_NEAR_M);
+    let horizontal = (north * north + east * east) / (limit_m * limit_m);
     horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
 }
 
@@ -55,27 +74,37 @@ pub(crate) struct Closest {
     vehicles: usize,
     /// For each pair (a, b) with a < b, in the order of a and then b.
     pairs: Vec<Option<Meeting>>,
+    /// For each pair, what is too near.
+    limits_m: Vec<f64>,
 }
 
 impl Closest {
-    pub(crate) fn new(vehicles: usize) -> Self {
-        let pairs = vehicles * vehicles.saturating_sub(1) / 2;
+    /// For vehicles that start at these points, in metres north and east.
+    pub(crate) fn new(starts_m: &[[f64; 2]]) -> Self {
+        let limits = starts_m.iter().enumerate().flat_map(|(a, first)| {
+            let others = starts_m[a + 1..].iter();
+            others.map(|other| limit_m(maths::hypot(first[0] - other[0], first[1] - other[1])))
+        });
+        let limits_m: Vec<f64> = limits.collect();
         Self {
-            vehicles,
-            pairs: vec![None; pairs],
+            vehicles: starts_m.len(),
+            pairs: vec![None; limits_m.len()],
+            limits_m,
         }
     }
 
     /// Updates the closest approaches with the points of the vehicles in the air.
     pub(crate) fn take(&mut self, sample: u32, points: &[Option<[f64; 3]>]) {
-        let mut pairs = self.pairs.iter_mut();
+        let mut pairs = self.pairs.iter_mut().zip(&self.limits_m);
         for (a, first) in points.iter().enumerate() {
             for second in &points[a + 1..] {
-                let Some(pair) = pairs.next() else { return };
+                let Some((pair, limit_m)) = pairs.next() else {
+                    return;
+                };
                 let (Some(first), Some(second)) = (first, second) else {
                     continue;
                 };
-                let near = nearness(*first, *second);
+                let near = nearness(*first, *second, *limit_m);
                 if pair.is_none_or(|(least, ..)| near < least) {
                     *pair = Some((near, sample, [*first, *second]));
                 }
@@ -86,10 +115,10 @@ impl Closest {
     /// The pairs that were in the air together, the closest first; points were measured from `origin`.
     pub(crate) fn found(&self, sample_s: f64, origin: LatLon) -> Vec<Approach> {
         let mut found = Vec::new();
-        let mut pairs = self.pairs.iter();
+        let mut pairs = self.pairs.iter().zip(&self.limits_m);
         for a in 0..self.vehicles {
             for b in a + 1..self.vehicles {
-                let Some(Some((_, sample, [first, second]))) = pairs.next() else {
+                let Some((Some((_, sample, [first, second])), limit_m)) = pairs.next() else {
                     continue;
                 };
                 let [north, east, up] = [0, 1, 2].map(|axis| first[axis] - second[axis]);
@@ -99,6 +128,7 @@ impl Closest {
                     horizontal_m: (north * north + east * east).sqrt(),
                     vertical_m: up.abs(),
                     at_s: f64::from(*sample) * sample_s,
+                    limit_m: *limit_m,
                     place: origin.moved(
                         f64::midpoint(first[0], second[0]),
                         f64::midpoint(first[1], second[1]),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
-use crate::approach::nearness;
+use crate::approach::{TOO_NEAR_M, nearness};
 use crate::order::best_order;
 use crate::place::{self, Place, TRACK_EVERY, Track, sample_s};
 use crate::stage::Stage;
@@ -280,7 +280,7 @@ fn are_apart((a, a_shift): (&Track, usize), (b, b_shift): (&Track, usize), limit
         track.points[index]
     };
     (a_shift.max(b_shift)..end).all(|time| match (at(a, a_shift, time), at(b, b_shift, time)) {
-        (Some(a), Some(b)) => nearness(a, b) >= limit,
+        (Some(a), Some(b)) => nearness(a, b, TOO_NEAR_M) >= limit,
         (None, _) | (_, None) => true,
     })
 }

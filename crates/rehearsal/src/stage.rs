@@ -76,7 +76,7 @@ impl Stage {
     }
 
     pub(crate) fn run(mut self) -> Outcome {
-        let mut closest = Closest::new(self.flights.len());
+        let mut closest = Closest::new(&self.starts_m);
         let mut points = vec![None; self.flights.len()];
         let mut sample = 0;
         while sample < self.limit && !self.flights.iter().all(Flight::is_over) {

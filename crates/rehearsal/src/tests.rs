@@ -199,11 +199,11 @@ fn what_cannot_be_flown_is_said() {
     );
 }
 
-/// Plans that the generator makes for a task.
-fn generated(task: &Task, vehicles: usize) -> Vec<Participant> {
+/// Plans that the generator makes for a task and vehicles in a row.
+fn generated(task: &Task, vehicles: usize, gap_m: f64) -> Vec<Participant> {
     let homes: Vec<Home> = (0..vehicles)
         .map(|index| {
-            let (x, y) = HOME.moved(0.0, 10.0 * index as f64).to_e7();
+            let (x, y) = HOME.moved(0.0, gap_m * index as f64).to_e7();
             Home { x, y, z: 170.0 }
         })
         .collect();
@@ -260,7 +260,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
         },
     ];
     for task in tasks {
-        let outcome = rehearse(&generated(&task, 4), &calm()).expect("they can fly");
+        let outcome = rehearse(&generated(&task, 4, 10.0), &calm()).expect("they can fly");
         let used = outcome.vehicles.iter().map(|flown| {
             assert_eq!(flown.ending, Ending::Landed, "{task:?}");
             100.0 - flown.energy_left_percent
@@ -314,4 +314,25 @@ fn delays_that_are_written_keep_the_vehicles_apart() {
     }
     let together = rehearse(&three, &waits).expect("they can fly");
     assert!(together.conflicts().next().is_some());
+}
+
+/// Vehicles on pads 5 m apart are near each other from the start; that is no conflict, but flying over each other is.
+#[test]
+fn neighbours_on_their_pads_are_no_conflict() {
+    let at = |north_m, east_m| HOME.moved(north_m, east_m);
+    let task = Task::Survey {
+        rings: vec![vec![
+            at(30.0, -60.0),
+            at(150.0, -60.0),
+            at(150.0, 60.0),
+            at(30.0, 60.0),
+        ]],
+        spacing_m: 20.0,
+        course: Course::Best,
+    };
+    let outcome = rehearse(&generated(&task, 4, 5.0), &calm()).expect("they can fly");
+    assert_eq!(outcome.conflicts().next(), None, "{:?}", outcome.closest);
+    let limits = outcome.closest.iter().map(|it| it.limit_m);
+    let least = limits.fold(f64::INFINITY, f64::min);
+    assert!((least - 3.75).abs() < 0.01, "{least}");
 }

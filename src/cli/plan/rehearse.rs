@@ -7,12 +7,14 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use serde::Serialize;
 
+use super::ground::GroundArguments;
 use super::{Failure, ShapeArguments, invalid, load_all};
 use crate::cli::backend::frame;
 use crate::cli::home::StartPlace;
 use crate::cli::table::{Side, TextTable};
+use crate::plan::check::Severity;
 use crate::plan::{Document as PlanDocument, Loaded};
-use crate::preflight::list_words;
+use crate::preflight::{finding_words, list_words};
 use crate::rehearsal::{
     self, Approach, Conditions, Ending, Flown, Outcome, Participant, RehearsalError,
 };
@@ -30,6 +32,8 @@ pub(super) struct RehearseArguments {
     files: Vec<PathBuf>,
     #[command(flatten)]
     flying: FlyingArguments,
+    #[command(flatten)]
+    ground: GroundArguments,
     /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
@@ -176,7 +180,23 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
         let done = text!("plan-rehearse-done", simulated = simulated, wall = wall);
         say!("{}", locale.text(&done))?;
     }
-    Ok(ExitCode::from(u8::from(!is_sound(&outcome))))
+    let is_low = print_low_legs(&cast, &options.ground, locale)?;
+    Ok(ExitCode::from(u8::from(is_low || !is_sound(&outcome))))
+}
+
+/// Prints legs that come too near to the ground; returns whether there are any.
+fn print_low_legs(cast: &Cast, ground: &GroundArguments, locale: &Locale) -> Result<bool, Failure> {
+    let mut is_low = false;
+    for (participant, name) in cast.participants.iter().zip(&cast.names) {
+        let document = &participant.document;
+        let ground = ground.below(document, locale)?;
+        let findings = ground.map(|ground| ground.findings(document));
+        for finding in findings.into_iter().flatten() {
+            is_low |= finding.severity() == Severity::Error;
+            tell!("{name}: {}", locale.text(&finding_words(&finding)));
+        }
+    }
+    Ok(is_low)
 }
 
 /// Whether every vehicle flew its plan to the end, inside its fence and apart from the others.

@@ -287,6 +287,22 @@ fn plans_are_compared_with_the_ground() {
         said.contains("far.waypoints:5:1") && said.contains("into the ground"),
         "{said}"
     );
+    let flown = [
+        "plan",
+        "rehearse",
+        "near.waypoints",
+        "--terrain",
+        "srtm",
+        "--clearance",
+        "25",
+    ];
+    let flown = sortie_in(folder.path(), &flown);
+    assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stdout));
+    assert!(
+        text(&flown.stderr).contains("above the ground"),
+        "{}",
+        text(&flown.stderr)
+    );
     fs::write(folder.path().join("srtm/N50E030.hgt"), &ground[1..]).expect("written");
     let broken = check(&["near.waypoints"]);
     assert_eq!(broken.status.code(), Some(2), "{}", text(&broken.stdout));

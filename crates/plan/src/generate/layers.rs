@@ -9,6 +9,9 @@ use crate::pattern::distance_to_segment;
 /// Ways nearer than this are flown at different heights, in metres: what is too near, and a margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
+/// A way that ends beside a place is not counted as coming nearer to it than by this, in metres.
+const BESIDE_M: f64 = 0.5;
+
 /// Where a vehicle crosses, and where it climbs and descends.
 struct Crossing {
     legs: Vec<[DVec2; 2]>,
@@ -32,19 +35,22 @@ impl Crossing {
         }
     }
 
+    /// Whether it comes nearer to a place than it must. Where its own columns are close, as on neighbouring pads, that is
+    /// nearer than they are.
     fn comes_near(&self, point: DVec2) -> bool {
+        let own = self.columns.iter().map(|mine| mine.distance(point));
+        let limit = match own.fold(f64::INFINITY, f64::min) {
+            own if own < ASIDE_M => own - BESIDE_M,
+            _ => ASIDE_M,
+        };
         let mut legs = self.legs.iter();
-        legs.any(|[from, to]| distance_to_segment(point, *from, *to) < ASIDE_M)
+        legs.any(|[from, to]| distance_to_segment(point, *from, *to) < limit)
     }
 
     /// Whether it passes where the other climbs or descends, and has to be above.
     fn passes_over(&self, other: &Self) -> bool {
-        let own = |column: &DVec2| {
-            let mut columns = self.columns.iter();
-            columns.any(|mine| mine.distance(*column) < ASIDE_M)
-        };
         let mut columns = other.columns.iter();
-        columns.any(|column| !own(column) && self.comes_near(*column))
+        columns.any(|column| self.comes_near(*column))
     }
 
     fn meets(&self, other: &Self) -> bool {
