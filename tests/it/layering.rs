@@ -15,7 +15,7 @@ const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
     &["vehicle_id"],
     &["diagnostic", "alert", "config"],
-    &["preflight"],
+    &["preflight", "draft"],
     &["parameters", "workshop"],
     &["inspector"],
     &["doctor"],

@@ -160,7 +160,12 @@ fn letters(command: u16) -> Option<&'static [u8; 7]> {
     COMMANDS.get(at).map(|(_, letters, _)| *letters)
 }
 
-/// The name of a command that plans may contain, as MAVLink spells it, without `MAV_CMD_`.
+/// The commands that plans may have, by number, with their names in MAVLink.
+pub fn commands() -> impl Iterator<Item = (u16, &'static str)> {
+    COMMANDS.iter().map(|(number, _, name)| (*number, *name))
+}
+
+/// The name of a command that plans may have, as MAVLink spells it, without `MAV_CMD_`.
 pub fn name(command: u16) -> Option<&'static str> {
     let at = COMMANDS
         .binary_search_by_key(&command, |(number, ..)| *number)

@@ -28,6 +28,7 @@ mod document;
 pub mod edit;
 pub mod effort;
 mod fault;
+pub mod field;
 mod files;
 pub mod generate;
 mod hash;

@@ -1,0 +1,120 @@
+//! Plans, fences and rally points that are being drawn: their content, every change of it, and the way back.
+//!
+//! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document of the old one, so the
+//! history of a draft is the list of its documents.
+
+use std::sync::Arc;
+
+use crate::plan::Document;
+use crate::text::Text;
+use crate::vehicle_id::VehicleId;
+
+mod edit;
+mod fence;
+mod profile;
+mod shelf;
+#[cfg(test)]
+mod tests;
+
+pub use edit::{Edit, Edited, Insertion, Items, NewItem, PlanFrame, Spot, Surroundings};
+pub use fence::areas;
+pub use profile::{Pace, Profile, Stop, height_above_home, profile};
+pub use shelf::Drafts;
+
+/// The maximum number of changes that can be undone.
+const MOST_CHANGES: usize = 1000;
+
+/// A document that is being drawn.
+#[derive(Debug, Clone)]
+pub struct Draft {
+    name: String,
+    vehicle: Option<VehicleId>,
+    now: Arc<Document>,
+    past: Vec<Arc<Document>>,
+    undone: Vec<Arc<Document>>,
+    kept: Option<Arc<Document>>,
+}
+
+impl Draft {
+    /// A draft with a content of its own. With a vehicle, it is meant for that vehicle alone.
+    pub fn new(
+        name: impl Into<String>,
+        document: Arc<Document>,
+        vehicle: Option<VehicleId>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            vehicle,
+            now: document,
+            past: Vec::new(),
+            undone: Vec::new(),
+            kept: None,
+        }
+    }
+
+    /// A draft whose content is also elsewhere: in a file, or on board.
+    #[must_use]
+    pub fn kept(mut self) -> Self {
+        self.kept = Some(Arc::clone(&self.now));
+        self
+    }
+
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The vehicle that it is meant for, if it is meant for one alone.
+    pub fn vehicle(&self) -> Option<VehicleId> {
+        self.vehicle
+    }
+
+    /// Its content now.
+    pub fn document(&self) -> &Arc<Document> {
+        &self.now
+    }
+
+    /// Whether nothing would be lost with it: it is empty, or its content is also in a file or on board.
+    pub fn is_kept(&self) -> bool {
+        let is_same =
+            |kept: &Arc<Document>| Arc::ptr_eq(kept, &self.now) || kept.is_same(&self.now);
+        self.now.kinds().next().is_none() || self.kept.as_ref().is_some_and(is_same)
+    }
+
+    /// Notes that a content of it has been written to a file.
+    pub fn note_kept(&mut self, document: Arc<Document>) {
+        self.kept = Some(document);
+    }
+
+    /// Changes its content, and returns the item that the change is about, counted from 0.
+    ///
+    /// # Errors
+    /// The reason why the change is not possible; nothing changes.
+    pub fn edit(&mut self, edit: &Edit, around: &Surroundings) -> Result<Option<usize>, Text> {
+        let Edited { document, item } = edit.apply(&self.now, around)?;
+        if self.past.len() == MOST_CHANGES {
+            self.past.remove(0);
+        }
+        self.past
+            .push(std::mem::replace(&mut self.now, Arc::new(document)));
+        self.undone.clear();
+        Ok(item)
+    }
+
+    /// Goes back to the content before the last change; false if there is none.
+    pub fn undo(&mut self) -> bool {
+        let Some(before) = self.past.pop() else {
+            return false;
+        };
+        self.undone.push(std::mem::replace(&mut self.now, before));
+        true
+    }
+
+    /// Goes forward again after [`Self::undo`]; false if there is nothing to redo.
+    pub fn redo(&mut self) -> bool {
+        let Some(after) = self.undone.pop() else {
+            return false;
+        };
+        self.past.push(std::mem::replace(&mut self.now, after));
+        true
+    }
+}

@@ -1,0 +1,129 @@
+//! Fences: polygons keep the number of their corners in each corner.
+
+use std::ops::Range;
+
+use crate::geo::LatLon;
+use crate::plan::{Item, command};
+
+/// The items of each area, in order; a return point is an area of its own.
+pub fn areas(items: &[Item]) -> Vec<Range<usize>> {
+    let mut areas = Vec::new();
+    let mut start = 0;
+    while let Some(first) = items.get(start) {
+        let wanted = if command::is_corner(first.command) {
+            (first.params[0].max(1.0) as usize).min(items.len() - start)
+        } else {
+            1
+        };
+        let alike = items[start..start + wanted]
+            .iter()
+            .take_while(|item| item.command == first.command);
+        let length = alike.count();
+        areas.push(start..start + length);
+        start += length;
+    }
+    areas
+}
+
+fn item(command: u16, place: LatLon, first: f32) -> Item {
+    let (x, y) = place.to_e7();
+    Item {
+        command,
+        frame: 0,
+        auto_continue: true,
+        params: [first, 0.0, 0.0, 0.0],
+        x,
+        y,
+        z: 0.0,
+    }
+}
+
+/// Adds a polygon of these corners; more corners may follow. Returns its last item.
+pub(super) fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatLon]) -> usize {
+    let command = if keeps_in {
+        command::FENCE_POLYGON_INCLUSION
+    } else {
+        command::FENCE_POLYGON_EXCLUSION
+    };
+    let count = corners.len() as f32;
+    items.extend(corners.iter().map(|corner| item(command, *corner, count)));
+    items.len().saturating_sub(1)
+}
+
+/// Adds a circle; returns its item.
+pub(super) fn add_circle(
+    items: &mut Vec<Item>,
+    keeps_in: bool,
+    centre: LatLon,
+    radius_m: f32,
+) -> usize {
+    let command = if keeps_in {
+        command::FENCE_CIRCLE_INCLUSION
+    } else {
+        command::FENCE_CIRCLE_EXCLUSION
+    };
+    items.push(item(command, centre, radius_m));
+    items.len() - 1
+}
+
+/// Adds a corner behind an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
+/// begins one to stay in. Returns the new item.
+pub(super) fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
+    let all = areas(items);
+    let is_polygon = |area: &&Range<usize>| command::is_corner(items[area.start].command);
+    let own = |area: &&Range<usize>| after.is_some_and(|after| area.contains(&after));
+    let mut polygons = all.iter().filter(is_polygon);
+    let chosen = polygons.clone().find(own).or(polygons.next_back()).cloned();
+    let Some(area) = chosen else {
+        return add_polygon(items, true, &[place]);
+    };
+    let at = match after {
+        Some(after) if area.contains(&after) => after + 1,
+        Some(_) | None => area.end,
+    };
+    let count = (area.len() + 1) as f32;
+    let corner = item(items[area.start].command, place, count);
+    items.insert(at, corner);
+    for item in &mut items[area.start..=area.end] {
+        item.params[0] = count;
+    }
+    at
+}
+
+/// Deletes items; polygons lose these corners.
+pub(super) fn delete(items: &mut Vec<Item>, range: &Range<usize>) {
+    let mut rest = Vec::new();
+    for area in areas(items) {
+        let left: Vec<Item> = area
+            .clone()
+            .filter(|at| !range.contains(at))
+            .map(|at| items[at])
+            .collect();
+        let count = left.len() as f32;
+        rest.extend(left.into_iter().map(|mut item| {
+            if command::is_corner(item.command) {
+                item.params[0] = count;
+            }
+            item
+        }));
+    }
+    *items = rest;
+}
+
+/// Turns the area of an item from one to stay in into one to stay out of, or back.
+pub(super) fn flip(items: &mut [Item], at: usize) {
+    let area = areas(items).into_iter().find(|area| area.contains(&at));
+    for item in area
+        .and_then(|area| items.get_mut(area))
+        .into_iter()
+        .flatten()
+    {
+        item.command = match item.command {
+            command::FENCE_POLYGON_INCLUSION => command::FENCE_POLYGON_EXCLUSION,
+            command::FENCE_POLYGON_EXCLUSION => command::FENCE_POLYGON_INCLUSION,
+            command::FENCE_CIRCLE_INCLUSION => command::FENCE_CIRCLE_EXCLUSION,
+            command::FENCE_CIRCLE_EXCLUSION => command::FENCE_CIRCLE_INCLUSION,
+            other => other,
+        };
+    }
+}

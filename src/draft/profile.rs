@@ -1,0 +1,197 @@
+//! The course of a plan: the legs with their lengths, times and slopes, and the heights along them.
+
+use crate::geo::LatLon;
+use crate::plan::{Document, HeightFrame, Item, command};
+
+/// The radius of a loiter that names none, in metres.
+const LOITER_RADIUS_M: f64 = 10.0;
+/// A wait before the next item to fly to.
+const CONDITION_DELAY: u16 = 112;
+
+/// The speeds of a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pace {
+    /// Over the ground, in m/s.
+    pub speed_m_s: f64,
+    pub climb_m_s: f64,
+    pub descent_m_s: f64,
+}
+
+impl Default for Pace {
+    /// The defaults of `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `WPNAV_SPEED_DN` in ArduCopter 4.6.
+    fn default() -> Self {
+        Self {
+            speed_m_s: 10.0,
+            climb_m_s: 2.5,
+            descent_m_s: 1.5,
+        }
+    }
+}
+
+/// An item that the vehicle flies to, and the leg that leads there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stop {
+    /// The item, counted from 0.
+    pub item: usize,
+    pub place: LatLon,
+    /// Metres above home, on arrival. Heights above terrain count as if the ground were level.
+    pub height_m: f64,
+    /// The length of the leg over the ground, in metres.
+    pub leg_m: f64,
+    /// How much higher its end is than its start, in metres.
+    pub climb_m: f64,
+    /// The seconds that the leg takes, with the stay at its end.
+    pub leg_s: f64,
+    /// The length of all legs so far, in metres.
+    pub along_m: f64,
+    /// Whether the vehicle lands there.
+    pub lands: bool,
+}
+
+impl Stop {
+    /// The slope of its leg in percent; `None` for a leg straight up or down.
+    pub fn slope_percent(&self) -> Option<f64> {
+        (self.leg_m >= 1.0).then(|| self.climb_m / self.leg_m * 100.0)
+    }
+}
+
+/// The course of a plan, without the repetitions of its jumps.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Profile {
+    pub stops: Vec<Stop>,
+    pub length_m: f64,
+    pub time_s: f64,
+    /// Whether jumps fly parts of it again, which the length and the time do not contain.
+    pub repeats: bool,
+}
+
+impl Profile {
+    /// The stop of an item.
+    pub fn at(&self, item: usize) -> Option<&Stop> {
+        self.stops.iter().find(|stop| stop.item == item)
+    }
+}
+
+/// The height of an item above home; `None` if that needs the height of home and it is not known.
+pub fn height_above_home(document: &Document, item: &Item) -> Option<f64> {
+    match item.height_frame() {
+        HeightFrame::SeaLevel => Some(f64::from(item.z - document.home?.z)),
+        HeightFrame::Home | HeightFrame::Terrain | HeightFrame::Other => Some(f64::from(item.z)),
+    }
+}
+
+struct Course {
+    at: Option<LatLon>,
+    height_m: f64,
+    pace: Pace,
+    profile: Profile,
+}
+
+/// The course of a document's plan.
+pub fn profile(document: &Document, pace: Pace) -> Profile {
+    let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
+    let mut course = Course {
+        at: home,
+        height_m: 0.0,
+        pace,
+        profile: Profile::default(),
+    };
+    for (index, item) in document.plan.iter().enumerate() {
+        match item.command {
+            command::DO_CHANGE_SPEED if item.params[1] > 0.0 => {
+                course.pace.speed_m_s = f64::from(item.params[1]);
+            }
+            command::DO_JUMP | command::DO_JUMP_TAG => course.profile.repeats = true,
+            command::DELAY | CONDITION_DELAY => {
+                course.profile.time_s += f64::from(item.params[0].max(0.0));
+            }
+            command::RETURN_TO_LAUNCH => {
+                let height_m = course.height_m;
+                course.go(index, home, height_m, 0.0);
+                course.land();
+            }
+            flown if command::is_flown_to(flown) => course.fly(document, index, item),
+            _ => {}
+        }
+    }
+    course.profile
+}
+
+impl Course {
+    fn fly(&mut self, document: &Document, index: usize, item: &Item) {
+        let lands = matches!(
+            item.command,
+            command::LAND | command::VTOL_LAND | command::PAYLOAD_PLACE
+        );
+        let has_place = (item.x, item.y) != (0, 0) && !command::is_takeoff(item.command);
+        let place = has_place.then(|| item.point()).or(self.at);
+        let height_m = if lands {
+            self.height_m
+        } else {
+            height_above_home(document, item).unwrap_or(self.height_m)
+        };
+        self.go(index, place, height_m, self.stay_s(item));
+        if lands {
+            self.land();
+        }
+    }
+
+    /// The seconds that the vehicle stays at an item.
+    fn stay_s(&self, item: &Item) -> f64 {
+        let [first, _, third, _] = item.params.map(f64::from);
+        match item.command {
+            command::WAYPOINT | command::SPLINE_WAYPOINT | command::LOITER_TIME => first.max(0.0),
+            command::LOITER_TURNS => {
+                let radius_m = if third == 0.0 {
+                    LOITER_RADIUS_M
+                } else {
+                    third.abs()
+                };
+                first.max(0.0) * std::f64::consts::TAU * radius_m / self.pace.speed_m_s
+            }
+            _ => 0.0,
+        }
+    }
+
+    fn go(&mut self, item: usize, place: Option<LatLon>, height_m: f64, stay_s: f64) {
+        let Some(place) = place else {
+            return;
+        };
+        let leg_m = self.at.map_or(0.0, |from| from.distance_m(place));
+        let climb_m = height_m - self.height_m;
+        let leg_s = (leg_m / self.pace.speed_m_s).max(self.climb_s(climb_m)) + stay_s;
+        let profile = &mut self.profile;
+        profile.length_m += leg_m;
+        profile.time_s += leg_s;
+        profile.stops.push(Stop {
+            item,
+            place,
+            height_m,
+            leg_m,
+            climb_m,
+            leg_s,
+            along_m: profile.length_m,
+            lands: false,
+        });
+        self.at = Some(place);
+        self.height_m = height_m;
+    }
+
+    fn climb_s(&self, climb_m: f64) -> f64 {
+        if climb_m >= 0.0 {
+            climb_m / self.pace.climb_m_s
+        } else {
+            -climb_m / self.pace.descent_m_s
+        }
+    }
+
+    fn land(&mut self) {
+        let descent_s = self.climb_s(-self.height_m.max(0.0));
+        if let Some(stop) = self.profile.stops.last_mut() {
+            stop.lands = true;
+            stop.leg_s += descent_s;
+            self.profile.time_s += descent_s;
+        }
+        self.height_m = 0.0;
+    }
+}
