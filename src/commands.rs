@@ -51,7 +51,7 @@ pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
-pub use plan::{PlanCommand, PlanDeed, flies_plan};
+pub use plan::{PlanCommand, PlanDeed, PlanSource, flies_plan};
 pub use query::QueryCommand;
 pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};

@@ -41,8 +41,8 @@ pub use argument::{Argument, Kind, Unit};
 pub use choice::VehicleChoice;
 pub use complete::{Completion, begun, complete, hint, lines, vehicle_verbs};
 pub use console::{
-    AlertLine, ConsoleLine, ForwardLine, GhostLine, GhostSource, LoopTarget, ParametersLine,
-    ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
+    AlertLine, ConsoleLine, DraftLine, ForwardLine, GhostLine, GhostSource, LoopTarget,
+    ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
 };
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;

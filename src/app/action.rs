@@ -72,6 +72,12 @@ pub enum Action {
     /// Actions of the Parameters room.
     #[strum(disabled)]
     Parameters(ParametersAction),
+    /// Actions of the Plans room about drafts, lists and the view.
+    #[strum(disabled)]
+    Plans(PlansAction),
+    /// Changes of the draft in the Plans room.
+    #[strum(disabled)]
+    Draw(DrawAction),
     /// Actions of the Messages room.
     #[strum(disabled)]
     Messages(MessagesAction),
@@ -101,6 +107,8 @@ impl Action {
             .chain(MapAction::iter().map(Self::Map))
             .chain(LedgerAction::iter().map(Self::Ledger))
             .chain(ParametersAction::iter().map(Self::Parameters))
+            .chain(PlansAction::iter().map(Self::Plans))
+            .chain(DrawAction::iter().map(Self::Draw))
             .chain(MessagesAction::iter().map(Self::Messages))
             .chain(HangarAction::iter().map(Self::Hangar))
             .chain(WorkshopAction::iter().map(Self::Workshop));
@@ -126,6 +134,8 @@ impl Action {
             Self::Map(action) => action.into(),
             Self::Ledger(action) => action.into(),
             Self::Parameters(action) => action.into(),
+            Self::Plans(action) => action.into(),
+            Self::Draw(action) => action.into(),
             Self::Messages(action) => action.into(),
             Self::Hangar(action) => action.into(),
             Self::Workshop(action) => action.into(),
@@ -305,6 +315,79 @@ pub enum ParametersAction {
     ApplyParameters,
     /// Download all parameters of the vehicle again.
     FetchParameters,
+}
+
+/// Actions of the Plans room about drafts, lists and the view.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum PlansAction {
+    /// Go to the next item of the list.
+    NextItem,
+    /// Go to the previous item of the list.
+    PreviousItem,
+    PlanList,
+    FenceList,
+    RallyList,
+    NextDraft,
+    PreviousDraft,
+    /// Begin an empty draft.
+    NewDraft,
+    /// Write a line that opens a file.
+    OpenDraft,
+    /// Open what the vehicles have on board.
+    TakePlan,
+    /// Write a line that saves the draft.
+    SaveDraft,
+    /// Write a line that uploads the draft.
+    UploadDraft,
+    UndoEdit,
+    RedoEdit,
+    /// Write a line that changes heights.
+    WriteHeight,
+    /// Write a line that sets a parameter of an item.
+    SetField,
+    /// Write a line that changes an item's command.
+    WriteCommand,
+    /// Write a line that adds a jump.
+    WriteJump,
+    /// Zoom in on the map's cursor.
+    CloserDraft,
+    /// Zoom out from the map's cursor.
+    WiderDraft,
+    /// Show all drafts.
+    FitDrafts,
+    /// Centre the map on its cursor.
+    CentreDraft,
+}
+
+/// Changes of the draft in the Plans room, in the list that is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum DrawAction {
+    /// Add an item at the map's cursor.
+    AddItem,
+    /// The same before the item under the cursor.
+    InsertItem,
+    /// Move the marked items to the map's cursor.
+    MoveItem,
+    DeleteItem,
+    /// Put a waypoint in the middle of the leg to the item.
+    SplitLeg,
+    /// Raise the marked items, or widen circles.
+    Higher,
+    /// Lower the marked items, or narrow circles.
+    Lower,
+    /// Measure heights from something else, or reverse an area of a fence.
+    NextFrame,
+    AddTakeoff,
+    /// Add a landing at the map's cursor.
+    AddLand,
+    /// Add a return to the launch.
+    AddReturn,
+    /// Begin an area of the fence.
+    BeginPolygon,
+    /// Add a circle to the fence.
+    AddCircle,
 }
 
 /// Actions of the Messages room.

@@ -45,6 +45,8 @@ pub enum FileKind {
     Parameters,
     /// A design of the workshop.
     Design,
+    /// A plan, a fence, rally points.
+    Plan,
     /// A review of a flight, as Markdown; write-only.
     Review,
 }

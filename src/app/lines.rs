@@ -18,7 +18,9 @@ impl Names for NamesInFiles<'_> {
         match list {
             NameList::Room => Room::listed(),
             NameList::Theme => themes(self.themes),
-            NameList::Mission | NameList::Inject | NameList::Macro => Listed::Anything,
+            NameList::Mission | NameList::Inject | NameList::Macro | NameList::Draft => {
+                Listed::Anything
+            }
         }
     }
 }

@@ -20,6 +20,7 @@ pub mod messages;
 pub mod mission;
 pub mod page;
 pub mod parameters;
+pub mod plans;
 mod request;
 pub mod review;
 pub mod standing;
@@ -169,6 +170,8 @@ pub fn act(state: &mut State, action: Action) -> Answer {
         Action::Parameters(action) => {
             Room::Parameters.alone(state, |it| parameters::act(it, action))
         }
+        Action::Plans(action) => Room::Plans.alone(state, |it| plans::act(it, action)),
+        Action::Draw(action) => Room::Plans.alone(state, |it| plans::draw(it, action)),
         Action::Messages(action) => {
             Room::Messages.alone(state, |it| messages::act::act(it, action))
         }

@@ -15,6 +15,8 @@ macro_rules! for_each_room {
             /// One vehicle in detail.
             Vehicle, vehicle, "vehicle", 'V', vehicle::Vehicle;
             Map, map, "map", 'M', map::Map;
+            /// The drafts of plans, fences and rally points.
+            Plans, plans, "plans", 'E', plans::Drawing;
             Ledger, ledger, "commands", 'C', ledger::Ledger;
             /// All messages on the links.
             Messages, messages, "messages", 'I', messages::Messages;

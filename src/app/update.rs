@@ -6,7 +6,7 @@ use super::event::{
     CareerEvent, Event, FileEvent, LinkEvent, ProcessEvent, SessionEvent, TerminalEvent,
     VehicleEvent,
 };
-use super::room::{parameters, workshop};
+use super::room::{parameters, plans, workshop};
 use super::state::{Overlay, Room};
 use crate::ledger::Given;
 
@@ -14,6 +14,7 @@ mod act;
 mod alert_line;
 mod batch;
 mod console_line;
+mod drafts;
 mod files;
 mod forget;
 mod forwards;
@@ -211,6 +212,7 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
         FileEvent::Read { kind, path, text } => match kind {
             FileKind::Parameters => parameters::read(state, path, &text),
             FileKind::Design => workshop::read(state, &path, &text),
+            FileKind::Plan => plans::read(state, &path, &text),
             FileKind::Review => {}
         },
         FileEvent::Written { path } => files::written(state, &path),

@@ -14,13 +14,20 @@ pub struct PlanCommand {
     pub deed: PlanDeed,
 }
 
+/// Where a list comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlanSource {
+    /// A file with this name.
+    File(String),
+    /// What is being drawn in the console.
+    Draft(Arc<Document>),
+}
+
 /// What is done with a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
-    /// Replace the list by that of a file.
-    Upload { file: String },
-    /// Replace it by that of a document.
-    Put(Arc<Document>),
+    /// Replace it by that of a source.
+    Upload { source: PlanSource },
     /// Write it into a new file.
     Download { file: String },
     /// Remove all items of the list on board.

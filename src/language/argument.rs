@@ -7,7 +7,9 @@ use strum::{EnumString, VariantNames};
 
 use super::VehicleChoice;
 use super::names::NameList;
+use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
+use crate::plan::field::FieldUnit;
 use crate::text;
 use crate::text::Text;
 
@@ -180,6 +182,12 @@ pub enum Kind {
     Sort,
     /// The rest of the line, as typed.
     Rest,
+    /// Items of a list: a number or a range, `3-5`.
+    Items,
+    /// A command of a plan by its word, such as `waypoint`, or by its name in MAVLink.
+    PlanCommand,
+    /// A parameter of an item by its name, such as `hold`.
+    PlanField,
 }
 
 impl Kind {
@@ -230,6 +238,20 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// The unit of a parameter of a plan's item.
+    pub fn of_field(unit: FieldUnit) -> Self {
+        match unit {
+            FieldUnit::None => Self::None,
+            FieldUnit::Metres => Self::Metres,
+            FieldUnit::MetresPerSecond => Self::MetresPerSecond,
+            FieldUnit::Seconds => Self::Seconds,
+            FieldUnit::Degrees => Self::Degrees,
+            FieldUnit::DegreesPerSecond => Self::DegreesPerSecond,
+            FieldUnit::Microseconds => Self::Microseconds,
+            FieldUnit::Percent => Self::Percent,
+        }
+    }
+
     pub fn symbol(self) -> &'static str {
         self.spellings().first().map_or("", |&(symbol, _)| symbol)
     }
@@ -264,6 +286,7 @@ pub(super) enum Value {
     Vehicles(VehicleChoice),
     Point(LatLon),
     Area(Outline),
+    Items(Items),
 }
 
 /// A fault in the combination of arguments.
@@ -320,7 +343,8 @@ impl Arguments {
             | Value::Word(_)
             | Value::Vehicles(_)
             | Value::Point(_)
-            | Value::Area(_) => None,
+            | Value::Area(_)
+            | Value::Items(_) => None,
         }
     }
 
@@ -331,7 +355,8 @@ impl Arguments {
             | Value::Number(_)
             | Value::Vehicles(_)
             | Value::Point(_)
-            | Value::Area(_) => None,
+            | Value::Area(_)
+            | Value::Items(_) => None,
         }
     }
 
@@ -344,7 +369,8 @@ impl Arguments {
             | Value::Number(_)
             | Value::Vehicles(_)
             | Value::Point(_)
-            | Value::Area(_) => None,
+            | Value::Area(_)
+            | Value::Items(_) => None,
         });
         words.collect()
     }
@@ -356,7 +382,8 @@ impl Arguments {
             | Value::Number(_)
             | Value::Word(_)
             | Value::Vehicles(_)
-            | Value::Area(_) => None,
+            | Value::Area(_)
+            | Value::Items(_) => None,
         }
     }
 
@@ -368,9 +395,12 @@ impl Arguments {
     pub fn vehicles(&self, name: &str) -> Option<VehicleChoice> {
         match self.get(name)? {
             Value::Vehicles(choice) => Some(choice.clone()),
-            Value::Flag | Value::Number(_) | Value::Word(_) | Value::Point(_) | Value::Area(_) => {
-                None
-            }
+            Value::Flag
+            | Value::Number(_)
+            | Value::Word(_)
+            | Value::Point(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
         }
     }
 
@@ -378,6 +408,14 @@ impl Arguments {
     pub fn required_area(&self, name: &'static str) -> Result<&Outline, Problem> {
         match self.get(name) {
             Some(Value::Area(outline)) => Ok(outline),
+            _ => Err(Problem::missing(name)),
+        }
+    }
+
+    /// Items that the form requires.
+    pub fn required_items(&self, name: &'static str) -> Result<Items, Problem> {
+        match self.get(name) {
+            Some(Value::Items(items)) => Ok(*items),
             _ => Err(Problem::missing(name)),
         }
     }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::VehicleChoice;
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, TableSort};
+use crate::draft::Edit;
 use crate::moment::{Alignment, MomentKind};
 use crate::vehicle::VehicleId;
 
@@ -63,6 +64,8 @@ pub enum ConsoleLine {
     Unbookmark,
     /// A command about the review.
     Review(ReviewLine),
+    /// A command about the drafts of plans.
+    Draft(DraftLine),
     /// A command about the other flight beside this one.
     Ghost(GhostLine),
     /// Abandon the mission and show its debrief.
@@ -215,6 +218,33 @@ pub enum SeekTarget {
     /// The previous moment of a kind.
     Previous(MomentKind),
     End,
+}
+
+/// A command about the drafts of plans.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DraftLine {
+    /// Show the room of plans; without a screen, the items of the current draft.
+    Show,
+    /// Begin an empty one.
+    New(Option<String>),
+    /// Open a file.
+    Open(String),
+    /// Write the current one to a file; `None` for the file that it comes from.
+    Save(Option<String>),
+    /// Open what these vehicles have on board, a draft for each.
+    Take(Option<VehicleChoice>),
+    /// Make the one with this name the current one.
+    Use(String),
+    Close,
+    /// Put the current one on board of these vehicles, otherwise of the selected ones.
+    Upload(Option<VehicleChoice>),
+    /// Put each one that is meant for a vehicle on board of that vehicle.
+    UploadEach,
+    Undo,
+    Redo,
+    /// Count times at this speed in m/s; `None` for that of the vehicle.
+    Speed(Option<f64>),
+    Edit(Edit),
 }
 
 /// A command about alerts.

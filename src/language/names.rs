@@ -18,6 +18,8 @@ pub enum NameList {
     Inject,
     /// Macros in the settings.
     Macro,
+    /// The drafts of plans that are open.
+    Draft,
 }
 
 /// A name that a line may contain.
@@ -77,9 +79,11 @@ impl Listed {
         let words: Vec<&str> = names.iter().map(|named| named.name.as_str()).collect();
         let found = match list {
             NameList::Mission => mission_meant(written, &words),
-            NameList::Room | NameList::Theme | NameList::Inject | NameList::Macro => {
-                words.iter().copied().find(|word| *word == written)
-            }
+            NameList::Room
+            | NameList::Theme
+            | NameList::Inject
+            | NameList::Macro
+            | NameList::Draft => words.iter().copied().find(|word| *word == written),
         };
         let unknown = || text!("grammar-no-name", word = written);
         found.map(str::to_owned).ok_or_else(unknown)

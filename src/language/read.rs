@@ -9,8 +9,10 @@ use super::targets::Targets;
 use super::{Context, VehicleChoice};
 use crate::commands::{command_by_name, command_names};
 use crate::config::{Column, TableSort};
+use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
 use crate::parameters::{ParameterList, shown};
+use crate::plan::field;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleClass;
@@ -103,6 +105,9 @@ impl Kind {
             Self::Group => Value::Word(text.trim_start_matches('@').to_owned()),
             Self::Vehicles => Value::Vehicles(VehicleChoice::read(first).map_err(Misread::kind)?),
             Self::Sort => Value::Word(sort(text)?),
+            Self::Items => Value::Items(items(text)?),
+            Self::PlanCommand => Value::Number(f64::from(plan_command(text)?)),
+            Self::PlanField => Value::Word(plan_field(text)?.to_owned()),
             Self::Rest => return Ok((Value::Word(first.tail.to_owned()), words.len())),
         };
         Ok((value, 1))
@@ -151,9 +156,18 @@ impl Kind {
                     .map(|name| (format!("-{name}"), text!("grammar-largest-first")));
                 unexplained(Column::NAMES).chain(falling).collect()
             }
-            Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Vehicles | Self::Rest => {
-                Vec::new()
-            }
+            Self::PlanCommand => field::plan_words()
+                .map(|(word, name)| (word.to_owned(), Text::verbatim(name)))
+                .collect(),
+            Self::PlanField => field::field_names()
+                .map(|(name, unit)| (name.to_owned(), Unit::of_field(unit).symbol().into()))
+                .collect(),
+            Self::Flag
+            | Self::Number(..)
+            | Self::Whole(..)
+            | Self::Vehicles
+            | Self::Items
+            | Self::Rest => Vec::new(),
         }
     }
 }
@@ -258,6 +272,49 @@ fn number_length(text: &str) -> usize {
         }
     }
     at
+}
+
+/// The highest number of an item.
+const LAST_ITEM: usize = 9999;
+
+fn items(text: &str) -> Result<Items, Misread> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    let number = |word: &str| word.parse().ok().filter(|it| (1..=LAST_ITEM).contains(it));
+    let (Some(first), Some(last)) = (number(first), number(last)) else {
+        return Err(Misread::kind(text!("grammar-no-items", word = text)));
+    };
+    Ok(Items {
+        first: first.min(last),
+        last: first.max(last),
+    })
+}
+
+fn plan_command(text: &str) -> Result<u16, Misread> {
+    field::command_of(text)
+        .ok_or_else(|| Misread::kind(text!("grammar-no-plan-command", word = text)))
+}
+
+fn plan_field(text: &str) -> Result<&'static str, Misread> {
+    let mut names = field::field_names().map(|(name, _)| name);
+    names
+        .find(|name| name.eq_ignore_ascii_case(text))
+        .ok_or_else(|| Misread::kind(text!("grammar-no-plan-field", word = text)))
+}
+
+/// The value of an item's parameter, in the unit that its name has.
+///
+/// # Errors
+/// The word is no number, or its unit is another one.
+pub(super) fn field_value(name: &str, text: &str) -> Result<f32, Text> {
+    let mut known = field::field_names().filter(|(known, _)| *known == name);
+    let unit = known
+        .next()
+        .map_or(Unit::None, |(_, unit)| Unit::of_field(unit));
+    match number(text, unit, f64::from(f32::MIN), f64::from(f32::MAX)) {
+        Ok(value) => Ok(value as f32),
+        Err(Misread::Wrong { message, .. }) => Err(message),
+        Err(Misread::Incomplete) => Err(text!("grammar-no-number", word = text)),
+    }
 }
 
 fn mode(text: &str, context: &Context) -> Result<String, Misread> {

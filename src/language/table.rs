@@ -8,6 +8,7 @@ use crate::verb::{Retry, Verb};
 
 mod console;
 mod devices;
+mod drafts;
 mod flight;
 mod mission;
 mod motion;
@@ -39,13 +40,14 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 11] = [
+static TABLE: [&[VerbRow]; 12] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
     waiting::ROWS,
     mission::ROWS,
     plans::ROWS,
+    drafts::ROWS,
     devices::ROWS,
     replay::ROWS,
     review::ROWS,

@@ -8,6 +8,7 @@ use crate::commands::{
 use crate::vehicle::SpeedAxis;
 
 mod console;
+mod drafts;
 mod faults;
 
 pub(super) fn places() -> BTreeMap<String, LatLon> {

@@ -12,7 +12,7 @@ use mavlink::dialects::ardupilotmega::MavAutopilot;
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::plans::PlanReader;
 use super::{Output, VehicleCommand};
-use crate::commands::{Command, PlanCommand, PlanDeed, flies_plan};
+use crate::commands::{Command, PlanCommand, PlanDeed, PlanSource, flies_plan};
 use crate::ledger::{RowState, RowUpdate};
 use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
@@ -180,10 +180,20 @@ fn wanted(
             Err(text!("refused-plan-clear-auto"))
         }
         PlanDeed::Clear => Ok(Some(Vec::new())),
-        PlanDeed::Put(document) => checked(document, command.kind).map(Some),
-        PlanDeed::Upload { file } => {
-            let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
-            checked(&shelf.read(&named(file, vehicle))?, command.kind).map(Some)
+        PlanDeed::Upload { source } => {
+            let document = match source {
+                PlanSource::Draft(document) => Arc::clone(document),
+                PlanSource::File(file) => {
+                    let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
+                    Arc::new(shelf.read(&named(file, vehicle))?)
+                }
+            };
+            let own = document.list(command.kind);
+            if own.is_empty() {
+                return Err(text!("refused-plan-empty"));
+            }
+            compare::check(command.kind, own)?;
+            Ok(Some(whole(&document, command.kind)))
         }
     }
 }

@@ -53,6 +53,7 @@ fn subject(kind: FileKind) -> &'static str {
     match kind {
         FileKind::Parameters => "file-parameters",
         FileKind::Design => "file-design",
+        FileKind::Plan => "file-plan",
         FileKind::Review => "file-review",
     }
 }

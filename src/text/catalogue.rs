@@ -25,6 +25,7 @@ catalogue! {
     "console",
     "debrief",
     "doctor",
+    "drafts",
     "fleet",
     "fly",
     "ftp",

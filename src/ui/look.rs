@@ -45,6 +45,11 @@ impl Badge {
         Self::at(place)
     }
 
+    /// The badge of a draft, by its index among the drafts.
+    pub fn of_draft(place: usize) -> Self {
+        Self::at(place)
+    }
+
     fn at(place: usize) -> Self {
         Self {
             role: Role::DRONES[place % Role::DRONES.len()],

@@ -16,6 +16,7 @@ pub mod map;
 pub mod messages;
 pub mod mission;
 pub mod parameters;
+pub mod plans;
 pub mod review;
 mod site;
 pub mod small;

@@ -1,10 +1,32 @@
 //! Views of the state that depend on the rooms' own state.
 
 use super::State;
-use crate::language::{Channel, Context, VehicleChoice};
+use crate::language::{Channel, Context, Listed, NameList, Named, Names, VehicleChoice};
+use crate::preflight::summary;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+
+/// The names that the state knows, with those of the rooms.
+#[derive(Debug)]
+struct Known<'a>(&'a State);
+
+impl Names for Known<'_> {
+    fn listed(&self, list: NameList) -> Listed {
+        if list != NameList::Draft {
+            return self.0.listed(list);
+        }
+        let drafts = self.0.rooms.plans.drafts().all();
+        if drafts.is_empty() {
+            return Listed::Nothing(text!("draft-none"));
+        }
+        let named = drafts.iter().map(|draft| Named {
+            name: draft.name().to_owned(),
+            meaning: summary(draft.document()),
+        });
+        Listed::Names(named.collect())
+    }
+}
 
 impl State {
     /// Runs `work` with the grammar's context: groups, places, vehicles.
@@ -24,8 +46,8 @@ impl State {
             expected: &self.session.expected,
             class: self.class(),
             parameters: parameters.map(|known| known.list.as_ref()),
-            names: self,
-            channel: if self.display.has_rooms {
+            names: &Known(self),
+            channel: if self.has_rooms {
                 Channel::Screen
             } else {
                 Channel::Plain

@@ -19,6 +19,8 @@ impl<R: fmt::Debug> Names for State<R> {
                 Listed::Names(missions.map(|it| named(&it.id, it.title.clone())).collect())
             }
             NameList::Inject => self.injects(),
+            // The rooms know their own names.
+            NameList::Draft => Listed::Anything,
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));

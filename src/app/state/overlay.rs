@@ -166,10 +166,13 @@ impl Confirm {
     /// The text to type, with a label where it is not obvious.
     pub fn wanted(&self) -> Text {
         match self.then {
-            Consequence::Order(_) => text!("ask-how-many", answer = &self.answer),
-            Consequence::Effect(_) | Consequence::Parameters(_) | Consequence::Design(_) => {
-                self.answer.as_str().into()
+            Consequence::Order(_) | Consequence::Orders(_) => {
+                text!("ask-how-many", answer = &self.answer)
             }
+            Consequence::Effect(_)
+            | Consequence::Parameters(_)
+            | Consequence::Design(_)
+            | Consequence::CloseDraft => self.answer.as_str().into(),
         }
     }
 }
@@ -178,6 +181,10 @@ impl Confirm {
 #[derive(Debug, Clone)]
 pub enum Consequence {
     Order(Order),
+    /// Several orders, one after another.
+    Orders(Vec<Order>),
+    /// Close the current draft of a plan.
+    CloseDraft,
     /// Pass an effect to the shell.
     Effect(Effect),
     /// Set parameters one after another.

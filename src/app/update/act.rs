@@ -52,6 +52,8 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         | Action::Map(_)
         | Action::Ledger(_)
         | Action::Parameters(_)
+        | Action::Plans(_)
+        | Action::Draw(_)
         | Action::Messages(_)
         | Action::Hangar(_)
         | Action::Workshop(_) => {}
@@ -104,6 +106,10 @@ pub fn quit(state: &mut State) -> Effects {
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
         let reason = text!("bench-ask-quit-reason", name = name);
+        return ask(state, text!("ask-quit"), reason, Effect::Quit);
+    }
+    if loss(state).is_none() && !room::plans::is_kept(state) {
+        let reason = text!("draft-ask-quit-reason");
         return ask(state, text!("ask-quit"), reason, Effect::Quit);
     }
     guarded(state, text!("ask-quit"), Effect::Quit)

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, forget, forwards, ghost, macros, mission, pace, replay, review};
+use super::{
+    act, alert_line, drafts, forget, forwards, ghost, macros, mission, pace, replay, review,
+};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -80,6 +82,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Bookmark(text) => return replay::bookmark(state, text),
         ConsoleLine::Unbookmark => return replay::unbookmark(state),
         ConsoleLine::Review(line) => return review::carry_out(state, line),
+        ConsoleLine::Draft(line) => return drafts::carry_out(state, line),
         ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),

@@ -3,10 +3,12 @@
 use super::act;
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
+use crate::app::room::plans;
 use crate::text;
 use crate::vehicle::Severity;
 
 pub fn written(state: &mut State, path: &str) {
+    plans::written(state, path);
     state.say(Severity::Info, text!("parameters-saved", path = path));
 }
 

@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::Place;
-use crate::app::room::{Room, parameters, workshop};
+use crate::app::room::{Room, parameters, plans, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
@@ -153,10 +153,32 @@ pub fn give(state: &mut State, order: Order) -> Effects {
     Effects::none()
 }
 
+/// Sends several commands; if one of them is dangerous, it asks once for all.
+pub fn give_all(state: &mut State, orders: Vec<Order>) -> Effects {
+    let vehicles = state.session.vehicles();
+    let is_dangerous = |order: &&Order| order.hazard(vehicles).is_some();
+    let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
+        return carry_out(state, Consequence::Orders(orders));
+    };
+    let effects = give(state, worst);
+    if let Some(Overlay::Confirm(question)) = &mut state.overlay {
+        question.then = Consequence::Orders(orders);
+    }
+    effects
+}
+
 /// Carries out what was confirmed, or needed no question.
 pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
         Consequence::Order(order) => Effects::from(send(state, order).effect),
+        Consequence::Orders(orders) => {
+            let sent = orders.into_iter().map(|order| send(state, order).effect);
+            sent.collect()
+        }
+        Consequence::CloseDraft => {
+            plans::close(state);
+            Effects::none()
+        }
         Consequence::Effect(effect) => {
             if let Effect::Session(session) = &effect {
                 announce(state, session);

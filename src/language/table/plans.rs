@@ -3,8 +3,7 @@
 use super::super::argument::{Argument, Arguments, Kind, Unit};
 use super::super::verb::{Form, Scope, VerbRow};
 use super::{ASK, Built, CHANGE, ONCE, command};
-use crate::commands::{Act, Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed};
-use crate::language::Meaning;
+use crate::commands::{Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed, PlanSource};
 use crate::plan::ListKind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
@@ -37,8 +36,8 @@ fn file(given: &Arguments) -> String {
 }
 
 fn upload(kind: ListKind, given: &Arguments) -> Built {
-    let file = file(given);
-    deed(kind, PlanDeed::Upload { file })
+    let source = PlanSource::File(file(given));
+    deed(kind, PlanDeed::Upload { source })
 }
 
 fn download(kind: ListKind, given: &Arguments) -> Built {

@@ -21,6 +21,7 @@ impl Names for Known {
             NameList::Theme => &["dark", "light"],
             NameList::Mission => &["01-air-sample", "02-grid"],
             NameList::Macro => &["up"],
+            NameList::Draft => &["north", "south"],
             NameList::Inject if self.has_injects => &["gust"],
             NameList::Inject => return Listed::Nothing(text!("console-no-mission")),
         };

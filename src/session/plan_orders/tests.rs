@@ -204,7 +204,8 @@ impl Rig {
 
     fn upload(&mut self, kind: ListKind, file: &str) {
         let file = file.to_owned();
-        self.order(kind, PlanDeed::Upload { file });
+        let source = PlanSource::File(file);
+        self.order(kind, PlanDeed::Upload { source });
     }
 
     fn state(&self) -> Option<RowState> {

@@ -14,6 +14,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, centred, put, row_of, wrap};
 
 mod canvas;
+mod drafts;
 mod finds;
 mod fire;
 mod ground;
@@ -27,6 +28,8 @@ mod swept;
 mod truth;
 mod ways;
 
+pub use canvas::{Canvas, Stroke};
+pub use drafts::draw as draw_drafts;
 pub use ground::next_place;
 pub use labels::stamp;
 pub use legend::{draw as draw_legend, length};
@@ -93,6 +96,7 @@ fn draw_view(
     outside
 }
 
+/// Says that nothing has a position yet.
 fn draw_nowhere(panel: Panel<'_>, buffer: &mut Buffer) {
     let lines = wrap(&panel.say("map-nowhere"), usize::from(panel.area.width));
     let middle = centred(panel.area.width, lines.len() as u16, panel.area);

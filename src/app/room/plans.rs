@@ -1,0 +1,263 @@
+//! The plans that are being drawn: several drafts at a time, their items, and a map with a cursor.
+//!
+//! Keys and lines give the same [`Edit`]s, so both can be undone alike.
+
+use std::sync::Arc;
+
+use crossterm::event::KeyCode;
+
+use super::map::Map;
+use crate::app::State;
+use crate::app::action::{Action, DrawAction, PlansAction, SelectAction, Step};
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::room::{Answer, RoomModel, footer_keys};
+use crate::draft::{Draft, Drafts, Items};
+use crate::plan::{Document, Item, ListKind};
+
+mod act;
+mod change;
+mod files;
+mod judge;
+mod line;
+mod view;
+
+pub(super) use act::{act, draw};
+pub use files::{ask_close, close, fill, is_kept, read, uploads, written};
+pub use judge::{findings, pace};
+pub use line::carry_out;
+pub use view::{PlansLayout, layout};
+
+/// The state of the room.
+#[derive(Debug, Clone)]
+pub struct Drawing {
+    drafts: Drafts,
+    /// The list whose items the keys change.
+    list: ListKind,
+    /// The item under the cursor, from 0; if there are fewer, the last one counts.
+    row: usize,
+    /// Where the marked items begin.
+    mark: Option<usize>,
+    /// The view of the map and its cursor.
+    map: Map,
+    /// The speed for times, in m/s; `None` for that of the vehicle.
+    speed_m_s: Option<f64>,
+    /// The content that is being written, with the path and the draft's name.
+    saving: Option<(String, String, Arc<Document>)>,
+}
+
+impl Default for Drawing {
+    fn default() -> Self {
+        Self {
+            drafts: Drafts::default(),
+            list: ListKind::Plan,
+            row: 0,
+            mark: None,
+            map: Map::default(),
+            speed_m_s: None,
+            saving: None,
+        }
+    }
+}
+
+impl Drawing {
+    pub fn drafts(&self) -> &Drafts {
+        &self.drafts
+    }
+
+    /// The list whose items the keys change.
+    pub fn list(&self) -> ListKind {
+        self.list
+    }
+
+    /// The view of the map and its cursor.
+    pub fn map(&self) -> &Map {
+        &self.map
+    }
+
+    /// The items of the list.
+    pub fn items(&self) -> &[Item] {
+        let document = self.drafts.current().map(Draft::document);
+        document.map_or(&[], |document| document.list(self.list))
+    }
+
+    /// The item under the cursor, from 0; `None` in an empty list.
+    pub fn row(&self) -> Option<usize> {
+        self.items()
+            .len()
+            .checked_sub(1)
+            .map(|last| self.row.min(last))
+    }
+
+    /// The marked items, otherwise the one under the cursor.
+    pub fn marked(&self) -> Option<Items> {
+        let row = self.row()?;
+        let mark = self
+            .mark
+            .map_or(row, |mark| mark.min(self.items().len() - 1));
+        Some(Items {
+            first: row.min(mark) + 1,
+            last: row.max(mark) + 1,
+        })
+    }
+
+    /// Whether several items are being marked.
+    pub fn is_marking(&self) -> bool {
+        self.mark.is_some()
+    }
+
+    /// The speed that the user has given, in m/s.
+    pub fn speed_m_s(&self) -> Option<f64> {
+        self.speed_m_s
+    }
+}
+
+const fn own(action: PlansAction) -> Action {
+    Action::Plans(action)
+}
+
+const fn drawing(action: DrawAction) -> Action {
+    Action::Draw(action)
+}
+
+const HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    hint(&[drawing(DrawAction::AddItem)], "plans-hint-add"),
+    hint(&[drawing(DrawAction::MoveItem)], "plans-hint-move"),
+    hint(
+        &[own(PlansAction::NextItem), own(PlansAction::PreviousItem)],
+        "plans-hint-item",
+    ),
+    hint(&[drawing(DrawAction::DeleteItem)], "plans-hint-delete"),
+    hint(
+        &[drawing(DrawAction::Higher), drawing(DrawAction::Lower)],
+        "plans-hint-height",
+    ),
+    hint(&[own(PlansAction::UndoEdit)], "plans-hint-undo"),
+    hint(&[own(PlansAction::SaveDraft)], "plans-hint-save"),
+    hint(&[own(PlansAction::UploadDraft)], "plans-hint-upload"),
+    hint(&[own(PlansAction::SetField)], "plans-hint-set"),
+    hint(&[drawing(DrawAction::AddTakeoff)], "plans-hint-takeoff"),
+    hint(&[drawing(DrawAction::AddReturn)], "plans-hint-return"),
+    hint(&[drawing(DrawAction::AddLand)], "plans-hint-land"),
+    hint(
+        &[
+            own(PlansAction::PlanList),
+            own(PlansAction::FenceList),
+            own(PlansAction::RallyList),
+        ],
+        "plans-hint-lists",
+    ),
+    hint(&[own(PlansAction::NextDraft)], "plans-hint-draft"),
+    hint(
+        &[own(PlansAction::CloserDraft), own(PlansAction::WiderDraft)],
+        "plans-hint-zoom",
+    ),
+];
+
+const EMPTY_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    hint(&[own(PlansAction::NewDraft)], "plans-hint-new"),
+    hint(&[own(PlansAction::OpenDraft)], "plans-hint-open"),
+    hint(&[own(PlansAction::TakePlan)], "plans-hint-take"),
+];
+
+impl RoomModel for Drawing {
+    const KEYS: &'static [KeyRow] = &[
+        does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
+        does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
+        does(key('j'), own(PlansAction::NextItem)),
+        does(key('k'), own(PlansAction::PreviousItem)),
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        does(key('a'), drawing(DrawAction::AddItem)),
+        does(key('i'), drawing(DrawAction::InsertItem)),
+        does(key('m'), drawing(DrawAction::MoveItem)),
+        does(key('x'), drawing(DrawAction::DeleteItem)),
+        does(
+            Press::Plain(KeyCode::Delete),
+            drawing(DrawAction::DeleteItem),
+        ),
+        does(key('s'), drawing(DrawAction::SplitLeg)),
+        does(key(' '), Action::Select(SelectAction::Toggle)),
+        does(key('+'), drawing(DrawAction::Higher)),
+        does(key('='), drawing(DrawAction::Higher)),
+        does(key('-'), drawing(DrawAction::Lower)),
+        does(key('h'), own(PlansAction::WriteHeight)),
+        does(key('f'), drawing(DrawAction::NextFrame)),
+        does(key('e'), own(PlansAction::SetField)),
+        does(key('c'), own(PlansAction::WriteCommand)),
+        does(key('g'), own(PlansAction::WriteJump)),
+        does(key('t'), drawing(DrawAction::AddTakeoff)),
+        does(key('l'), drawing(DrawAction::AddLand)),
+        does(key('r'), drawing(DrawAction::AddReturn)),
+        does(key('1'), own(PlansAction::PlanList)),
+        does(key('2'), own(PlansAction::FenceList)),
+        does(key('3'), own(PlansAction::RallyList)),
+        does(key('b'), drawing(DrawAction::BeginPolygon)),
+        does(key('v'), drawing(DrawAction::AddCircle)),
+        does(key('u'), own(PlansAction::UndoEdit)),
+        does(Press::Control('r'), own(PlansAction::RedoEdit)),
+        does(Press::Plain(KeyCode::Tab), own(PlansAction::NextDraft)),
+        does(
+            Press::Plain(KeyCode::BackTab),
+            own(PlansAction::PreviousDraft),
+        ),
+        does(key('n'), own(PlansAction::NewDraft)),
+        does(key('o'), own(PlansAction::OpenDraft)),
+        does(key('y'), own(PlansAction::TakePlan)),
+        does(key('w'), own(PlansAction::SaveDraft)),
+        does(key('U'), own(PlansAction::UploadDraft)),
+        does(key(']'), own(PlansAction::CloserDraft)),
+        does(key('['), own(PlansAction::WiderDraft)),
+        does(key('z'), own(PlansAction::FitDrafts)),
+        does(key('.'), own(PlansAction::CentreDraft)),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.plans.drafts.current() {
+            Some(_) => HINTS,
+            None => EMPTY_HINTS,
+        }
+    }
+
+    fn step(state: &mut State, step: Step) -> Answer {
+        act::step(state, step);
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        Some(act::draw(state, DrawAction::AddItem))
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        state.rooms.plans.mark.take().map(|_| Vec::new())
+    }
+
+    fn select(state: &mut State, action: SelectAction) -> Answer {
+        match action {
+            SelectAction::Toggle => {
+                let room = &mut state.rooms.plans;
+                room.mark = match room.mark {
+                    Some(_) => None,
+                    None => room.row(),
+                };
+                Some(Vec::new())
+            }
+            SelectAction::SelectAll | SelectAction::Invert | SelectAction::Erase => None,
+        }
+    }
+
+    fn entered(state: &mut State) {
+        if state.rooms.plans.map.overview().frame().is_none() {
+            view::fit(state);
+        }
+    }
+
+    /// Drafts belong to the user, not to a session.
+    fn forget_session(&mut self) {}
+}
+
+#[cfg(test)]
+mod tests;

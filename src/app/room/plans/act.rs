@@ -1,0 +1,255 @@
+//! The keys of the room.
+
+use super::view::{self, layout};
+use super::{change, files};
+use crate::app::State;
+use crate::app::action::{DrawAction, PlansAction, Step};
+use crate::app::room::RoomRequest;
+use crate::draft::{Edit, Insertion, Items, NewItem, PlanFrame, Spot};
+use crate::plan::edit::HeightChange;
+use crate::plan::{ListKind, command};
+use crate::vehicle_id::ranges;
+
+/// Cells that Page Up and Page Down move the map's cursor.
+const PAGE: i32 = 8;
+/// Metres by which one key changes heights and radii.
+const STEP_M: f32 = 5.0;
+/// The radius of a new circle, in metres.
+const RADIUS_M: f32 = 50.0;
+
+/// Moves the map's cursor, or goes to the first or last item.
+pub(super) fn step(state: &mut State, step: Step) {
+    let (right, down) = match step {
+        Step::Left => (-1, 0),
+        Step::Right => (1, 0),
+        Step::Up => (0, -1),
+        Step::Down => (0, 1),
+        Step::PageUp => (0, -PAGE),
+        Step::PageDown => (0, PAGE),
+        Step::Row(row) => return go(state, row),
+        Step::First => return go(state, 0),
+        Step::Last => return go(state, usize::MAX),
+    };
+    let size = layout(state.grid()).canvas;
+    state.rooms.plans.map.step(size, right, down);
+}
+
+/// Goes to an item of the list, and points at its place.
+fn go(state: &mut State, row: usize) {
+    let room = &mut state.rooms.plans;
+    room.row = row;
+    room.row = room.row().unwrap_or(0);
+    view::point_at_item(state);
+}
+
+fn by_one(state: &mut State, forward: bool) {
+    let row = state.rooms.plans.row().unwrap_or(0);
+    let next = if forward {
+        row + 1
+    } else {
+        row.saturating_sub(1)
+    };
+    go(state, next);
+}
+
+pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<RoomRequest> {
+    match action {
+        PlansAction::NextItem => by_one(state, true),
+        PlansAction::PreviousItem => by_one(state, false),
+        PlansAction::PlanList => show_list(state, ListKind::Plan),
+        PlansAction::FenceList => show_list(state, ListKind::Fence),
+        PlansAction::RallyList => show_list(state, ListKind::Rally),
+        PlansAction::NextDraft => turn(state, 1),
+        PlansAction::PreviousDraft => turn(state, -1),
+        PlansAction::NewDraft => change::begin(state, "plan"),
+        PlansAction::TakePlan => files::take_by_key(state),
+        PlansAction::UndoEdit => change::travel(state, true),
+        PlansAction::RedoEdit => change::travel(state, false),
+        PlansAction::FitDrafts => {
+            view::fit(state);
+            state.rooms.plans.map.cursor = None;
+        }
+        PlansAction::CloserDraft => zoom(state, true),
+        PlansAction::WiderDraft => zoom(state, false),
+        PlansAction::CentreDraft => centre(state),
+        PlansAction::OpenDraft => return write(Some("draft open ".to_owned())),
+        PlansAction::SaveDraft => return write(saving(state)),
+        PlansAction::UploadDraft => return write(Some(uploading(state))),
+        PlansAction::WriteHeight => return write(about_marked(state, "height")),
+        PlansAction::SetField => return write(about_marked(state, "set")),
+        PlansAction::WriteCommand => return write(about_item(state, "command", "")),
+        PlansAction::WriteJump => return write(about_item(state, "jump", "to ")),
+    }
+    Vec::new()
+}
+
+fn show_list(state: &mut State, list: ListKind) {
+    change::look_at(state, list);
+    view::point_at_item(state);
+}
+
+fn turn(state: &mut State, by: isize) {
+    state.rooms.plans.drafts.turn(by);
+    change::look_at(state, ListKind::Plan);
+}
+
+fn zoom(state: &mut State, closer: bool) {
+    let size = layout(state.grid()).canvas;
+    state.rooms.plans.map.zoom(size, closer);
+}
+
+fn centre(state: &mut State) {
+    let size = layout(state.grid()).canvas;
+    let map = &mut state.rooms.plans.map;
+    if let Some(pointed) = map.view(size).map(|view| map.pointed(&view)) {
+        map.centre_on(size, pointed);
+    }
+}
+
+fn write(line: Option<String>) -> Vec<RoomRequest> {
+    line.map(RoomRequest::Write).into_iter().collect()
+}
+
+fn saving(state: &State) -> Option<String> {
+    let draft = state.rooms.plans.drafts.current()?;
+    Some(format!("draft save {}", files::proposed(draft)))
+}
+
+fn uploading(state: &State) -> String {
+    let targets = ranges(state.addressed());
+    format!("draft upload {targets}")
+}
+
+/// The beginning of a line about the marked items.
+fn about_marked(state: &State, verb: &str) -> Option<String> {
+    let room = &state.rooms.plans;
+    let list = match room.list {
+        ListKind::Plan => "",
+        ListKind::Fence => "fence ",
+        ListKind::Rally => "rally ",
+    };
+    Some(format!("draft {verb} {list}{} ", words(room.marked()?)))
+}
+
+/// The beginning of a line about the item under the cursor, which must be one of the plan.
+fn about_item(state: &State, verb: &str, then: &str) -> Option<String> {
+    let room = &state.rooms.plans;
+    let row = room.row().filter(|_| room.list == ListKind::Plan)?;
+    Some(format!("draft {verb} {} {then}", row + 1))
+}
+
+/// The numbers of items, as they are written.
+fn words(items: Items) -> String {
+    if items.first == items.last {
+        items.first.to_string()
+    } else {
+        format!("{}-{}", items.first, items.last)
+    }
+}
+
+/// Changes the current draft.
+pub(in crate::app::room) fn draw(state: &mut State, action: DrawAction) -> Vec<RoomRequest> {
+    if let Some(edit) = meant(state, action) {
+        change::try_edit(state, &edit);
+    }
+    Vec::new()
+}
+
+/// The change that a key means for the list shown.
+fn meant(state: &State, action: DrawAction) -> Option<Edit> {
+    let room = &state.rooms.plans;
+    let (list, marked, number) = (room.list, room.marked(), room.row().map(|row| row + 1));
+    let change = |metres| Edit::Height {
+        list,
+        items: marked.unwrap_or(Items::one(0)),
+        change: HeightChange::By(metres),
+    };
+    Some(match action {
+        DrawAction::AddItem => added(list, number),
+        DrawAction::InsertItem => inserted(list, number),
+        DrawAction::MoveItem => Edit::Place {
+            list,
+            items: marked?,
+            spot: Spot::Cursor,
+        },
+        DrawAction::DeleteItem => Edit::Delete {
+            list,
+            items: marked?,
+        },
+        DrawAction::SplitLeg => Edit::Split(number.filter(|_| list == ListKind::Plan)?),
+        DrawAction::Higher => marked.map(|_| change(STEP_M))?,
+        DrawAction::Lower => marked.map(|_| change(-STEP_M))?,
+        DrawAction::NextFrame => return frame(state, marked?),
+        DrawAction::AddTakeoff => plain(command::TAKEOFF, None, number),
+        DrawAction::AddLand => plain(command::LAND, Some(Spot::Cursor), number),
+        DrawAction::AddReturn => plain(command::RETURN_TO_LAUNCH, None, number),
+        DrawAction::BeginPolygon => Edit::Polygon {
+            keeps_in: true,
+            corners: vec![Spot::Cursor],
+        },
+        DrawAction::AddCircle => Edit::Circle {
+            keeps_in: true,
+            spot: Spot::Cursor,
+            radius_m: RADIUS_M,
+        },
+    })
+}
+
+fn behind(number: Option<usize>) -> Insertion {
+    number.map_or(Insertion::Last, Insertion::After)
+}
+
+/// A command of the plan behind the item under the cursor.
+fn plain(command: u16, spot: Option<Spot>, number: Option<usize>) -> Edit {
+    Edit::Add {
+        item: NewItem {
+            spot,
+            ..NewItem::new(command)
+        },
+        at: behind(number),
+    }
+}
+
+/// An item at the map's cursor: a waypoint, a corner or a rally point.
+fn added(list: ListKind, number: Option<usize>) -> Edit {
+    match list {
+        ListKind::Plan => plain(command::WAYPOINT, Some(Spot::Cursor), number),
+        ListKind::Fence => Edit::Corner {
+            spot: Spot::Cursor,
+            after: number,
+        },
+        ListKind::Rally => Edit::Rally {
+            spot: Spot::Cursor,
+            height_m: None,
+        },
+    }
+}
+
+/// The same before the item under the cursor, where the order matters.
+fn inserted(list: ListKind, number: Option<usize>) -> Edit {
+    match (list, number) {
+        (ListKind::Plan, Some(number)) => Edit::Add {
+            item: NewItem {
+                spot: Some(Spot::Cursor),
+                ..NewItem::new(command::WAYPOINT)
+            },
+            at: Insertion::Before(number),
+        },
+        (ListKind::Fence, Some(number)) => added(list, Some(number.saturating_sub(1))),
+        _ => added(list, number),
+    }
+}
+
+/// The next frame for the marked items; in a fence, the other side of the border.
+fn frame(state: &State, items: Items) -> Option<Edit> {
+    let room = &state.rooms.plans;
+    match room.list {
+        ListKind::Plan => {
+            let first = room.items().get(items.first - 1)?;
+            let frame = PlanFrame::of(first).unwrap_or(PlanFrame::Sea).next();
+            Some(Edit::Frame { items, frame })
+        }
+        ListKind::Fence => Some(Edit::Flip(items.first)),
+        ListKind::Rally => None,
+    }
+}

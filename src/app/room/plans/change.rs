@@ -1,0 +1,109 @@
+//! Changes of the current draft.
+
+use std::sync::Arc;
+
+use super::view;
+use crate::app::State;
+use crate::draft::{Draft, Edit, Surroundings};
+use crate::plan::{Document, Home, ListKind};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Place, Severity};
+
+/// The name of a draft that begins with its first item.
+const FIRST_NAME: &str = "plan";
+
+/// The home of the vehicle under the cursor, otherwise of any.
+pub(super) fn home(state: &State) -> Option<Home> {
+    let vehicle = state.session.under_cursor();
+    let any = state.session.vehicles.values().find_map(|it| it.home);
+    let home: Place = vehicle.and_then(|vehicle| vehicle.home).or(any)?;
+    let (x, y) = home.at_point.to_e7();
+    Some(Home {
+        x,
+        y,
+        z: home.altitude_amsl_m as f32,
+    })
+}
+
+fn surroundings(state: &State) -> Surroundings {
+    let map = &state.rooms.plans.map;
+    let view = map.view(view::layout(state.grid()).canvas);
+    Surroundings {
+        cursor: view.map(|view| map.pointed(&view)),
+        home: home(state),
+    }
+}
+
+/// Begins an empty draft, and shows it.
+pub(super) fn begin(state: &mut State, name: &str) {
+    let document = Arc::new(Document {
+        home: home(state),
+        ..Document::default()
+    });
+    let room = &mut state.rooms.plans;
+    let name = room.drafts.free_name(name);
+    room.drafts.put([Draft::new(name, document, None)]);
+    look_at(state, ListKind::Plan);
+}
+
+/// Shows a list from its first item.
+pub(super) fn look_at(state: &mut State, list: ListKind) {
+    let room = &mut state.rooms.plans;
+    (room.list, room.row, room.mark) = (list, 0, None);
+    view::see(state);
+}
+
+/// Begins a draft if there is none.
+pub(super) fn ensure(state: &mut State) {
+    if state.rooms.plans.drafts.current().is_none() {
+        begin(state, FIRST_NAME);
+    }
+}
+
+/// Changes the current draft; without one, a new one begins with this.
+///
+/// # Errors
+/// The reason why the change is not possible.
+pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Text> {
+    ensure(state);
+    let around = surroundings(state);
+    let room = &mut state.rooms.plans;
+    let Some(draft) = room.drafts.current_mut() else {
+        return Ok(());
+    };
+    let item = draft.edit(edit, &around)?;
+    if !matches!(edit, Edit::Home(_)) {
+        room.list = edit.list();
+    }
+    if let Some(item) = item {
+        (room.row, room.mark) = (item, None);
+    }
+    view::see(state);
+    if item.is_some() {
+        view::point_at_item(state);
+    }
+    Ok(())
+}
+
+/// Changes the current draft by a key: a refusal is shown on the last line.
+pub(super) fn try_edit(state: &mut State, change: &Edit) {
+    if let Err(reason) = edit(state, change) {
+        state.say(Severity::Warning, reason);
+    }
+}
+
+/// Undoes or redoes a change.
+pub(super) fn travel(state: &mut State, back: bool) {
+    let draft = state.rooms.plans.drafts.current_mut();
+    let is_done = draft.is_some_and(|draft| if back { draft.undo() } else { draft.redo() });
+    state.rooms.plans.mark = None;
+    if !is_done {
+        let text = if back {
+            text!("bench-nothing-to-undo")
+        } else {
+            text!("bench-nothing-to-redo")
+        };
+        state.say(Severity::Notice, text);
+    }
+}

@@ -1,0 +1,226 @@
+//! Files of drafts, the lists that vehicles have on board, and the way there.
+
+use std::sync::Arc;
+
+use super::{change, view};
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
+use crate::app::state::Consequence;
+use crate::draft::Draft;
+use crate::plan::{self, Document, FileFormat, Home, ListKind, ReadOptions};
+use crate::preflight;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle_id::ranges;
+
+/// The ending of a file whose name has none: this format holds all lists.
+const ENDING: &str = "plan";
+
+/// The file to propose for a draft.
+pub(super) fn proposed(draft: &Draft) -> String {
+    if ending(draft.name()).is_some() {
+        draft.name().to_owned()
+    } else {
+        format!("{}.{ENDING}", draft.name())
+    }
+}
+
+fn ending(path: &str) -> Option<FileFormat> {
+    let (_, ending) = path.rsplit_once('.')?;
+    FileFormat::of_ending(ending)
+}
+
+/// Opens a file.
+pub(super) fn open(path: String) -> Effects {
+    Effects::from(Effect::File(FileEffect::Read {
+        kind: FileKind::Plan,
+        path,
+    }))
+}
+
+/// Handles a file that has been read: it becomes the current draft, under the name of the file.
+pub fn read(state: &mut State, path: &str, content: &str) {
+    match plan::read(content.as_bytes(), &ReadOptions::default()) {
+        Ok(loaded) => {
+            let mut document = loaded.document;
+            document.home = document.home.or_else(|| change::home(state));
+            let draft = Draft::new(path, Arc::new(document), None).kept();
+            fill(state, [draft]);
+            say_summary(state);
+        }
+        Err((text, faults)) => {
+            let fault = faults.first().map(preflight::fault);
+            let Some(fault) = fault else {
+                return;
+            };
+            let (line, column) = fault.line_column(&text);
+            let message = text!(
+                "draft-file-faulty",
+                path = path,
+                line = line,
+                column = column,
+                fault = &fault.message
+            );
+            state.say(Severity::Error, message);
+        }
+    }
+}
+
+/// Opens drafts and shows the first of them: this is also how several documents, one for each vehicle, arrive.
+pub fn fill(state: &mut State, drafts: impl IntoIterator<Item = Draft>) {
+    state.rooms.plans.drafts.put(drafts);
+    change::look_at(state, ListKind::Plan);
+    view::fit(state);
+    view::point_at_item(state);
+}
+
+/// Says what the current draft holds.
+pub(super) fn say_summary(state: &mut State) {
+    if let Some(draft) = state.rooms.plans.drafts.current() {
+        let holds = preflight::summary(draft.document());
+        let text = text!("draft-holds", name = draft.name(), holds = holds);
+        state.say(Severity::Info, text);
+    }
+}
+
+/// Writes the current draft to a file; without a path, to the file that it comes from.
+///
+/// # Errors
+/// There is no draft, or the format cannot hold it.
+pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, Text> {
+    let draft = state.rooms.plans.drafts.current();
+    let draft = draft.ok_or_else(|| text!("draft-none"))?;
+    let path = path.unwrap_or_else(|| proposed(draft));
+    let document = Arc::clone(draft.document());
+    let Some(first) = document.kinds().next() else {
+        return Err(text!("draft-empty"));
+    };
+    let (path, format) = match ending(&path) {
+        Some(FileFormat::Wpl(_)) => (path, FileFormat::Wpl(first)),
+        Some(format) => (path, format),
+        None => (format!("{path}.{ENDING}"), FileFormat::QgcPlan),
+    };
+    let text =
+        plan::write(&document, format).map_err(|_| text!("refused-plan-format", file = &path))?;
+    state.rooms.plans.saving = Some((path.clone(), draft.name().to_owned(), document));
+    Ok(Effects::from(Effect::File(FileEffect::Write {
+        kind: FileKind::Plan,
+        path,
+        text,
+        replace: false,
+    })))
+}
+
+/// Notes that a file was written.
+pub fn written(state: &mut State, path: &str) {
+    let room = &mut state.rooms.plans;
+    let saved = room.saving.take_if(|(saving, ..)| saving == path);
+    if let Some((_, name, document)) = saved
+        && let Some(draft) = room.drafts.get_mut(&name)
+    {
+        draft.note_kept(document);
+    }
+}
+
+/// The lists that a vehicle has on board, as far as they have been read.
+fn on_board(vehicle: &Vehicle) -> Option<Document> {
+    let plans = &vehicle.plans;
+    let plan = plans.plan.content.as_deref();
+    let first = plan.and_then(|plan| plan.items.first().filter(|_| plan.home_first));
+    let fence = plans.fence.content.as_deref();
+    let rally = plans.rally.content.as_deref();
+    let document = Document {
+        home: first.map(|home| Home {
+            x: home.x,
+            y: home.y,
+            z: home.z,
+        }),
+        plan: plan.map(|plan| plan.flown().to_vec()).unwrap_or_default(),
+        fence: fence.map(|fence| fence.items.clone()).unwrap_or_default(),
+        rally: rally.map(|rally| rally.items.clone()).unwrap_or_default(),
+        origin: None,
+    };
+    let is_any = document.kinds().next().is_some();
+    is_any.then_some(document)
+}
+
+/// Opens what vehicles have on board, a draft for each.
+///
+/// # Errors
+/// None of them has anything that has been read.
+pub(super) fn take(state: &mut State, vehicles: &[VehicleId]) -> Result<(), Text> {
+    let known = vehicles.iter().filter_map(|id| {
+        let document = on_board(state.session.vehicles.get(id)?)?;
+        let draft = Draft::new(format!("vehicle-{id}"), Arc::new(document), Some(*id));
+        Some(draft.kept())
+    });
+    let drafts: Vec<Draft> = known.collect();
+    if drafts.is_empty() {
+        let vehicles = ranges(vehicles.iter().copied());
+        return Err(text!("draft-nothing-on-board", vehicles = vehicles));
+    }
+    fill(state, drafts);
+    Ok(())
+}
+
+pub(super) fn take_by_key(state: &mut State) {
+    let vehicles = state.addressed();
+    match take(state, &vehicles) {
+        Ok(()) => say_summary(state),
+        Err(reason) => state.say(Severity::Warning, reason),
+    }
+}
+
+/// Which lists of a document go on board of which vehicles, as lines of the grammar that an upload of a file would
+/// have.
+///
+/// # Errors
+/// The draft is empty.
+pub fn uploads(draft: &Draft, vehicles: &[VehicleId]) -> Result<Vec<String>, Text> {
+    let targets = ranges(vehicles.iter().copied());
+    let lines: Vec<String> = draft
+        .document()
+        .kinds()
+        .map(|kind| {
+            let verb = match kind {
+                ListKind::Plan => "plan",
+                ListKind::Fence => "fence",
+                ListKind::Rally => "rally",
+            };
+            format!("{targets} {verb} upload {}", draft.name())
+        })
+        .collect();
+    if lines.is_empty() {
+        return Err(text!("draft-empty"));
+    }
+    Ok(lines)
+}
+
+/// Whether nothing would be lost if the program ended now.
+pub fn is_kept(state: &State) -> bool {
+    state.rooms.plans.drafts.all().iter().all(Draft::is_kept)
+}
+
+/// Closes the current draft; asks first if its content is nowhere else.
+///
+/// # Errors
+/// There is no draft.
+pub fn ask_close(state: &mut State) -> Result<(), Text> {
+    let draft = state.rooms.plans.drafts.current();
+    let draft = draft.ok_or_else(|| text!("draft-none"))?;
+    if draft.is_kept() {
+        close(state);
+    } else {
+        let question = text!("draft-ask-close", name = draft.name());
+        let reason = text!("draft-ask-close-reason");
+        state.ask(question, reason, Consequence::CloseDraft);
+    }
+    Ok(())
+}
+
+/// Closes the current draft.
+pub fn close(state: &mut State) {
+    state.rooms.plans.drafts.close();
+    change::look_at(state, ListKind::Plan);
+}

@@ -1,0 +1,63 @@
+//! Lines about drafts.
+
+use super::{change, files};
+use crate::app::State;
+use crate::app::effect::Effects;
+use crate::language::DraftLine;
+use crate::plan::ListKind;
+use crate::text;
+use crate::text::Text;
+
+/// Carries out a line about drafts, except uploads.
+///
+/// # Errors
+/// The reason why it is not possible.
+pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
+    match line {
+        DraftLine::Show | DraftLine::Upload(_) | DraftLine::UploadEach => {}
+        DraftLine::Open(path) => return Ok(files::open(path)),
+        DraftLine::Save(path) => return files::save(state, path),
+        DraftLine::New(name) => change::begin(state, &plain_name(name)),
+        DraftLine::Take(vehicles) => {
+            let ids = match vehicles {
+                Some(vehicles) => state.chosen(&vehicles)?,
+                None => state.addressed(),
+            };
+            files::take(state, &ids)?;
+        }
+        DraftLine::Use(name) => {
+            if !state.rooms.plans.drafts.choose(&name) {
+                return Err(text!("grammar-no-name", word = name));
+            }
+            change::look_at(state, ListKind::Plan);
+        }
+        DraftLine::Close => {
+            files::ask_close(state)?;
+            return Ok(Effects::none());
+        }
+        DraftLine::Undo => change::travel(state, true),
+        DraftLine::Redo => change::travel(state, false),
+        DraftLine::Speed(speed_m_s) => {
+            state.rooms.plans.speed_m_s = speed_m_s;
+            return Ok(Effects::none());
+        }
+        DraftLine::Edit(edit) => change::edit(state, &edit)?,
+    }
+    if state.message().is_none() {
+        files::say_summary(state);
+    }
+    Ok(Effects::none())
+}
+
+/// A name that can stand in a line: one word, and no comment.
+fn plain_name(name: Option<String>) -> String {
+    let name = name.unwrap_or_else(|| "plan".to_owned());
+    let words = name.split_whitespace();
+    let name = words.collect::<Vec<_>>().join("-");
+    let name = name.trim_start_matches('#');
+    if name.is_empty() {
+        "plan".to_owned()
+    } else {
+        name.to_owned()
+    }
+}

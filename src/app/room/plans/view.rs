@@ -1,0 +1,117 @@
+//! The parts of the screen, and the view of the map.
+
+use crate::app::State;
+use crate::app::room::map::{Aim, Map};
+use crate::draft::Draft;
+use crate::geo::{GridSize, LatLon};
+use crate::mission::AreaKind;
+use crate::plan::{Document, Item, ListKind, command};
+
+/// Rows of the screen outside the room: the header, the footer.
+const OTHER_ROWS: u16 = 2;
+/// Rows of the details of an item, the cursor and the faults.
+pub const DETAIL_ROWS: u16 = 3;
+/// Rows of the heights with their rule, on small screens and on large ones.
+const LOW: u16 = 6;
+const HIGH: u16 = 11;
+/// Rows of a screen with room for the high ones.
+const TALL: u16 = 36;
+/// Columns of the list by the columns of the screen, and for the widest ones.
+const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
+const NARROW: u16 = 40;
+
+/// The sizes of the room's parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlansLayout {
+    /// Columns of the list, with its gap.
+    pub list: u16,
+    /// Rows of the list and the map, without their rules.
+    pub rows: u16,
+    /// Rows of the heights, with their rule.
+    pub heights: u16,
+    /// The canvas of the map.
+    pub canvas: GridSize,
+}
+
+/// The sizes on a screen.
+pub fn layout(screen: GridSize) -> PlansLayout {
+    let wide = LISTS.iter().find(|(least, _)| screen.columns >= *least);
+    let list = wide.map_or(NARROW, |(_, list)| *list);
+    let heights = if screen.rows >= TALL { HIGH } else { LOW };
+    let rows = screen
+        .rows
+        .saturating_sub(OTHER_ROWS + 1 + DETAIL_ROWS + heights);
+    PlansLayout {
+        list,
+        rows,
+        heights,
+        canvas: GridSize::new(screen.columns.saturating_sub(list + 1), rows),
+    }
+}
+
+/// The place of an item, if it has one.
+pub fn place(item: &Item) -> Option<LatLon> {
+    let is_placed = command::has_place(item.command) && (item.x, item.y) != (0, 0);
+    is_placed.then(|| item.point())
+}
+
+/// All places of a document.
+fn places(document: &Document) -> Vec<LatLon> {
+    let lists = ListKind::ALL.into_iter();
+    let items = lists.flat_map(|kind| document.list(kind).iter().filter_map(place));
+    let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
+    home.into_iter().chain(items).collect()
+}
+
+/// Fits the view to all drafts, the vehicles and the areas of the task.
+pub fn fit(state: &mut State) {
+    let room = &state.rooms.plans;
+    let drawn = room.drafts.all().iter().map(Draft::document);
+    let mut all: Vec<LatLon> = drawn.flat_map(|document| places(document)).collect();
+    for vehicle in state.session.vehicles.values() {
+        all.extend(vehicle.home.map(|home| home.at_point));
+        all.extend(vehicle.global.map(|global| global.at_point));
+    }
+    let areas = state.session.areas.iter();
+    let tasks = areas.filter(|area| area.kind == AreaKind::Task);
+    all.extend(tasks.flat_map(|area| area.outline.corners()));
+    all.extend(state.session.places.values());
+    let map = &mut state.rooms.plans.map;
+    map.overview.fit(all.into_iter());
+    map.aim = Aim::All;
+}
+
+/// Extends the view of everything to a changed draft.
+pub fn see(state: &mut State) {
+    if state.rooms.plans.map.overview.frame().is_none() {
+        return fit(state);
+    }
+    let room = &mut state.rooms.plans;
+    let Some(draft) = room.drafts.current() else {
+        return;
+    };
+    for place in places(draft.document()) {
+        room.map.overview.see(place);
+    }
+}
+
+/// Puts the map's cursor on a place, scrolling if needed.
+pub fn point_at(map: &mut Map, size: GridSize, place: LatLon) {
+    map.cursor = Some(place);
+    let is_hidden = map
+        .view(size)
+        .is_some_and(|view| view.cell(place).is_none());
+    if is_hidden {
+        map.centre_on(size, place);
+    }
+}
+
+/// Puts the map's cursor on the item under the cursor, if that has a place.
+pub fn point_at_item(state: &mut State) {
+    let size = layout(state.grid()).canvas;
+    let room = &mut state.rooms.plans;
+    let item = room.row().and_then(|row| room.items().get(row));
+    if let Some(place) = item.and_then(place) {
+        point_at(&mut room.map, size, place);
+    }
+}

@@ -1,0 +1,135 @@
+//! The item under the cursor, the cursor of the map, and the faults.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+
+use super::Shown;
+use super::list::{parameters, seconds};
+use crate::app::State;
+use crate::draft::Stop;
+use crate::geo::{GridSize, LatLon};
+use crate::plan::check::{Finding, Severity};
+use crate::plan::{Item, board, command, field};
+use crate::preflight::finding_words;
+use crate::text;
+use crate::text::figure;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::map::length;
+use crate::ui::widget::{clip, put};
+
+pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let item = shown
+        .room
+        .row()
+        .and_then(|row| Some((row, shown.room.items().get(row)?)));
+    if let Some((row, item)) = item {
+        put(buffer, panel.area, 0, &item_line(shown, row, item, panel));
+    }
+    put(buffer, panel.area, 1, &cursor_line(state, shown, panel));
+    put(buffer, panel.area, 2, &fault_line(shown, panel));
+}
+
+/// The item under the cursor: its command, its parameters, the leg that leads to it.
+fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Line<'static> {
+    let word = field::word(item.command).unwrap_or("?");
+    let mut words = vec![format!(" {} {word}", row + 1)];
+    words.extend(
+        board::name(item.command)
+            .filter(|name| *name != word)
+            .map(str::to_owned),
+    );
+    words.push(parameters(item));
+    let stop = (shown.room.list() == crate::plan::ListKind::Plan)
+        .then(|| shown.course.at(row))
+        .flatten();
+    words.extend(stop.map(|stop| leg(stop, panel)));
+    words.retain(|word| !word.is_empty());
+    Line::raw(clip(&words.join("  "), panel.width()))
+}
+
+fn leg(stop: &Stop, panel: Panel<'_>) -> String {
+    let slope = stop
+        .slope_percent()
+        .map_or_else(String::new, |slope| format!(", {slope:+.0} %"));
+    let text = text!(
+        "plans-leg",
+        length = length(stop.leg_m.round()),
+        time = seconds(stop.leg_s)
+    );
+    format!("{}{slope}", panel.text(&text))
+}
+
+/// The position of the map's cursor: in degrees, from home, and from the item under the list's cursor.
+fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
+    let canvas = crate::app::room::plans::layout(state.grid()).canvas;
+    let map = shown.room.map();
+    let Some(view) = map.view(GridSize::new(canvas.columns, canvas.rows)) else {
+        return Line::default();
+    };
+    let cursor = map.pointed(&view);
+    let muted = |id: &str| Span::styled(format!("{} ", panel.say(id)), panel.style(Role::Muted));
+    let mut spans = vec![
+        Span::raw(" "),
+        muted("plans-cursor"),
+        Span::raw(format!("{:.6} {:.6}  ", cursor.lat_deg, cursor.lon_deg)),
+    ];
+    if let Some(home) = shown.document.home {
+        let (north_m, east_m) = LatLon::from_e7(home.x, home.y).offset_to(cursor);
+        spans.push(Span::raw(format!(
+            "n {} e {} m  ",
+            figure(north_m, 0),
+            figure(east_m, 0)
+        )));
+    }
+    let items = shown.room.items();
+    let item = shown.room.row().and_then(|row| items.get(row));
+    let is_placed = |item: &&Item| command::has_place(item.command) && (item.x, item.y) != (0, 0);
+    if let Some(from) = item.filter(is_placed).map(Item::point) {
+        let bearing = from.bearing_deg(cursor).round() % 360.0;
+        let way = format!(
+            "{} {bearing:03.0}°",
+            length(from.distance_m(cursor).round())
+        );
+        spans.push(muted("plans-from-item"));
+        spans.push(Span::raw(way));
+    }
+    Line::from(spans)
+}
+
+/// A fault: of the item under the cursor if it has one, otherwise the first of all.
+fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
+    let findings = &shown.findings;
+    let row = shown.room.row();
+    let is_own =
+        |it: &&Finding| it.list == shown.room.list() && it.item.is_some() && it.item == row;
+    let own = findings.iter().find(is_own);
+    let worst = || findings.iter().max_by_key(|it| it.severity());
+    let Some(finding) = own.or_else(worst) else {
+        let is_empty = shown.document.kinds().next().is_none();
+        let id = if is_empty {
+            "plans-begin"
+        } else {
+            "plans-no-faults"
+        };
+        let role = if is_empty { Role::Muted } else { Role::Ok };
+        return Line::styled(format!(" {}", panel.say(id)), panel.style(role));
+    };
+    let (mark, role) = match finding.severity() {
+        Severity::Error => ("!", Role::Danger),
+        Severity::Warning => ("?", Role::Warning),
+    };
+    let words = panel.text(&finding_words(finding));
+    let count = findings.len();
+    let counted = panel.text(&text!("plans-faults", count = count));
+    let text = match finding.item {
+        Some(item) => {
+            let list = crate::preflight::list_words(finding.list);
+            let what = text!("plan-at-item", list = list, number = item + 1, what = words);
+            panel.text(&what)
+        }
+        None => words,
+    };
+    let text = format!(" {mark} {text}  ({counted})");
+    Line::styled(clip(&text, panel.width()), panel.style(role))
+}

@@ -1,0 +1,158 @@
+//! The heights along the plan, above home.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::Line;
+
+use super::Shown;
+use super::list::seconds;
+use crate::draft::{PlanFrame, Stop};
+use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
+use crate::plan::ContentHash;
+use crate::text;
+use crate::text::figure;
+use crate::ui::look::Badge;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::map::{Canvas, Stroke, length, stamp};
+use crate::ui::widget::{aligned, put, row_of};
+
+/// Columns of the heights at the left.
+const AXIS: u16 = 6;
+/// The least height at the top, in metres.
+const LEAST_TOP_M: f64 = 10.0;
+
+/// The scale of the curve.
+struct Scale {
+    size: GridSize,
+    length_m: f64,
+    low_m: f64,
+    high_m: f64,
+}
+
+impl Scale {
+    fn of(shown: &Shown<'_>, size: GridSize) -> Self {
+        let heights = shown.course.stops.iter().map(|stop| stop.height_m);
+        let high_m = heights.clone().fold(LEAST_TOP_M, f64::max);
+        let low_m = heights.fold(0.0, f64::min);
+        Self {
+            size,
+            length_m: shown.course.length_m.max(1.0),
+            low_m,
+            high_m: high_m * 1.2,
+        }
+    }
+
+    fn dot(&self, along_m: f64, height_m: f64) -> Dot {
+        let right = f64::from(self.size.columns * DOTS_ACROSS) - 1.0;
+        let bottom = f64::from(self.size.rows * DOTS_DOWN) - 1.0;
+        let share = (height_m - self.low_m) / (self.high_m - self.low_m);
+        Dot::new(along_m / self.length_m * right, (1.0 - share) * bottom)
+    }
+}
+
+pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.at(panel.titled(&title(shown, panel), buffer));
+    let curve = inner.columns(AXIS, inner.area.width.saturating_sub(AXIS + 1));
+    let size = GridSize::new(curve.area.width, curve.area.height);
+    if shown.course.stops.is_empty() || size.rows == 0 {
+        return;
+    }
+    let scale = Scale::of(shown, size);
+    let mut canvas = Canvas::new(size, panel.look.symbols);
+    let role = Badge::of_draft(shown.room.drafts().current_index()).role;
+    draw_ground(&scale, &mut canvas);
+    draw_course(shown, &scale, Stroke::solid(role), &mut canvas);
+    canvas.draw(curve, buffer);
+    draw_axis(&scale, inner, buffer);
+    draw_numbers(shown, &scale, curve, buffer);
+}
+
+/// The totals: length, time and speed, and the name of the plan by its content.
+fn title(shown: &Shown<'_>, panel: Panel<'_>) -> String {
+    let course = &shown.course;
+    let mut title = panel.text(&text!(
+        "plans-heights",
+        length = length(course.length_m.round()),
+        time = seconds(course.time_s),
+        speed = figure(shown.pace.speed_m_s, 1).trim_end_matches(".0")
+    ));
+    if course.repeats {
+        title.push_str(&panel.say("plans-repeats"));
+    }
+    if !shown.document.plan.is_empty() {
+        let hash = ContentHash::of(&shown.document.plan).to_string();
+        title = format!("{title}  {hash}");
+    }
+    title
+}
+
+fn draw_ground(scale: &Scale, canvas: &mut Canvas) {
+    let home = Stroke::sparse(Role::Muted);
+    canvas.line(scale.dot(0.0, 0.0), scale.dot(scale.length_m, 0.0), home);
+}
+
+fn draw_course(shown: &Shown<'_>, scale: &Scale, stroke: Stroke, canvas: &mut Canvas) {
+    let mut at = scale.dot(0.0, 0.0);
+    for stop in &shown.course.stops {
+        let next = scale.dot(stop.along_m, stop.height_m);
+        let is_over_terrain =
+            shown.document.plan.get(stop.item).and_then(PlanFrame::of) == Some(PlanFrame::Terrain);
+        let stroke = if is_over_terrain {
+            Stroke::dense(stroke.role)
+        } else {
+            stroke
+        };
+        canvas.line(at, next, stroke);
+        at = next;
+        if stop.lands {
+            let ground = scale.dot(stop.along_m, 0.0);
+            canvas.line(at, ground, stroke);
+            at = ground;
+        }
+    }
+}
+
+fn draw_axis(scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
+    let last = panel.area.height.saturating_sub(1);
+    for (row, height_m) in [(0, scale.high_m), (last, scale.low_m)] {
+        let label = format!("{} m", figure(height_m, 0));
+        let label = aligned(&label, usize::from(AXIS) - 1, true);
+        let line = Line::styled(label, panel.style(Role::Muted));
+        put(buffer, row_of(panel.area, row), 0, &line);
+    }
+}
+
+/// The numbers of the items above the curve, as far as there is room; that under the cursor always.
+fn draw_numbers(shown: &Shown<'_>, scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
+    let is_plan = shown.room.list() == crate::plan::ListKind::Plan;
+    let cursor = shown.room.row().filter(|_| is_plan);
+    let mut taken: Vec<(u16, u16)> = Vec::new();
+    let (chosen, others): (Vec<&Stop>, Vec<&Stop>) = shown
+        .course
+        .stops
+        .iter()
+        .partition(|stop| Some(stop.item) == cursor);
+    for stop in chosen.into_iter().chain(others) {
+        let text = (stop.item + 1).to_string();
+        let width = text.len() as u16;
+        let dot = scale.dot(stop.along_m, stop.height_m);
+        let column = (dot.x / f64::from(DOTS_ACROSS)) as u16;
+        let column = column.min(panel.area.width.saturating_sub(width));
+        let row = (dot.y / f64::from(DOTS_DOWN)) as u16;
+        let row = row.saturating_sub(1);
+        let is_free = taken
+            .iter()
+            .all(|(from, to)| column > *to || column + width < *from);
+        if !is_free {
+            continue;
+        }
+        taken.push((column, column + width));
+        let role = if Some(stop.item) == cursor {
+            Role::Selected
+        } else {
+            Role::Text
+        };
+        let place = panel.at(row_of(panel.area, row)).columns(column, width);
+        stamp(&text, panel.style(role), place, buffer);
+    }
+}

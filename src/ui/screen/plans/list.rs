@@ -1,0 +1,220 @@
+//! The items of a list: a line for each.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+
+use super::Shown;
+use crate::draft::{PlanFrame, Stop};
+use crate::geo::LatLon;
+use crate::language::Unit;
+use crate::plan::check::Severity;
+use crate::plan::{Item, ListKind, board, command, field};
+use crate::text::figure;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::map::length;
+use crate::ui::widget::{aligned, put, row_of};
+
+/// Columns of the parts of a line.
+const NUMBER: usize = 3;
+const WORD: usize = 10;
+const PLACE: usize = 15;
+const HEIGHT: usize = 5;
+const LEG: usize = 8;
+const SLOPE: usize = 6;
+const TIME: usize = 7;
+/// Columns from which on a line shows the leg, and from which on also the parameters.
+const WITH_LEG: usize = 58;
+const WITH_PARAMETERS: usize = 90;
+/// Columns used by everything but the parameters.
+const USED: usize = 66;
+
+/// Draws the heading and as many lines around the cursor as fit.
+pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    put(
+        buffer,
+        panel.area,
+        0,
+        &Line::styled(heading(panel), panel.style(Role::Muted)),
+    );
+    let list = panel.below(1);
+    let items = shown.room.items();
+    let at = shown.room.row().unwrap_or(0);
+    let visible = usize::from(list.area.height);
+    let most = items.len().saturating_sub(visible);
+    let top = at.saturating_sub(visible / 2).min(most);
+    for (row, (index, item)) in (0..).zip(items.iter().enumerate().skip(top).take(visible)) {
+        let place = row_of(list.area, row);
+        put(buffer, place, 0, &line(shown, index, item, panel));
+        if index == at {
+            list.at(place).mark_cursor(buffer);
+        }
+    }
+    list.mark_list(top, items.len(), true, buffer);
+}
+
+fn heading(panel: Panel<'_>) -> String {
+    let word = |id, columns, right| aligned(&panel.say(id), columns, right);
+    let mut heading = format!(
+        "    # {} {} {}",
+        word("plans-column-command", WORD, false),
+        word("plans-column-place", PLACE, false),
+        word("plans-column-height", HEIGHT, true),
+    );
+    if panel.width() >= WITH_LEG {
+        heading.extend([
+            "  ".to_owned(),
+            word("plans-column-leg", LEG, true),
+            word("plans-column-slope", SLOPE, true),
+        ]);
+    }
+    if panel.width() >= WITH_PARAMETERS {
+        heading.push_str(&word("plans-column-time", TIME, true));
+        heading.push_str("  ");
+        heading.push_str(&panel.say("plans-column-parameters"));
+    }
+    heading
+}
+
+fn line(shown: &Shown<'_>, index: usize, item: &Item, panel: Panel<'_>) -> Line<'static> {
+    let is_marked = shown.room.is_marking()
+        && shown
+            .room
+            .marked()
+            .is_some_and(|it| (it.first..=it.last).contains(&(index + 1)));
+    let (fault, role) = fault(shown, index);
+    let home = shown.document.home;
+    let home = home.map(|home| LatLon::from_e7(home.x, home.y));
+    let word = field::word(item.command).or_else(|| board::name(item.command));
+    let word = word.map_or_else(|| item.command.to_string(), str::to_owned);
+    let has_parameters = panel.width() >= WITH_PARAMETERS;
+    let place = place(item, home).unwrap_or_else(|| {
+        if has_parameters {
+            String::new()
+        } else {
+            parameters(item)
+        }
+    });
+    let mut spans = vec![
+        Span::styled(
+            if is_marked { "▌" } else { " " },
+            panel.style(Role::Selected),
+        ),
+        Span::raw(aligned(&(index + 1).to_string(), NUMBER, true)),
+        Span::styled(fault, panel.style(role)),
+        Span::raw(format!(
+            " {} {} {}",
+            aligned(&word, WORD, false),
+            aligned(&place, PLACE, false),
+            aligned(&height(item), HEIGHT, true)
+        )),
+        Span::styled(frame(item), panel.style(Role::Muted)),
+    ];
+    if shown.room.list() == ListKind::Plan && panel.width() >= WITH_LEG {
+        spans.push(Span::raw(leg(shown.course.at(index), has_parameters)));
+    }
+    if has_parameters {
+        let room = panel.width().saturating_sub(USED);
+        spans.push(Span::raw(format!(
+            "  {}",
+            aligned(&parameters(item), room, false)
+        )));
+    }
+    Line::from(spans)
+}
+
+/// The mark of the worst finding about an item.
+fn fault(shown: &Shown<'_>, index: usize) -> (&'static str, Role) {
+    let list = shown.room.list();
+    let about = shown
+        .findings
+        .iter()
+        .filter(|it| it.list == list && it.item == Some(index));
+    match about.map(crate::plan::check::Finding::severity).max() {
+        Some(Severity::Error) => ("!", Role::Danger),
+        Some(Severity::Warning) => ("?", Role::Warning),
+        None => (" ", Role::Text),
+    }
+}
+
+/// The place of an item from home, otherwise in degrees; `None` without one.
+fn place(item: &Item, home: Option<LatLon>) -> Option<String> {
+    let is_placed = command::has_place(item.command) && (item.x, item.y) != (0, 0);
+    let place = is_placed.then(|| item.point())?;
+    Some(match home {
+        Some(home) => {
+            let (north_m, east_m) = home.offset_to(place);
+            format!("n {} e {}", figure(north_m, 0), figure(east_m, 0))
+        }
+        None => format!("{:.4} {:.4}", place.lat_deg, place.lon_deg),
+    })
+}
+
+/// The height of an item, or the radius of a circle.
+fn height(item: &Item) -> String {
+    if command::is_circle(item.command) {
+        return figure(item.params[0], 0);
+    }
+    let has_height = command::has_place(item.command) && !command::is_fence(item.command);
+    if has_height {
+        figure(item.z, 0)
+    } else {
+        String::new()
+    }
+}
+
+/// A letter for what the height is measured from; `r` for a radius.
+fn frame(item: &Item) -> &'static str {
+    if command::is_circle(item.command) {
+        return "r";
+    }
+    if !command::has_place(item.command) || command::is_fence(item.command) {
+        return " ";
+    }
+    match PlanFrame::of(item) {
+        Some(PlanFrame::Home) => "h",
+        Some(PlanFrame::Terrain) => "t",
+        Some(PlanFrame::Sea) => "s",
+        None => "?",
+    }
+}
+
+fn leg(stop: Option<&Stop>, with_time: bool) -> String {
+    let leg_m = stop.map_or_else(String::new, |stop| length(stop.leg_m.round()));
+    let slope = stop.and_then(Stop::slope_percent);
+    let slope = slope.map_or_else(String::new, |slope| format!("{slope:+.0} %"));
+    let mut leg = format!(
+        " {}{}",
+        aligned(&leg_m, LEG, true),
+        aligned(&slope, SLOPE, true)
+    );
+    if with_time {
+        let time = stop.map_or_else(String::new, |stop| seconds(stop.leg_s));
+        leg.push_str(&aligned(&time, TIME, true));
+    }
+    leg
+}
+
+/// Seconds, as minutes and seconds where there are many.
+pub(super) fn seconds(seconds: f64) -> String {
+    if seconds < 120.0 {
+        format!("{seconds:.0} s")
+    } else {
+        let whole = seconds as u64;
+        format!("{}:{:02}", whole / 60, whole % 60)
+    }
+}
+
+/// The parameters of an item that are not 0, by their names.
+pub(super) fn parameters(item: &Item) -> String {
+    let fields = field::fields(item.command).iter();
+    let is_of_fence = command::is_fence(item.command);
+    let set = fields.filter(|field| !is_of_fence && field.value(item) != 0.0);
+    let words = set.map(|field| {
+        let unit = Unit::of_field(field.unit).symbol();
+        let value = field.value(item);
+        let gap = if unit.is_empty() { "" } else { " " };
+        format!("{} {value}{gap}{unit}", field.name)
+    });
+    words.collect::<Vec<_>>().join("  ")
+}

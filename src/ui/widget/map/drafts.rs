@@ -1,0 +1,215 @@
+//! Drafts of plans on the map: lines, fences, rally points, and the cursor.
+
+use std::collections::BTreeSet;
+
+use ratatui::buffer::Buffer;
+
+use super::canvas::{Canvas, Stroke};
+use super::ground::{outline, sign, stroke};
+use super::labels::{self, Label};
+use super::{draw_nowhere, legend, markers};
+use crate::app::State;
+use crate::app::room::map::{SketchKind, sketches};
+use crate::app::room::plans::{Drawing, pace};
+use crate::draft::{Draft, areas, profile};
+use crate::geo::{GridSize, LatLon, Outline, Viewport};
+use crate::plan::{Document, Item, ListKind, command};
+use crate::ui::look::Badge;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+
+/// Draws the drafts over the ground, the current one last.
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let room = state.rooms().plans();
+    let size = GridSize::new(panel.area.width, panel.area.height);
+    let Some(view) = room.map().view(size) else {
+        return draw_nowhere(panel, buffer);
+    };
+    let mut board = Board {
+        view: &view,
+        canvas: Canvas::new(size, panel.look.symbols),
+        labels: Vec::new(),
+    };
+    board.ground(state);
+    let current = room.drafts().current_index();
+    let drafts = room.drafts().all().iter().enumerate();
+    for (index, draft) in drafts.clone().filter(|(index, _)| *index != current) {
+        board.other(state, index, draft);
+    }
+    for (_, draft) in drafts.filter(|(index, _)| *index == current) {
+        board.current(state, draft.document());
+    }
+    let Board { canvas, labels, .. } = board;
+    canvas.draw(panel, buffer);
+    labels::draw(labels, &BTreeSet::new(), panel, buffer);
+    markers::draw(state, panel.look, &view, panel.area, buffer);
+    legend::draw_scale(panel.look, &view, panel.area, buffer);
+    draw_cursor(&view, room.map().pointed(&view), panel, buffer);
+}
+
+struct Board<'a> {
+    view: &'a Viewport,
+    canvas: Canvas,
+    labels: Vec<Label>,
+}
+
+impl Board<'_> {
+    fn line(&mut self, from: LatLon, to: LatLon, stroke: Stroke) {
+        let (from, to) = (self.view.dot(from), self.view.dot(to));
+        self.canvas.line(from, to, stroke);
+    }
+
+    fn label(&mut self, place: LatLon, text: String, role: Role) {
+        let cell = self.view.cell(place);
+        self.labels
+            .extend(cell.map(|cell| Label { cell, text, role }));
+    }
+
+    /// Areas and homes, and without numbers what the vehicles have on board.
+    fn ground(&mut self, state: &State) {
+        for sketch in sketches(state) {
+            let stroke = stroke(sketch.kind);
+            let points = &sketch.points;
+            if sketch.closed {
+                outline(points, self.view, &mut self.canvas, stroke);
+                let is_area = !sketch.label.is_empty();
+                if let Some(corner) = points.first().filter(|_| is_area) {
+                    let name = format!("{}{}", sign(sketch.kind), sketch.label);
+                    self.label(*corner, name, stroke.role);
+                }
+            } else {
+                for pair in points.windows(2) {
+                    self.line(pair[0], pair[1], stroke);
+                }
+            }
+        }
+        for (name, place) in state.session().places() {
+            self.label(*place, format!("+{name}"), Role::Info);
+        }
+        let vehicles = state.session().vehicles().values();
+        for home in vehicles.filter_map(|vehicle| vehicle.home) {
+            self.label(home.at_point, "H".to_owned(), Role::Title);
+        }
+    }
+
+    /// Another draft than the current one: its line and its sign.
+    fn other(&mut self, state: &State, index: usize, draft: &Draft) {
+        let badge = Badge::of_draft(index);
+        let way = way(state, draft.document());
+        for pair in way.windows(2) {
+            self.line(pair[0], pair[1], Stroke::dense(badge.role));
+        }
+        if let Some(second) = way.get(1).or(way.first()) {
+            self.label(
+                *second,
+                format!("{}{}", badge.sign, draft.name()),
+                badge.role,
+            );
+        }
+    }
+
+    fn current(&mut self, state: &State, document: &Document) {
+        let room = state.rooms().plans();
+        let role = Badge::of_draft(room.drafts().current_index()).role;
+        self.fence(room, document);
+        for pair in way(state, document).windows(2) {
+            self.line(pair[0], pair[1], Stroke::solid(role));
+        }
+        self.jumps(&document.plan, role);
+        if let Some(home) = document.home {
+            self.label(LatLon::from_e7(home.x, home.y), "H".to_owned(), Role::Title);
+        }
+        self.numbers(room, ListKind::Rally, &document.rally, Role::Title);
+        self.numbers(room, ListKind::Plan, &document.plan, role);
+    }
+
+    fn fence(&mut self, room: &Drawing, document: &Document) {
+        let items = &document.fence;
+        for area in areas(items) {
+            let first = items[area.start];
+            let keeps_in = matches!(
+                first.command,
+                command::FENCE_POLYGON_INCLUSION | command::FENCE_CIRCLE_INCLUSION
+            );
+            let kind = if keeps_in {
+                SketchKind::Fence
+            } else {
+                SketchKind::KeepOut
+            };
+            let corners = if command::is_circle(first.command) {
+                let circle = Outline::Circle {
+                    centre: first.point(),
+                    radius_m: f64::from(first.params[0]),
+                };
+                circle.corners()
+            } else {
+                items[area].iter().map(Item::point).collect()
+            };
+            outline(&corners, self.view, &mut self.canvas, stroke(kind));
+        }
+        // The corners matter only while they are being changed.
+        if room.list() == ListKind::Fence {
+            self.numbers(room, ListKind::Fence, items, Role::Fence);
+        }
+    }
+
+    /// The way back of each jump, to the item that it leads to.
+    fn jumps(&mut self, plan: &[Item], role: Role) {
+        for (at, item) in plan.iter().enumerate() {
+            let is_jump = item.command == command::DO_JUMP;
+            let target = plan.get((item.params[0] as usize).wrapping_sub(1));
+            let from = plan[..at].iter().rev().find(|item| is_placed(item));
+            if let (true, Some(from), Some(to)) = (is_jump, from, target)
+                && is_placed(to)
+            {
+                self.line(from.point(), to.point(), Stroke::sparse(role));
+            }
+        }
+    }
+
+    /// The numbers of a list's items; those that keys would change stand out.
+    fn numbers(&mut self, room: &Drawing, list: ListKind, items: &[Item], role: Role) {
+        let marked = room.marked().filter(|_| room.list() == list);
+        let prefix = if list == ListKind::Rally { "R" } else { "" };
+        let mut last = Vec::new();
+        for (at, item) in items.iter().enumerate().filter(|(_, item)| is_placed(item)) {
+            let number = at + 1;
+            let is_marked = marked.is_some_and(|it| (it.first..=it.last).contains(&number));
+            let text = format!("{prefix}{number}");
+            // Labels that come later win where there is no room for all.
+            if is_marked {
+                last.push((item.point(), text));
+            } else {
+                self.label(item.point(), text, role);
+            }
+        }
+        for (place, text) in last {
+            self.label(place, text, Role::Selected);
+        }
+    }
+}
+
+fn is_placed(item: &Item) -> bool {
+    command::has_place(item.command) && (item.x, item.y) != (0, 0)
+}
+
+/// The places that a plan leads through, from home on.
+fn way(state: &State, document: &Document) -> Vec<LatLon> {
+    let course = profile(document, pace(state));
+    let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
+    let home = home.filter(|_| !course.stops.is_empty());
+    let stops = course.stops.iter().map(|stop| stop.place);
+    home.into_iter().chain(stops).collect()
+}
+
+fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut Buffer) {
+    let Some((column, row)) = view.cell(cursor) else {
+        return;
+    };
+    if let Some(cell) = buffer.cell_mut((panel.area.x + column, panel.area.y + row)) {
+        if cell.symbol() == " " {
+            cell.set_char('┼');
+        }
+        cell.set_style(panel.style(Role::Cursor));
+    }
+}
