@@ -72,6 +72,7 @@ plans-column-slope = slope
 plans-column-time = time
 plans-column-parameters = parameters
 plans-leg = leg { $length }, { $time }
+plans-climb = climb { $height }, { $time }
 plans-cursor = cursor
 plans-from-item = from the item
 plans-heights = heights  { $length }, { $time } at { $speed } m/s

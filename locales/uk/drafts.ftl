@@ -73,6 +73,7 @@ plans-column-slope = нахил
 plans-column-time = час
 plans-column-parameters = параметри
 plans-leg = відрізок { $length }, { $time }
+plans-climb = підйом { $height }, { $time }
 plans-cursor = курсор
 plans-from-item = від пункту
 plans-heights = висоти  { $length }, { $time } за { $speed } m/s

@@ -25,7 +25,7 @@ pub(super) use act::{act, draw};
 pub use files::{ask_close, close, fill, is_kept, read, uploads, written};
 pub use judge::{findings, pace};
 pub use line::carry_out;
-pub use view::{PlansLayout, layout};
+pub use view::{PlansLayout, click, layout};
 
 /// The state of the room.
 #[derive(Debug, Clone)]

@@ -10,7 +10,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place};
-use crate::app::room::Room;
+use crate::app::room::{Room, plans};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
@@ -54,9 +54,14 @@ fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
 
 /// Handles a clicked cell. Overlays take no clicks.
 pub fn click(state: &mut State, column: u16, row: u16) {
-    if state.overlay.is_none() && state.room == Room::Map && !state.display().is_too_small() {
-        let size = state.display().grid();
+    if state.overlay.is_some() || state.is_too_small() {
+        return;
+    }
+    let size = state.grid();
+    if state.room == Room::Map {
         state.rooms.map.click(size, column, row);
+    } else if state.room == Room::Plans {
+        plans::click(state, column, row);
     }
 }
 

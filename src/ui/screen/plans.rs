@@ -38,6 +38,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let middle = upper(body, sizes.rows);
     let map = columns(middle, sizes.list + 1, middle.width);
     draw_drafts(state, panel.at(map), buffer);
+    draw_border(panel.at(columns(middle, sizes.list, 1)), buffer);
     let list = panel.at(columns(middle, 0, sizes.list));
     let Some(draft) = room.drafts().current() else {
         return draw_nothing(state, list, buffer);
@@ -55,6 +56,14 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let detail_rows = rest.height.saturating_sub(sizes.heights);
     detail::draw(state, &shown, panel.at(upper(rest, detail_rows)), buffer);
     heights::draw(&shown, panel.at(below(rest, detail_rows)), buffer);
+}
+
+/// A line between the list and the map.
+fn draw_border(panel: Panel<'_>, buffer: &mut Buffer) {
+    for row in 0..panel.area.height {
+        let line = Line::styled("│", panel.style(Role::Border));
+        put(buffer, panel.area, row, &line);
+    }
 }
 
 /// The drafts with their signs, and the lists of the current one.

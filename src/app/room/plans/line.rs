@@ -13,6 +13,7 @@ use crate::text::Text;
 /// # Errors
 /// The reason why it is not possible.
 pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
+    state.hush();
     match line {
         DraftLine::Show | DraftLine::Upload(_) | DraftLine::UploadEach => {}
         DraftLine::Open(path) => return Ok(files::open(path)),

@@ -1,1 +1,359 @@
+use crossterm::event::{KeyCode, KeyEvent};
 
+use super::*;
+use crate::app::effect::{Effect, FileEffect, FileKind};
+use crate::app::event::{Event, FileEvent, SessionEvent, Started, TerminalEvent, VehicleEvent};
+use crate::app::state::{Activity, Overlay};
+use crate::app::{App, Setup};
+use crate::commands::{Act, Command, PlanDeed, PlanSource};
+use crate::geo::LatLon;
+use crate::plan::command;
+use crate::vehicle::{Place, Plan, Stored, Transfer, Vehicle, VehicleId};
+
+const HOME: LatLon = LatLon::new(50.45, 30.52);
+
+struct Desk {
+    app: App,
+}
+
+impl Desk {
+    fn new() -> Self {
+        let mut app = App::new(Setup {
+            has_rooms: true,
+            ..Setup::default()
+        });
+        let _ = app.update(Event::Session(SessionEvent::Started(Box::new(Started {
+            activity: Activity::Free,
+            mission: None,
+            places: [("tower".to_owned(), HOME.moved(50.0, 0.0))].into(),
+            areas: Vec::new(),
+            processes: None,
+            speedup: 1.0,
+        }))));
+        let mut desk = Self { app };
+        for id in [1, 2] {
+            desk.vehicle(id, |_| {});
+        }
+        desk.press("E");
+        desk
+    }
+
+    fn vehicle(&mut self, id: VehicleId, change: impl FnOnce(&mut Vehicle)) {
+        let mut vehicle = Vehicle::new(id as u8, 1);
+        vehicle.home = Some(Place {
+            at_point: HOME,
+            altitude_amsl_m: 170.0,
+        });
+        change(&mut vehicle);
+        let _ = self
+            .app
+            .update(Event::from(VehicleEvent::Telemetry(Arc::new(vehicle))));
+    }
+
+    fn key(&mut self, code: KeyCode) -> Vec<Effect> {
+        let key = TerminalEvent::Key(KeyEvent::from(code));
+        self.app.update(Event::from(key))
+    }
+
+    /// Presses letters; `^`, `v`, `<` and `>` stand for the arrow keys.
+    fn press(&mut self, keys: &str) {
+        for key in keys.chars() {
+            let code = match key {
+                '^' => KeyCode::Up,
+                'V' => KeyCode::Down,
+                '<' => KeyCode::Left,
+                '>' => KeyCode::Right,
+                letter => KeyCode::Char(letter),
+            };
+            let _ = self.key(code);
+        }
+    }
+
+    fn give(&mut self, line: &str) -> Vec<Effect> {
+        let line = TerminalEvent::Line(line.to_owned());
+        self.app.update(Event::from(line))
+    }
+
+    fn room(&self) -> &Drawing {
+        self.app.state().rooms().plans()
+    }
+
+    fn plan(&self) -> Vec<u16> {
+        let draft = self.room().drafts().current().expect("a draft");
+        draft
+            .document()
+            .plan
+            .iter()
+            .map(|item| item.command)
+            .collect()
+    }
+
+    fn said(&self) -> String {
+        let message = self.app.state().message();
+        message.map_or_else(String::new, |message| message.text.to_string())
+    }
+
+    fn line(&self) -> &str {
+        match self.app.state().overlay() {
+            Some(Overlay::Palette(palette)) => palette.input().value(),
+            _ => "",
+        }
+    }
+}
+
+#[test]
+fn a_plan_is_drawn_by_keys_from_nothing() {
+    let mut desk = Desk::new();
+    desk.press("t^^^a>>>ar");
+    assert_eq!(
+        desk.plan(),
+        [
+            command::TAKEOFF,
+            command::WAYPOINT,
+            command::WAYPOINT,
+            command::RETURN_TO_LAUNCH
+        ]
+    );
+    assert_eq!(desk.room().row(), Some(3));
+    // One before the return, then one of its neighbours goes.
+    desk.press("^^ikx");
+    assert_eq!(desk.plan().len(), 4);
+    desk.press("uuuuuu");
+    assert!(desk.plan().is_empty());
+    desk.press("u");
+    assert!(!desk.said().is_empty(), "nothing to undo");
+}
+
+#[test]
+fn keys_and_lines_are_undone_alike() {
+    let mut desk = Desk::new();
+    desk.press("t");
+    desk.give("draft add n 100 e 50");
+    desk.press("+");
+    desk.give("draft height 1-2 40");
+    let heights = |desk: &Desk| -> Vec<f32> { desk.room().items().iter().map(|it| it.z).collect() };
+    assert_eq!(heights(&desk), [40.0, 40.0]);
+    desk.give("draft undo");
+    assert_eq!(heights(&desk), [30.0, 35.0]);
+    desk.press("u");
+    assert_eq!(heights(&desk), [30.0, 30.0]);
+    desk.give("draft redo");
+    assert_eq!(heights(&desk), [30.0, 35.0]);
+}
+
+#[test]
+fn a_marked_range_moves_to_the_cursor() {
+    let mut desk = Desk::new();
+    desk.give("draft add n 0 e 0");
+    desk.give("draft add n 20 e 0");
+    desk.give("draft add n 20 e 20");
+    desk.press("k k");
+    let marked = desk.room().marked().expect("items");
+    assert_eq!((marked.first, marked.last), (1, 2));
+    desk.press(">>>>m");
+    let east_m = |at: usize| {
+        let (_, east_m) = HOME.offset_to(desk.room().items()[at].point());
+        east_m
+    };
+    assert!(east_m(0) > 1.0 && (east_m(0) - east_m(1)).abs() < 0.1);
+    assert!((east_m(2) - 20.0).abs() < 0.1);
+    assert!(!desk.room().is_marking());
+}
+
+#[test]
+fn fences_and_rally_points_have_lists_of_their_own() {
+    let mut desk = Desk::new();
+    desk.press("2bV>a>^aV");
+    desk.press("v+");
+    let draft = desk.room().drafts().current().expect("a draft");
+    let fence: Vec<u16> = draft.document().fence.iter().map(|it| it.command).collect();
+    let corner = command::FENCE_POLYGON_INCLUSION;
+    assert_eq!(
+        fence,
+        [corner, corner, corner, command::FENCE_CIRCLE_INCLUSION]
+    );
+    assert_eq!(draft.document().fence[3].params[0], 55.0);
+    desk.press("f3a");
+    let draft = desk.room().drafts().current().expect("a draft");
+    assert_eq!(
+        draft.document().fence[3].command,
+        command::FENCE_CIRCLE_EXCLUSION
+    );
+    assert_eq!(draft.document().rally.len(), 1);
+    desk.press("1");
+    assert!(desk.room().items().is_empty());
+}
+
+#[test]
+fn keys_begin_the_lines_that_need_words() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    for (key, line) in [
+        ("e", "draft set 2 "),
+        ("c", "draft command 2 "),
+        ("h", "draft height 2 "),
+        ("g", "draft jump 2 to "),
+        ("o", "draft open "),
+        ("w", "draft save plan.plan"),
+        ("U", "draft upload 1"),
+    ] {
+        desk.press(key);
+        assert_eq!(desk.line(), line);
+        let _ = desk.key(KeyCode::Esc);
+    }
+}
+
+fn written(effects: Vec<Effect>) -> (String, String) {
+    match effects.as_slice() {
+        [
+            Effect::File(FileEffect::Write {
+                kind: FileKind::Plan,
+                path,
+                text,
+                ..
+            }),
+        ] => (path.clone(), text.clone()),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_draft_is_saved_and_opened_again() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    assert!(!is_kept(desk.app.state()));
+    let (path, text) = written(desk.give("draft save field"));
+    assert_eq!(path, "field.plan");
+    let _ = desk
+        .app
+        .update(Event::from(FileEvent::Written { path: path.clone() }));
+    assert!(is_kept(desk.app.state()));
+    let kind = FileKind::Plan;
+    let _ = desk
+        .app
+        .update(Event::from(FileEvent::Read { kind, path, text }));
+    assert_eq!(desk.room().drafts().all().len(), 2);
+    assert_eq!(desk.plan(), [command::TAKEOFF, command::WAYPOINT]);
+    desk.press("\t");
+    desk.give("draft use plan");
+    assert_eq!(
+        desk.room().drafts().current().map(Draft::name),
+        Some("plan")
+    );
+    let faulty = FileEvent::Read {
+        kind,
+        path: "bad.plan".to_owned(),
+        text: "QGC WPL 110\n0\tx\n".to_owned(),
+    };
+    let _ = desk.app.update(Event::from(faulty));
+    assert!(desk.said().starts_with("bad.plan:2:"), "{}", desk.said());
+}
+
+#[test]
+fn an_unsaved_draft_is_closed_only_after_a_question() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    desk.give("draft close");
+    assert!(matches!(
+        desk.app.state().overlay(),
+        Some(Overlay::Confirm(_))
+    ));
+    desk.press("n");
+    assert_eq!(desk.room().drafts().all().len(), 1);
+    let _ = desk.key(KeyCode::Esc);
+    desk.give("draft close");
+    desk.press("y");
+    assert!(desk.room().drafts().current().is_none());
+}
+
+/// A vehicle that has nothing on board, as has been read.
+fn read_empty(vehicle: &mut Vehicle) {
+    vehicle.plans.plan.transfer = Transfer::Done;
+    vehicle.plans.fence.transfer = Transfer::Done;
+}
+
+#[test]
+fn each_list_of_a_draft_is_uploaded_by_an_order() {
+    let mut desk = Desk::new();
+    desk.vehicle(1, read_empty);
+    desk.vehicle(2, read_empty);
+    desk.press("ta");
+    desk.give("draft fence circle 200 n 0 e 0");
+    let effects = desk.give("draft upload 1-2");
+    let mut lines = Vec::new();
+    for effect in effects {
+        let Effect::Order { order, .. } = effect else {
+            panic!("{effect:?}");
+        };
+        let Act::Command(Command::Plan(command)) = &order.act else {
+            panic!("{order:?}");
+        };
+        let PlanDeed::Upload {
+            source: PlanSource::Draft(document),
+        } = &command.deed
+        else {
+            panic!("{command:?}");
+        };
+        assert!(!document.list(command.kind).is_empty());
+        assert_eq!(order.targets, [1, 2]);
+        lines.push(order.line);
+    }
+    assert_eq!(lines, ["1-2 plan upload plan", "1-2 fence upload plan"]);
+}
+
+#[test]
+fn an_upload_to_a_vehicle_that_was_not_read_asks_once_for_all_lists() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    desk.give("draft fence circle 200 n 0 e 0");
+    assert!(desk.give("draft upload 1").is_empty());
+    let effects = desk.key(KeyCode::Char('1'));
+    assert_eq!(effects.len(), 2, "{effects:?}");
+}
+
+#[test]
+fn plans_on_board_become_drafts_that_go_back_to_their_vehicles() {
+    let mut desk = Desk::new();
+    let waypoint = |command| Item {
+        command,
+        frame: 3,
+        x: 504_500_000,
+        y: 305_200_000,
+        z: 20.0,
+        ..Item::default()
+    };
+    for id in [1, 2] {
+        desk.vehicle(id, |vehicle| {
+            read_empty(vehicle);
+            vehicle.plans.plan = Stored {
+                content: Some(Arc::new(Plan {
+                    items: vec![waypoint(command::WAYPOINT), waypoint(command::TAKEOFF)],
+                    home_first: true,
+                })),
+                transfer: Transfer::Done,
+            };
+        });
+    }
+    desk.give("draft take all");
+    let names: Vec<&str> = desk.room().drafts().all().iter().map(Draft::name).collect();
+    assert_eq!(names, ["vehicle-1", "vehicle-2"]);
+    assert_eq!(desk.plan(), [command::TAKEOFF]);
+    assert!(is_kept(desk.app.state()));
+    let orders = desk.give("draft upload each");
+    let targets: Vec<Vec<VehicleId>> = orders
+        .into_iter()
+        .map(|effect| match effect {
+            Effect::Order { order, .. } => order.targets,
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(targets, [vec![1], vec![2]]);
+}
+
+#[test]
+fn drafts_outlive_the_session() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    desk.give("leave");
+    assert_eq!(desk.plan().len(), 2);
+}

@@ -3,7 +3,7 @@
 use crate::app::State;
 use crate::app::room::map::{Aim, Map};
 use crate::draft::Draft;
-use crate::geo::{GridSize, LatLon};
+use crate::geo::{Extent, GridSize, LatLon};
 use crate::mission::AreaKind;
 use crate::plan::{Document, Item, ListKind, command};
 
@@ -19,6 +19,11 @@ const TALL: u16 = 36;
 /// Columns of the list by the columns of the screen, and for the widest ones.
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
+
+/// The shortest side of the ground that the map shows at first, in metres.
+const LEAST_SIDE_M: f64 = 300.0;
+/// Rows of the screen above the map: the header, the drafts.
+const ROWS_ABOVE: u16 = 2;
 
 /// The sizes of the room's parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +81,13 @@ pub fn fit(state: &mut State) {
     let tasks = areas.filter(|area| area.kind == AreaKind::Task);
     all.extend(tasks.flat_map(|area| area.outline.corners()));
     all.extend(state.session.places.values());
+    // Around a single place there is room for a first plan.
+    if let Some(extent) = Extent::around(all.iter().copied())
+        && extent.size_m().iter().all(|side_m| *side_m < LEAST_SIDE_M)
+    {
+        let wider = extent.with_margin(0.0, LEAST_SIDE_M / 2.0);
+        all.extend(wider.corners());
+    }
     let map = &mut state.rooms.plans.map;
     map.overview.fit(all.into_iter());
     map.aim = Aim::All;
@@ -113,5 +125,18 @@ pub fn point_at_item(state: &mut State) {
     let item = room.row().and_then(|row| room.items().get(row));
     if let Some(place) = item.and_then(place) {
         point_at(&mut room.map, size, place);
+    }
+}
+
+/// Puts the map's cursor on a cell of the screen, if the map covers it.
+pub fn click(state: &mut State, column: u16, row: u16) {
+    let sizes = layout(state.grid());
+    let map = &mut state.rooms.plans.map;
+    let column = column.checked_sub(sizes.list + 1);
+    let row = row.checked_sub(ROWS_ABOVE);
+    if let (Some(view), Some(column), Some(row)) = (map.view(sizes.canvas), column, row)
+        && row < sizes.canvas.rows
+    {
+        map.cursor = Some(view.middle_of(column.into(), row.into()));
     }
 }

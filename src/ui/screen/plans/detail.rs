@@ -4,14 +4,16 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use super::Shown;
-use super::list::{parameters, seconds};
+use super::list::{parameters, percent, seconds};
 use crate::app::State;
+use crate::app::room::plans::layout;
 use crate::draft::Stop;
 use crate::geo::{GridSize, LatLon};
 use crate::plan::check::{Finding, Severity};
-use crate::plan::{Item, board, command, field};
-use crate::preflight::finding_words;
+use crate::plan::{HeightFrame, Item, ListKind, command, field};
+use crate::preflight::{finding_words, list_words};
 use crate::text;
+use crate::text::Text;
 use crate::text::figure;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -32,15 +34,11 @@ pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &
 
 /// The item under the cursor: its command, its parameters, the leg that leads to it.
 fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Line<'static> {
-    let word = field::word(item.command).unwrap_or("?");
+    let word = field::word(item.command).map_or_else(|| item.command.to_string(), str::to_owned);
     let mut words = vec![format!(" {} {word}", row + 1)];
-    words.extend(
-        board::name(item.command)
-            .filter(|name| *name != word)
-            .map(str::to_owned),
-    );
+    words.extend(height(item).map(|height| panel.text(&height)));
     words.push(parameters(item));
-    let stop = (shown.room.list() == crate::plan::ListKind::Plan)
+    let stop = (shown.room.list() == ListKind::Plan)
         .then(|| shown.course.at(row))
         .flatten();
     words.extend(stop.map(|stop| leg(stop, panel)));
@@ -48,21 +46,35 @@ fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Li
     Line::raw(clip(&words.join("  "), panel.width()))
 }
 
+/// The leg to an item, or the climb where it leads straight up.
 fn leg(stop: &Stop, panel: Panel<'_>) -> String {
-    let slope = stop
-        .slope_percent()
-        .map_or_else(String::new, |slope| format!(", {slope:+.0} %"));
-    let text = text!(
-        "plans-leg",
-        length = length(stop.leg_m.round()),
-        time = seconds(stop.leg_s)
-    );
-    format!("{}{slope}", panel.text(&text))
+    let time = seconds(stop.leg_s);
+    let Some(slope) = stop.slope_percent() else {
+        let climb = format!("{} m", figure(stop.climb_m, 0));
+        return panel.text(&text!("plans-climb", height = climb, time = time));
+    };
+    let length = length(stop.leg_m.round());
+    let text = text!("plans-leg", length = length, time = time);
+    format!("{}, {}", panel.text(&text), percent(slope))
+}
+
+/// The height of an item with its reference, if it has one.
+fn height(item: &Item) -> Option<Text> {
+    if !command::has_place(item.command) || command::is_fence(item.command) {
+        return None;
+    }
+    let height = figure(item.z, 0);
+    Some(match item.height_frame() {
+        HeightFrame::SeaLevel => text!("plan-height-sea", height = height),
+        HeightFrame::Home => text!("plan-height-home", height = height),
+        HeightFrame::Terrain => text!("plan-height-terrain", height = height),
+        HeightFrame::Other => text!("plan-height-other", height = height),
+    })
 }
 
 /// The position of the map's cursor: in degrees, from home, and from the item under the list's cursor.
 fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
-    let canvas = crate::app::room::plans::layout(state.grid()).canvas;
+    let canvas = layout(state.grid()).canvas;
     let map = shown.room.map();
     let Some(view) = map.view(GridSize::new(canvas.columns, canvas.rows)) else {
         return Line::default();
@@ -86,11 +98,12 @@ fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'stat
     let item = shown.room.row().and_then(|row| items.get(row));
     let is_placed = |item: &&Item| command::has_place(item.command) && (item.x, item.y) != (0, 0);
     if let Some(from) = item.filter(is_placed).map(Item::point) {
+        let way_m = from.distance_m(cursor).round();
+        if way_m < 1.0 {
+            return Line::from(spans);
+        }
         let bearing = from.bearing_deg(cursor).round() % 360.0;
-        let way = format!(
-            "{} {bearing:03.0}°",
-            length(from.distance_m(cursor).round())
-        );
+        let way = format!("{} {bearing:03.0}°", length(way_m));
         spans.push(muted("plans-from-item"));
         spans.push(Span::raw(way));
     }
@@ -124,7 +137,7 @@ fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
     let counted = panel.text(&text!("plans-faults", count = count));
     let text = match finding.item {
         Some(item) => {
-            let list = crate::preflight::list_words(finding.list);
+            let list = list_words(finding.list);
             let what = text!("plan-at-item", list = list, number = item + 1, what = words);
             panel.text(&what)
         }

@@ -7,7 +7,7 @@ use super::Shown;
 use super::list::seconds;
 use crate::draft::{PlanFrame, Stop};
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
-use crate::plan::ContentHash;
+use crate::plan::{ContentHash, ListKind};
 use crate::text;
 use crate::text::figure;
 use crate::ui::look::Badge;
@@ -124,7 +124,7 @@ fn draw_axis(scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// The numbers of the items above the curve, as far as there is room; that under the cursor always.
 fn draw_numbers(shown: &Shown<'_>, scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
-    let is_plan = shown.room.list() == crate::plan::ListKind::Plan;
+    let is_plan = shown.room.list() == ListKind::Plan;
     let cursor = shown.room.row().filter(|_| is_plan);
     let mut taken: Vec<(u16, u16)> = Vec::new();
     let (chosen, others): (Vec<&Stop>, Vec<&Stop>) = shown

@@ -27,7 +27,7 @@ const TIME: usize = 7;
 const WITH_LEG: usize = 58;
 const WITH_PARAMETERS: usize = 90;
 /// Columns used by everything but the parameters.
-const USED: usize = 66;
+const USED: usize = 67;
 
 /// Draws the heading and as many lines around the cursor as fit.
 pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -63,7 +63,7 @@ fn heading(panel: Panel<'_>) -> String {
     );
     if panel.width() >= WITH_LEG {
         heading.extend([
-            "  ".to_owned(),
+            "   ".to_owned(),
             word("plans-column-leg", LEG, true),
             word("plans-column-slope", SLOPE, true),
         ]);
@@ -108,7 +108,7 @@ fn line(shown: &Shown<'_>, index: usize, item: &Item, panel: Panel<'_>) -> Line<
             aligned(&place, PLACE, false),
             aligned(&height(item), HEIGHT, true)
         )),
-        Span::styled(frame(item), panel.style(Role::Muted)),
+        Span::styled(format!(" {}", frame(item)), panel.style(Role::Muted)),
     ];
     if shown.room.list() == ListKind::Plan && panel.width() >= WITH_LEG {
         spans.push(Span::raw(leg(shown.course.at(index), has_parameters)));
@@ -180,9 +180,10 @@ fn frame(item: &Item) -> &'static str {
 }
 
 fn leg(stop: Option<&Stop>, with_time: bool) -> String {
-    let leg_m = stop.map_or_else(String::new, |stop| length(stop.leg_m.round()));
+    let flown = stop.filter(|stop| stop.leg_m >= 1.0);
+    let leg_m = flown.map_or_else(String::new, |stop| length(stop.leg_m.round()));
     let slope = stop.and_then(Stop::slope_percent);
-    let slope = slope.map_or_else(String::new, |slope| format!("{slope:+.0} %"));
+    let slope = slope.map_or_else(String::new, percent);
     let mut leg = format!(
         " {}{}",
         aligned(&leg_m, LEG, true),
@@ -193,6 +194,15 @@ fn leg(stop: Option<&Stop>, with_time: bool) -> String {
         leg.push_str(&aligned(&time, TIME, true));
     }
     leg
+}
+
+/// A slope; level legs have no sign.
+pub(super) fn percent(slope: f64) -> String {
+    if slope.abs() < 0.5 {
+        "0 %".to_owned()
+    } else {
+        format!("{slope:+.0} %")
+    }
 }
 
 /// Seconds, as minutes and seconds where there are many.
