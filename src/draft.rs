@@ -9,15 +9,22 @@ use crate::plan::Document;
 use crate::text::Text;
 use crate::vehicle_id::VehicleId;
 
+mod apply;
 mod edit;
 mod fence;
+mod place;
+mod plan;
 mod profile;
 mod shelf;
 #[cfg(test)]
 mod tests;
 
-pub use edit::{Edit, Edited, Insertion, Items, NewItem, PlanFrame, Spot, Surroundings};
+pub use edit::{
+    Edit, Edited, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
+    Surroundings,
+};
 pub use fence::areas;
+pub use place::place;
 pub use profile::{Pace, Profile, Stop, height_above_home, profile};
 pub use shelf::Drafts;
 

@@ -76,6 +76,8 @@ plans-climb = climb { $height }, { $time }
 plans-cursor = cursor
 plans-from-item = from the item
 plans-heights = heights  { $length }, { $time } at { $speed } m/s
+plans-upload = upload: { $done } of { $count } done
+plans-upload-failed = upload: { $failed } of { $count } failed, see Commands
 plans-repeats = , without the repetitions of jumps
 
 draft-holds = { $name }: { $holds }

@@ -77,6 +77,8 @@ plans-climb = підйом { $height }, { $time }
 plans-cursor = курсор
 plans-from-item = від пункту
 plans-heights = висоти  { $length }, { $time } за { $speed } m/s
+plans-upload = на борт: { $done } з { $count }
+plans-upload-failed = на борт: невдач { $failed } з { $count }, причини на екрані команд
 plans-repeats = , без повторів переходів
 
 draft-holds = { $name }: { $holds }

@@ -2,8 +2,52 @@
 
 use std::ops::Range;
 
+use super::edit::{FenceEdit, Items, Surroundings};
+use super::place::{found, known};
 use crate::geo::LatLon;
-use crate::plan::{Item, command};
+use crate::plan::{Document, Item, command};
+use crate::text::Text;
+
+/// Changes the fence, and returns the item that the change is about.
+///
+/// # Errors
+/// The reason why it is not possible.
+pub(super) fn change(
+    document: &mut Document,
+    edit: &FenceEdit,
+    around: &Surroundings,
+) -> Result<usize, Text> {
+    match edit {
+        FenceEdit::Corner { spot, after } => {
+            let place = found(*spot, document, around)?;
+            let after = after.map(|number| number.saturating_sub(1));
+            Ok(add_corner(&mut document.fence, after, place))
+        }
+        FenceEdit::Polygon { keeps_in, corners } => {
+            let corners = corners.iter().map(|spot| found(*spot, document, around));
+            let corners = corners.collect::<Result<Vec<LatLon>, Text>>()?;
+            Ok(add_polygon(&mut document.fence, *keeps_in, &corners))
+        }
+        FenceEdit::Circle {
+            keeps_in,
+            spot,
+            radius_m,
+        } => {
+            let centre = found(*spot, document, around)?;
+            Ok(add_circle(
+                &mut document.fence,
+                *keeps_in,
+                centre,
+                *radius_m,
+            ))
+        }
+        FenceEdit::Flip(item) => {
+            let range = known(&document.fence, Items::one(*item))?;
+            flip(&mut document.fence, range.start);
+            Ok(range.start)
+        }
+    }
+}
 
 /// The items of each area, in order; a return point is an area of its own.
 pub fn areas(items: &[Item]) -> Vec<Range<usize>> {
@@ -39,7 +83,7 @@ fn item(command: u16, place: LatLon, first: f32) -> Item {
 }
 
 /// Adds a polygon of these corners; more corners may follow. Returns its last item.
-pub(super) fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatLon]) -> usize {
+fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatLon]) -> usize {
     let command = if keeps_in {
         command::FENCE_POLYGON_INCLUSION
     } else {
@@ -51,12 +95,7 @@ pub(super) fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatL
 }
 
 /// Adds a circle; returns its item.
-pub(super) fn add_circle(
-    items: &mut Vec<Item>,
-    keeps_in: bool,
-    centre: LatLon,
-    radius_m: f32,
-) -> usize {
+fn add_circle(items: &mut Vec<Item>, keeps_in: bool, centre: LatLon, radius_m: f32) -> usize {
     let command = if keeps_in {
         command::FENCE_CIRCLE_INCLUSION
     } else {
@@ -68,7 +107,7 @@ pub(super) fn add_circle(
 
 /// Adds a corner behind an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
 /// begins one to stay in. Returns the new item.
-pub(super) fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
+fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
     let all = areas(items);
     let is_polygon = |area: &&Range<usize>| command::is_corner(items[area.start].command);
     let own = |area: &&Range<usize>| after.is_some_and(|after| area.contains(&after));
@@ -111,7 +150,7 @@ pub(super) fn delete(items: &mut Vec<Item>, range: &Range<usize>) {
 }
 
 /// Turns the area of an item from one to stay in into one to stay out of, or back.
-pub(super) fn flip(items: &mut [Item], at: usize) {
+fn flip(items: &mut [Item], at: usize) {
     let area = areas(items).into_iter().find(|area| area.contains(&at));
     for item in area
         .and_then(|area| items.get_mut(area))

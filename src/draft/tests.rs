@@ -22,23 +22,23 @@ fn at(north_m: f64, east_m: f64) -> Option<Spot> {
 }
 
 fn waypoint(spot: Option<Spot>) -> Edit {
-    Edit::Add {
+    Edit::Plan(PlanEdit::Add {
         item: NewItem {
             spot,
             ..NewItem::new(command::WAYPOINT)
         },
         at: Insertion::Last,
-    }
+    })
 }
 
 fn takeoff(height_m: f32) -> Edit {
-    Edit::Add {
+    Edit::Plan(PlanEdit::Add {
         item: NewItem {
             height_m: Some(height_m),
             ..NewItem::new(command::TAKEOFF)
         },
         at: Insertion::Last,
-    }
+    })
 }
 
 fn drawn(edits: &[Edit]) -> Draft {
@@ -51,10 +51,10 @@ fn drawn(edits: &[Edit]) -> Draft {
 
 /// A square of 100 m with a takeoff and a return.
 fn square() -> Vec<Edit> {
-    let rtl = Edit::Add {
+    let rtl = Edit::Plan(PlanEdit::Add {
         item: NewItem::new(command::RETURN_TO_LAUNCH),
         at: Insertion::Last,
-    };
+    });
     vec![
         takeoff(20.0),
         waypoint(at(100.0, 0.0)),
@@ -82,10 +82,10 @@ fn new_items_take_what_they_lack_from_those_before() {
 #[test]
 fn the_profile_has_lengths_times_and_slopes() {
     let mut edits = square();
-    edits.push(Edit::Height {
+    edits.push(Edit::Items {
         list: ListKind::Plan,
         items: Items { first: 3, last: 3 },
-        change: HeightChange::To(30.0),
+        change: ItemsChange::Height(HeightChange::To(30.0)),
     });
     let draft = drawn(&edits);
     let course = profile(draft.document(), Pace::default());
@@ -114,10 +114,10 @@ fn a_speed_in_the_plan_counts_from_there_on() {
         params: [0.0, 5.0, 0.0, 0.0],
         ..NewItem::new(command::DO_CHANGE_SPEED)
     };
-    edits.push(Edit::Add {
+    edits.push(Edit::Plan(PlanEdit::Add {
         item: slow,
         at: Insertion::Before(3),
-    });
+    }));
     let course = profile(drawn(&edits).document(), Pace::default());
     let legs: Vec<f64> = course.stops.iter().map(|stop| stop.leg_s.round()).collect();
     assert_eq!(legs[1..4], [10.0, 20.0, 20.0]);
@@ -130,19 +130,20 @@ fn jumps_lead_to_the_same_item_after_every_change() {
         params: [3.0, 2.0, 0.0, 0.0],
         ..NewItem::new(command::DO_JUMP)
     };
-    edits.push(Edit::Add {
+    edits.push(Edit::Plan(PlanEdit::Add {
         item: jump,
         at: Insertion::After(4),
-    });
-    edits.push(Edit::Add {
+    }));
+    edits.push(Edit::Plan(PlanEdit::Add {
         item: NewItem::new(command::WAYPOINT),
         at: Insertion::Before(2),
-    });
-    edits.push(Edit::Delete {
+    }));
+    edits.push(Edit::Items {
         list: ListKind::Plan,
         items: Items::one(1),
+        change: ItemsChange::Delete,
     });
-    edits.push(Edit::Split(2));
+    edits.push(Edit::Plan(PlanEdit::Split(2)));
     let draft = drawn(&edits);
     let plan = &draft.document().plan;
     let jump = plan.iter().find(|item| item.command == command::DO_JUMP);
@@ -152,9 +153,10 @@ fn jumps_lead_to_the_same_item_after_every_change() {
         HOME.moved(100.0, 100.0).to_e7()
     );
     assert!(profile(draft.document(), Pace::default()).repeats);
-    let into = Edit::Delete {
+    let into = Edit::Items {
         list: ListKind::Plan,
         items: Items::one(target),
+        change: ItemsChange::Delete,
     };
     let reason = draft.clone().edit(&into, &around()).expect_err("a target");
     assert!(reason.to_string().contains("jump"), "{reason}");
@@ -163,13 +165,13 @@ fn jumps_lead_to_the_same_item_after_every_change() {
 #[test]
 fn a_range_moves_as_a_whole() {
     let mut draft = drawn(&square());
-    let edit = Edit::Place {
+    let edit = Edit::Items {
         list: ListKind::Plan,
         items: Items { first: 2, last: 4 },
-        spot: Spot::FromHome {
+        change: ItemsChange::Place(Spot::FromHome {
             north_m: 150.0,
             east_m: 50.0,
-        },
+        }),
     };
     draft.edit(&edit, &around()).expect("possible");
     let offsets: Vec<(i32, i32)> = draft.document().plan[1..4]
@@ -183,9 +185,11 @@ fn a_range_moves_as_a_whole() {
 #[test]
 fn a_frame_changes_the_number_only_towards_sea_level() {
     let mut draft = drawn(&square());
-    let frame = |frame| Edit::Frame {
-        items: Items { first: 2, last: 2 },
-        frame,
+    let frame = |frame| {
+        Edit::Plan(PlanEdit::Frame {
+            items: Items { first: 2, last: 2 },
+            frame,
+        })
     };
     let height = |draft: &Draft| (draft.document().plan[1].frame, draft.document().plan[1].z);
     draft
@@ -209,11 +213,13 @@ fn a_frame_changes_the_number_only_towards_sea_level() {
 #[test]
 fn parameters_are_set_by_name_and_commands_change_in_place() {
     let mut draft = drawn(&square());
-    let set = |name: &str, value| Edit::Set {
+    let set = |name: &str, value| Edit::Items {
         list: ListKind::Plan,
         items: Items { first: 2, last: 4 },
-        field: name.to_owned(),
-        value,
+        change: ItemsChange::Set {
+            field: name.to_owned(),
+            value,
+        },
     };
     draft
         .edit(&set("hold", 5.0), &around())
@@ -225,10 +231,10 @@ fn parameters_are_set_by_name_and_commands_change_in_place() {
     );
     let reason = draft.edit(&set("turns", 2.0), &around()).expect_err("none");
     assert!(reason.to_string().contains("hold"), "{reason}");
-    let turns = Edit::Command {
+    let turns = Edit::Plan(PlanEdit::Command {
         item: 3,
         command: command::LOITER_TURNS,
-    };
+    });
     let before = draft.document().plan[2];
     draft.edit(&turns, &around()).expect("possible");
     let after = draft.document().plan[2];
@@ -237,10 +243,10 @@ fn parameters_are_set_by_name_and_commands_change_in_place() {
 }
 
 fn corner(north_m: f64, east_m: f64, after: Option<usize>) -> Edit {
-    Edit::Corner {
+    Edit::Fence(FenceEdit::Corner {
         spot: Spot::FromHome { north_m, east_m },
         after,
-    }
+    })
 }
 
 #[test]
@@ -250,29 +256,32 @@ fn fences_are_drawn_corner_by_corner() {
         corner(100.0, -100.0, Some(1)),
         corner(100.0, 100.0, Some(2)),
         corner(-100.0, 100.0, Some(3)),
-        Edit::Circle {
+        Edit::Fence(FenceEdit::Circle {
             keeps_in: false,
             spot: Spot::Cursor,
             radius_m: 10.0,
-        },
+        }),
         // Behind a circle, a corner goes to the last polygon.
         corner(-120.0, 0.0, Some(5)),
     ]);
     let fence = Fence::check(&draft.document().fence).expect("valid");
     assert_eq!(fence.areas.len(), 2);
     assert_eq!(areas(&draft.document().fence), [0..5, 5..6]);
-    let gone = Edit::Delete {
+    let gone = Edit::Items {
         list: ListKind::Fence,
         items: Items::one(2),
+        change: ItemsChange::Delete,
     };
     draft.edit(&gone, &around()).expect("possible");
-    draft.edit(&Edit::Flip(1), &around()).expect("possible");
+    draft
+        .edit(&Edit::Fence(FenceEdit::Flip(1)), &around())
+        .expect("possible");
     let fence = Fence::check(&draft.document().fence).expect("valid");
     assert!(fence.areas.iter().all(|area| !area.keeps_in));
-    let wider = Edit::Height {
+    let wider = Edit::Items {
         list: ListKind::Fence,
         items: Items::one(5),
-        change: HeightChange::By(5.0),
+        change: ItemsChange::Height(HeightChange::By(5.0)),
     };
     draft.edit(&wider, &around()).expect("a circle");
     assert_eq!(draft.document().fence[4].params[0], 15.0);
@@ -286,9 +295,10 @@ fn places_that_are_not_known_are_refused() {
         assert!(edit.apply(&document, &nothing).is_err(), "{edit:?}");
     }
     for items in [Items::one(0), Items::one(1), Items { first: 3, last: 2 }] {
-        let edit = Edit::Delete {
+        let edit = Edit::Items {
             list: ListKind::Plan,
             items,
+            change: ItemsChange::Delete,
         };
         assert!(edit.apply(&document, &nothing).is_err(), "{edit:?}");
     }
@@ -315,31 +325,39 @@ fn drafts_are_chosen_by_name_and_in_order() {
 fn any_edit() -> impl Strategy<Value = Edit> {
     let items = || (0..8usize, 0..8usize).prop_map(|(first, last)| Items { first, last });
     let list = || prop::sample::select(ListKind::ALL.to_vec());
-    let jump = (0..8u8).prop_map(|to| Edit::Add {
-        item: NewItem {
-            params: [f32::from(to), 1.0, 0.0, 0.0],
-            ..NewItem::new(command::DO_JUMP)
-        },
-        at: Insertion::Last,
+    let jump = (0..8u8).prop_map(|to| {
+        Edit::Plan(PlanEdit::Add {
+            item: NewItem {
+                params: [f32::from(to), 1.0, 0.0, 0.0],
+                ..NewItem::new(command::DO_JUMP)
+            },
+            at: Insertion::Last,
+        })
     });
     prop_oneof![
         (-90.0..90.0, -90.0..90.0).prop_map(|(n, e)| waypoint(at(n, e))),
         jump,
-        (list(), items()).prop_map(|(list, items)| Edit::Delete { list, items }),
-        (items(), 0..8usize).prop_map(|(items, to)| Edit::Reorder { items, to }),
-        (0..8usize).prop_map(Edit::Split),
-        (list(), items()).prop_map(|(list, items)| Edit::Shift {
+        (list(), items()).prop_map(|(list, items)| Edit::Items {
             list,
             items,
-            north_m: 5.0,
-            east_m: -5.0
+            change: ItemsChange::Delete
+        }),
+        (items(), 0..8usize).prop_map(|(items, to)| Edit::Plan(PlanEdit::Reorder { items, to })),
+        (0..8usize).prop_map(|number| Edit::Plan(PlanEdit::Split(number))),
+        (list(), items()).prop_map(|(list, items)| Edit::Items {
+            list,
+            items,
+            change: ItemsChange::Shift {
+                north_m: 5.0,
+                east_m: -5.0
+            }
         }),
         (0..8usize).prop_map(|after| corner(1.0, 2.0, Some(after))),
-        (0..8usize).prop_map(Edit::Flip),
-        Just(Edit::Polygon {
+        (0..8usize).prop_map(|number| Edit::Fence(FenceEdit::Flip(number))),
+        Just(Edit::Fence(FenceEdit::Polygon {
             keeps_in: false,
             corners: vec![Spot::Cursor]
-        }),
+        })),
         Just(Edit::Rally {
             spot: Spot::Cursor,
             height_m: None

@@ -249,6 +249,7 @@ const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/room/links.rs", "Links"),
     ("src/app/room/hangar.rs", "Hangar"),
     ("src/app/room/parameters.rs", "Parameters"),
+    ("src/app/room/plans.rs", "Drawing"),
     ("src/app/room/mission.rs", "Mission"),
     ("src/app/room/debrief.rs", "Debrief"),
     ("src/app/room/review.rs", "Review"),

@@ -12,6 +12,7 @@ use crate::app::action::{Action, DrawAction, PlansAction, SelectAction, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::{Answer, RoomModel, footer_keys};
 use crate::draft::{Draft, Drafts, Items};
+use crate::ledger::EntryId;
 use crate::plan::{Document, Item, ListKind};
 
 mod act;
@@ -43,6 +44,8 @@ pub struct Drawing {
     speed_m_s: Option<f64>,
     /// The content that is being written, with the path and the draft's name.
     saving: Option<(String, String, Arc<Document>)>,
+    /// The ledger's entries of the last upload.
+    uploads: Vec<EntryId>,
 }
 
 impl Default for Drawing {
@@ -55,6 +58,7 @@ impl Default for Drawing {
             map: Map::default(),
             speed_m_s: None,
             saving: None,
+            uploads: Vec::new(),
         }
     }
 }
@@ -103,6 +107,16 @@ impl Drawing {
     /// Whether several items are being marked.
     pub fn is_marking(&self) -> bool {
         self.mark.is_some()
+    }
+
+    /// The ledger's entries of the last upload, one for each list.
+    pub fn uploads(&self) -> &[EntryId] {
+        &self.uploads
+    }
+
+    /// Notes the entries of an upload.
+    pub(in crate::app) fn note_uploads(&mut self, entries: Vec<EntryId>) {
+        self.uploads = entries;
     }
 
     /// The speed that the user has given, in m/s.
@@ -256,7 +270,9 @@ impl RoomModel for Drawing {
     }
 
     /// Drafts belong to the user, not to a session.
-    fn forget_session(&mut self) {}
+    fn forget_session(&mut self) {
+        self.uploads.clear();
+    }
 }
 
 #[cfg(test)]

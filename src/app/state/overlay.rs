@@ -166,7 +166,7 @@ impl Confirm {
     /// The text to type, with a label where it is not obvious.
     pub fn wanted(&self) -> Text {
         match self.then {
-            Consequence::Order(_) | Consequence::Orders(_) => {
+            Consequence::Order(_) | Consequence::Uploads(_) => {
                 text!("ask-how-many", answer = &self.answer)
             }
             Consequence::Effect(_)
@@ -181,8 +181,8 @@ impl Confirm {
 #[derive(Debug, Clone)]
 pub enum Consequence {
     Order(Order),
-    /// Several orders, one after another.
-    Orders(Vec<Order>),
+    /// Uploads of the lists of drafts.
+    Uploads(Vec<Order>),
     /// Close the current draft of a plan.
     CloseDraft,
     /// Pass an effect to the shell.

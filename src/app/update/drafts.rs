@@ -58,7 +58,7 @@ fn upload(state: &mut State, drafts: &[(Draft, Vec<VehicleId>)]) -> Result<Effec
             orders.push(with_content(order, draft));
         }
     }
-    Ok(order::give_all(state, orders))
+    Ok(order::give_uploads(state, orders))
 }
 
 /// An order to upload a file, with the content of a draft instead.

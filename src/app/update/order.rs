@@ -153,16 +153,16 @@ pub fn give(state: &mut State, order: Order) -> Effects {
     Effects::none()
 }
 
-/// Sends several commands; if one of them is dangerous, it asks once for all.
-pub fn give_all(state: &mut State, orders: Vec<Order>) -> Effects {
+/// Sends the uploads of a draft's lists; if one of them is dangerous, it asks once for all.
+pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
     let vehicles = state.session.vehicles();
     let is_dangerous = |order: &&Order| order.hazard(vehicles).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
-        return carry_out(state, Consequence::Orders(orders));
+        return carry_out(state, Consequence::Uploads(orders));
     };
     let effects = give(state, worst);
     if let Some(Overlay::Confirm(question)) = &mut state.overlay {
-        question.then = Consequence::Orders(orders);
+        question.then = Consequence::Uploads(orders);
     }
     effects
 }
@@ -171,9 +171,14 @@ pub fn give_all(state: &mut State, orders: Vec<Order>) -> Effects {
 pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
         Consequence::Order(order) => Effects::from(send(state, order).effect),
-        Consequence::Orders(orders) => {
-            let sent = orders.into_iter().map(|order| send(state, order).effect);
-            sent.collect()
+        Consequence::Uploads(orders) => {
+            let mut sent = Vec::new();
+            for order in orders {
+                sent.push(send(state, order));
+            }
+            let entries = sent.iter().map(|sent| sent.entry).collect();
+            state.rooms.plans.note_uploads(entries);
+            sent.into_iter().map(|sent| sent.effect).collect()
         }
         Consequence::CloseDraft => {
             plans::close(state);

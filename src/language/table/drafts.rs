@@ -3,7 +3,7 @@
 use strum::VariantNames as _;
 
 use super::{Built, console};
-use crate::draft::{Edit, Insertion, NewItem, PlanFrame, Spot};
+use crate::draft::{Edit, FenceEdit, Insertion, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot};
 use crate::geo::{LatLon, Outline};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::console::{ConsoleLine, DraftLine};
@@ -57,6 +57,15 @@ fn line(line: DraftLine) -> Built {
 
 fn edit(edit: Edit) -> Built {
     line(DraftLine::Edit(edit))
+}
+
+/// A change of the items that a line names.
+fn items(given: &Arguments, change: ItemsChange) -> Built {
+    edit(Edit::Items {
+        list: list(given),
+        items: given.required_items("items")?,
+        change,
+    })
 }
 
 fn rest(given: &Arguments, name: &str) -> Option<String> {
@@ -113,22 +122,19 @@ fn add(given: &Arguments) -> Built {
         None => Insertion::Last,
     };
     let item = new_item(given)?;
-    edit(Edit::Add { item, at })
+    edit(Edit::Plan(PlanEdit::Add { item, at }))
 }
 
 fn shift(given: &Arguments) -> Built {
-    let (list, items) = (list(given), given.required_items("items")?);
     let (north_m, east_m) = (given.number("north"), given.number("east"));
     if (north_m, east_m) == (None, None) {
-        let spot = here(given);
-        return edit(Edit::Place { list, items, spot });
+        return items(given, ItemsChange::Place(here(given)));
     }
-    edit(Edit::Shift {
-        list,
-        items,
+    let change = ItemsChange::Shift {
         north_m: north_m.unwrap_or(0.0),
         east_m: east_m.unwrap_or(0.0),
-    })
+    };
+    items(given, change)
 }
 
 fn height(given: &Arguments) -> Built {
@@ -136,23 +142,14 @@ fn height(given: &Arguments) -> Built {
         Some(metres) => HeightChange::By(metres as f32),
         None => HeightChange::To(given.required("up")? as f32),
     };
-    edit(Edit::Height {
-        list: list(given),
-        items: given.required_items("items")?,
-        change,
-    })
+    items(given, ItemsChange::Height(change))
 }
 
 fn set(given: &Arguments) -> Built {
     let field = given.required_word("field")?.to_owned();
     let value = field_value(&field, given.required_word("value")?.trim())
         .map_err(|message| Problem::new("value", message))?;
-    edit(Edit::Set {
-        list: list(given),
-        items: given.required_items("items")?,
-        field,
-        value,
-    })
+    items(given, ItemsChange::Set { field, value })
 }
 
 fn jump(given: &Arguments) -> Built {
@@ -162,26 +159,26 @@ fn jump(given: &Arguments) -> Built {
         ..NewItem::new(command::DO_JUMP)
     };
     let at = Insertion::After(number(given, "item")?);
-    edit(Edit::Add { item, at })
+    edit(Edit::Plan(PlanEdit::Add { item, at }))
 }
 
 fn area(given: &Arguments) -> Built {
     let keeps_in = !given.flag("out");
     match given.required_area("area")? {
-        Outline::Polygon(corners) => edit(Edit::Polygon {
+        Outline::Polygon(corners) => edit(Edit::Fence(FenceEdit::Polygon {
             keeps_in,
             corners: corners.iter().copied().map(Spot::At).collect(),
-        }),
+        })),
         Outline::Circle { centre, radius_m } => circle(keeps_in, *centre, *radius_m),
     }
 }
 
 fn circle(keeps_in: bool, centre: LatLon, radius_m: f64) -> Built {
-    edit(Edit::Circle {
+    edit(Edit::Fence(FenceEdit::Circle {
         keeps_in,
         spot: Spot::At(centre),
         radius_m: radius_m as f32,
-    })
+    }))
 }
 
 const DRAFT: VerbRow = VerbRow {
@@ -288,12 +285,7 @@ const FORMS: &[Form] = &[
     Form::new(&[INSERT, COMMAND, HEIGHT, FRAME], add),
     Form::new(
         &[says("delete", "argument-draft-delete"), LIST, ITEMS],
-        |given| {
-            edit(Edit::Delete {
-                list: list(given),
-                items: given.required_items("items")?,
-            })
-        },
+        |given| items(given, ItemsChange::Delete),
     ),
     Form::new(&[MOVE, LIST, ITEMS, POINT], shift),
     Form::new(&[MOVE, LIST, ITEMS, NORTH, EAST], shift),
@@ -304,14 +296,14 @@ const FORMS: &[Form] = &[
             Argument::keyed("to", "to", NUMBER, "argument-draft-item"),
         ],
         |given| {
-            edit(Edit::Reorder {
+            edit(Edit::Plan(PlanEdit::Reorder {
                 items: given.required_items("items")?,
                 to: number(given, "to")?,
-            })
+            }))
         },
     ),
     Form::new(&[says("split", "argument-draft-split"), ITEM], |given| {
-        edit(Edit::Split(number(given, "item")?))
+        edit(Edit::Plan(PlanEdit::Split(number(given, "item")?)))
     }),
     Form::new(&[CHANGE_HEIGHT, LIST, ITEMS, HEIGHT], height),
     Form::new(
@@ -330,10 +322,10 @@ const FORMS: &[Form] = &[
             Argument::value("to", FRAMES, "argument-draft-frame"),
         ],
         |given| {
-            edit(Edit::Frame {
+            edit(Edit::Plan(PlanEdit::Frame {
                 items: given.required_items("items")?,
                 frame: given.required_choice("to")?,
-            })
+            }))
         },
     ),
     Form::new(
@@ -343,10 +335,10 @@ const FORMS: &[Form] = &[
             COMMAND,
         ],
         |given| {
-            edit(Edit::Command {
+            edit(Edit::Plan(PlanEdit::Command {
                 item: number(given, "item")?,
                 command: given.required("type")? as u16,
-            })
+            }))
         },
     ),
     Form::new(
@@ -387,10 +379,10 @@ const FORMS: &[Form] = &[
             EAST,
         ],
         |given| {
-            edit(Edit::Corner {
+            edit(Edit::Fence(FenceEdit::Corner {
                 spot: here(given),
                 after: None,
-            })
+            }))
         },
     ),
     Form::new(
@@ -403,10 +395,10 @@ const FORMS: &[Form] = &[
             EAST,
         ],
         |given| {
-            edit(Edit::Polygon {
+            edit(Edit::Fence(FenceEdit::Polygon {
                 keeps_in: !given.flag("out"),
                 corners: vec![here(given)],
-            })
+            }))
         },
     ),
     Form::new(
@@ -428,16 +420,16 @@ const FORMS: &[Form] = &[
             EAST,
         ],
         |given| {
-            edit(Edit::Circle {
+            edit(Edit::Fence(FenceEdit::Circle {
                 keeps_in: !given.flag("out"),
                 spot: here(given),
                 radius_m: given.required("radius")? as f32,
-            })
+            }))
         },
     ),
     Form::new(
         &[FENCE, says("reverse", "argument-draft-reverse"), ITEM],
-        |given| edit(Edit::Flip(number(given, "item")?)),
+        |given| edit(Edit::Fence(FenceEdit::Flip(number(given, "item")?))),
     ),
     Form::new(
         &[

@@ -1,7 +1,9 @@
 //! Lines about drafts.
 
 use super::{context, groups, places};
-use crate::draft::{Edit, Insertion, Items, NewItem, PlanFrame, Spot};
+use crate::draft::{
+    Edit, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
+};
 use crate::geo::LatLon;
 use crate::language::{
     Channel, ConsoleLine, Context, DraftLine, Meaning, VehicleChoice, parse, row,
@@ -31,7 +33,7 @@ fn edit(line: &str) -> Edit {
 
 fn added(line: &str) -> (NewItem, Insertion) {
     match edit(line) {
-        Edit::Add { item, at } => (item, at),
+        Edit::Plan(PlanEdit::Add { item, at }) => (item, at),
         other => panic!("{line}: {other:?}"),
     }
 }
@@ -76,101 +78,107 @@ fn items_are_changed_by_range_and_list() {
     let cases = [
         (
             "draft delete 3-5",
-            Edit::Delete {
+            Edit::Items {
                 list: plan,
                 items: Items { first: 3, last: 5 },
+                change: ItemsChange::Delete,
             },
         ),
         (
             "draft delete fence 2",
-            Edit::Delete {
+            Edit::Items {
                 list: ListKind::Fence,
                 items: Items::one(2),
+                change: ItemsChange::Delete,
             },
         ),
         (
             "draft move 4 n 20 e 0",
-            Edit::Shift {
+            Edit::Items {
                 list: plan,
                 items: Items::one(4),
-                north_m: 20.0,
-                east_m: 0.0,
+                change: ItemsChange::Shift {
+                    north_m: 20.0,
+                    east_m: 0.0,
+                },
             },
         ),
         (
             "draft move 4 tower",
-            Edit::Place {
+            Edit::Items {
                 list: plan,
                 items: Items::one(4),
-                spot: Spot::At(LatLon::new(50.45, 30.52)),
+                change: ItemsChange::Place(Spot::At(LatLon::new(50.45, 30.52))),
             },
         ),
         (
             "draft move rally 1",
-            Edit::Place {
+            Edit::Items {
                 list: ListKind::Rally,
                 items: Items::one(1),
-                spot: Spot::Cursor,
+                change: ItemsChange::Place(Spot::Cursor),
             },
         ),
         (
             "draft height 2-6 40",
-            Edit::Height {
+            Edit::Items {
                 list: plan,
                 items: Items { first: 2, last: 6 },
-                change: HeightChange::To(40.0),
+                change: ItemsChange::Height(HeightChange::To(40.0)),
             },
         ),
         (
             "draft height 2-6 by -5m",
-            Edit::Height {
+            Edit::Items {
                 list: plan,
                 items: Items { first: 2, last: 6 },
-                change: HeightChange::By(-5.0),
+                change: ItemsChange::Height(HeightChange::By(-5.0)),
             },
         ),
         (
             "draft frame 2-6 terrain",
-            Edit::Frame {
+            Edit::Plan(PlanEdit::Frame {
                 items: Items { first: 2, last: 6 },
                 frame: PlanFrame::Terrain,
-            },
+            }),
         ),
         (
             "draft set 4 hold 2min",
-            Edit::Set {
+            Edit::Items {
                 list: plan,
                 items: Items::one(4),
-                field: "hold".to_owned(),
-                value: 120.0,
+                change: ItemsChange::Set {
+                    field: "hold".to_owned(),
+                    value: 120.0,
+                },
             },
         ),
         (
             "draft command 4 turns",
-            Edit::Command {
+            Edit::Plan(PlanEdit::Command {
                 item: 4,
                 command: command::LOITER_TURNS,
-            },
+            }),
         ),
-        ("draft split 4", Edit::Split(4)),
+        ("draft split 4", Edit::Plan(PlanEdit::Split(4))),
         (
             "draft order 4-5 to 2",
-            Edit::Reorder {
+            Edit::Plan(PlanEdit::Reorder {
                 items: Items { first: 4, last: 5 },
                 to: 2,
-            },
+            }),
         ),
-        ("draft fence reverse 3", Edit::Flip(3)),
+        ("draft fence reverse 3", Edit::Fence(FenceEdit::Flip(3))),
         (
             "draft fence circle 50 out n 10 e 20",
-            Edit::Circle {
+            Edit::Fence(FenceEdit::Circle {
                 keeps_in: false,
                 spot: Spot::FromHome {
                     north_m: 10.0,
                     east_m: 20.0,
                 },
                 radius_m: 50.0,
-            },
+            }),
         ),
         (
             "draft rally n 10 e 20 up 15",
@@ -186,7 +194,8 @@ fn items_are_changed_by_range_and_list() {
     for (line, wanted) in cases {
         assert_eq!(edit(line), wanted, "{line}");
     }
-    let Edit::Polygon { corners, keeps_in } = edit("draft fence area lane out") else {
+    let Edit::Fence(FenceEdit::Polygon { corners, keeps_in }) = edit("draft fence area lane out")
+    else {
         panic!("a polygon");
     };
     assert_eq!((corners.len(), keeps_in), (4, false));

@@ -55,7 +55,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let rest = below(body, sizes.rows);
     let detail_rows = rest.height.saturating_sub(sizes.heights);
     detail::draw(state, &shown, panel.at(upper(rest, detail_rows)), buffer);
-    heights::draw(&shown, panel.at(below(rest, detail_rows)), buffer);
+    heights::draw(state, &shown, panel.at(below(rest, detail_rows)), buffer);
 }
 
 /// A line between the list and the map.

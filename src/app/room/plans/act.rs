@@ -5,7 +5,9 @@ use super::{change, files};
 use crate::app::State;
 use crate::app::action::{DrawAction, PlansAction, Step};
 use crate::app::room::RoomRequest;
-use crate::draft::{Edit, Insertion, Items, NewItem, PlanFrame, Spot};
+use crate::draft::{
+    Edit, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
+};
 use crate::plan::edit::HeightChange;
 use crate::plan::{ListKind, command};
 use crate::vehicle_id::ranges;
@@ -159,39 +161,38 @@ pub(in crate::app::room) fn draw(state: &mut State, action: DrawAction) -> Vec<R
 fn meant(state: &State, action: DrawAction) -> Option<Edit> {
     let room = &state.rooms.plans;
     let (list, marked, number) = (room.list, room.marked(), room.row().map(|row| row + 1));
-    let change = |metres| Edit::Height {
-        list,
-        items: marked.unwrap_or(Items::one(0)),
-        change: HeightChange::By(metres),
+    let about = |change| {
+        let items = marked?;
+        Some(Edit::Items {
+            list,
+            items,
+            change,
+        })
     };
+    let raise = |metres| about(ItemsChange::Height(HeightChange::By(metres)));
     Some(match action {
         DrawAction::AddItem => added(list, number),
         DrawAction::InsertItem => inserted(list, number),
-        DrawAction::MoveItem => Edit::Place {
-            list,
-            items: marked?,
-            spot: Spot::Cursor,
-        },
-        DrawAction::DeleteItem => Edit::Delete {
-            list,
-            items: marked?,
-        },
-        DrawAction::SplitLeg => Edit::Split(number.filter(|_| list == ListKind::Plan)?),
-        DrawAction::Higher => marked.map(|_| change(STEP_M))?,
-        DrawAction::Lower => marked.map(|_| change(-STEP_M))?,
+        DrawAction::MoveItem => about(ItemsChange::Place(Spot::Cursor))?,
+        DrawAction::DeleteItem => about(ItemsChange::Delete)?,
+        DrawAction::SplitLeg => {
+            Edit::Plan(PlanEdit::Split(number.filter(|_| list == ListKind::Plan)?))
+        }
+        DrawAction::Higher => raise(STEP_M)?,
+        DrawAction::Lower => raise(-STEP_M)?,
         DrawAction::NextFrame => return frame(state, marked?),
         DrawAction::AddTakeoff => plain(command::TAKEOFF, None, number),
         DrawAction::AddLand => plain(command::LAND, Some(Spot::Cursor), number),
         DrawAction::AddReturn => plain(command::RETURN_TO_LAUNCH, None, number),
-        DrawAction::BeginPolygon => Edit::Polygon {
+        DrawAction::BeginPolygon => Edit::Fence(FenceEdit::Polygon {
             keeps_in: true,
             corners: vec![Spot::Cursor],
-        },
-        DrawAction::AddCircle => Edit::Circle {
+        }),
+        DrawAction::AddCircle => Edit::Fence(FenceEdit::Circle {
             keeps_in: true,
             spot: Spot::Cursor,
             radius_m: RADIUS_M,
-        },
+        }),
     })
 }
 
@@ -201,23 +202,23 @@ fn behind(number: Option<usize>) -> Insertion {
 
 /// A command of the plan behind the item under the cursor.
 fn plain(command: u16, spot: Option<Spot>, number: Option<usize>) -> Edit {
-    Edit::Add {
+    Edit::Plan(PlanEdit::Add {
         item: NewItem {
             spot,
             ..NewItem::new(command)
         },
         at: behind(number),
-    }
+    })
 }
 
 /// An item at the map's cursor: a waypoint, a corner or a rally point.
 fn added(list: ListKind, number: Option<usize>) -> Edit {
     match list {
         ListKind::Plan => plain(command::WAYPOINT, Some(Spot::Cursor), number),
-        ListKind::Fence => Edit::Corner {
+        ListKind::Fence => Edit::Fence(FenceEdit::Corner {
             spot: Spot::Cursor,
             after: number,
-        },
+        }),
         ListKind::Rally => Edit::Rally {
             spot: Spot::Cursor,
             height_m: None,
@@ -228,13 +229,13 @@ fn added(list: ListKind, number: Option<usize>) -> Edit {
 /// The same before the item under the cursor, where the order matters.
 fn inserted(list: ListKind, number: Option<usize>) -> Edit {
     match (list, number) {
-        (ListKind::Plan, Some(number)) => Edit::Add {
+        (ListKind::Plan, Some(number)) => Edit::Plan(PlanEdit::Add {
             item: NewItem {
                 spot: Some(Spot::Cursor),
                 ..NewItem::new(command::WAYPOINT)
             },
             at: Insertion::Before(number),
-        },
+        }),
         (ListKind::Fence, Some(number)) => added(list, Some(number.saturating_sub(1))),
         _ => added(list, number),
     }
@@ -247,9 +248,9 @@ fn frame(state: &State, items: Items) -> Option<Edit> {
         ListKind::Plan => {
             let first = room.items().get(items.first - 1)?;
             let frame = PlanFrame::of(first).unwrap_or(PlanFrame::Sea).next();
-            Some(Edit::Frame { items, frame })
+            Some(Edit::Plan(PlanEdit::Frame { items, frame }))
         }
-        ListKind::Fence => Some(Edit::Flip(items.first)),
+        ListKind::Fence => Some(Edit::Fence(FenceEdit::Flip(items.first))),
         ListKind::Rally => None,
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::app::State;
 use crate::app::room::map::{Aim, Map};
-use crate::draft::Draft;
+use crate::draft::{Draft, place};
 use crate::geo::{Extent, GridSize, LatLon};
 use crate::mission::AreaKind;
-use crate::plan::{Document, Item, ListKind, command};
+use crate::plan::{Document, ListKind};
 
 /// Rows of the screen outside the room: the header, the footer.
 const OTHER_ROWS: u16 = 2;
@@ -54,12 +54,6 @@ pub fn layout(screen: GridSize) -> PlansLayout {
     }
 }
 
-/// The place of an item, if it has one.
-pub fn place(item: &Item) -> Option<LatLon> {
-    let is_placed = command::has_place(item.command) && (item.x, item.y) != (0, 0);
-    is_placed.then(|| item.point())
-}
-
 /// All places of a document.
 fn places(document: &Document) -> Vec<LatLon> {
     let lists = ListKind::ALL.into_iter();
@@ -83,9 +77,10 @@ pub fn fit(state: &mut State) {
     all.extend(state.session.places.values());
     // Around a single place there is room for a first plan.
     if let Some(extent) = Extent::around(all.iter().copied())
-        && extent.size_m().iter().all(|side_m| *side_m < LEAST_SIDE_M)
+        && let missing_m = LEAST_SIDE_M - extent.size_m().into_iter().fold(0.0, f64::max)
+        && missing_m > 0.0
     {
-        let wider = extent.with_margin(0.0, LEAST_SIDE_M / 2.0);
+        let wider = extent.with_margin(0.0, missing_m / 2.0);
         all.extend(wider.corners());
     }
     let map = &mut state.rooms.plans.map;

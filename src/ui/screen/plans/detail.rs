@@ -1,5 +1,7 @@
 //! The item under the cursor, the cursor of the map, and the faults.
 
+use std::cmp::Reverse;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
@@ -7,11 +9,11 @@ use super::Shown;
 use super::list::{parameters, percent, seconds};
 use crate::app::State;
 use crate::app::room::plans::layout;
-use crate::draft::Stop;
+use crate::draft::{Stop, place};
 use crate::geo::{GridSize, LatLon};
 use crate::plan::check::{Finding, Severity};
 use crate::plan::{HeightFrame, Item, ListKind, command, field};
-use crate::preflight::{finding_words, list_words};
+use crate::preflight::finding_words;
 use crate::text;
 use crate::text::Text;
 use crate::text::figure;
@@ -96,8 +98,7 @@ fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'stat
     }
     let items = shown.room.items();
     let item = shown.room.row().and_then(|row| items.get(row));
-    let is_placed = |item: &&Item| command::has_place(item.command) && (item.x, item.y) != (0, 0);
-    if let Some(from) = item.filter(is_placed).map(Item::point) {
+    if let Some(from) = item.and_then(place) {
         let way_m = from.distance_m(cursor).round();
         if way_m < 1.0 {
             return Line::from(spans);
@@ -117,7 +118,7 @@ fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
     let is_own =
         |it: &&Finding| it.list == shown.room.list() && it.item.is_some() && it.item == row;
     let own = findings.iter().find(is_own);
-    let worst = || findings.iter().max_by_key(|it| it.severity());
+    let worst = || findings.iter().min_by_key(|it| Reverse(it.severity()));
     let Some(finding) = own.or_else(worst) else {
         let is_empty = shown.document.kinds().next().is_none();
         let id = if is_empty {
@@ -135,14 +136,6 @@ fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
     let words = panel.text(&finding_words(finding));
     let count = findings.len();
     let counted = panel.text(&text!("plans-faults", count = count));
-    let text = match finding.item {
-        Some(item) => {
-            let list = list_words(finding.list);
-            let what = text!("plan-at-item", list = list, number = item + 1, what = words);
-            panel.text(&what)
-        }
-        None => words,
-    };
-    let text = format!(" {mark} {text}  ({counted})");
+    let text = format!(" {mark} {words}  ({counted})");
     Line::styled(clip(&text, panel.width()), panel.style(role))
 }

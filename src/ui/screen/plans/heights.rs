@@ -5,10 +5,13 @@ use ratatui::text::Line;
 
 use super::Shown;
 use super::list::seconds;
+use crate::app::State;
 use crate::draft::{PlanFrame, Stop};
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
+use crate::ledger::RowState;
 use crate::plan::{ContentHash, ListKind};
 use crate::text;
+use crate::text::Text;
 use crate::text::figure;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
@@ -50,8 +53,10 @@ impl Scale {
     }
 }
 
-pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let inner = panel.at(panel.titled(&title(shown, panel), buffer));
+pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let mut title = title(shown, panel);
+    title.extend(upload(state).map(|text| format!("  {}", panel.text(&text))));
+    let inner = panel.at(panel.titled(&title, buffer));
     let curve = inner.columns(AXIS, inner.area.width.saturating_sub(AXIS + 1));
     let size = GridSize::new(curve.area.width, curve.area.height);
     if shown.course.stops.is_empty() || size.rows == 0 {
@@ -84,6 +89,24 @@ fn title(shown: &Shown<'_>, panel: Panel<'_>) -> String {
         title = format!("{title}  {hash}");
     }
     title
+}
+
+/// The state of the last upload.
+fn upload(state: &State) -> Option<Text> {
+    let ledger = state.session().ledger();
+    let entries = state.rooms().plans().uploads().iter();
+    let rows: Vec<RowState> = entries
+        .filter_map(|entry| ledger.entry(*entry))
+        .flat_map(|entry| entry.rows.iter().map(|row| row.state))
+        .collect();
+    let failed = rows.iter().filter(|row| row.is_failure()).count();
+    let done = rows.iter().filter(|row| row.is_final()).count() - failed;
+    let count = rows.len();
+    match (failed, count) {
+        (_, 0) => None,
+        (0, _) => Some(text!("plans-upload", done = done, count = count)),
+        _ => Some(text!("plans-upload-failed", failed = failed, count = count)),
+    }
 }
 
 fn draw_ground(scale: &Scale, canvas: &mut Canvas) {

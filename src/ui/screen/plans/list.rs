@@ -4,11 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use super::Shown;
-use crate::draft::{PlanFrame, Stop};
+use crate::draft::{PlanFrame, Stop, place};
 use crate::geo::LatLon;
 use crate::language::Unit;
-use crate::plan::check::Severity;
-use crate::plan::{Item, ListKind, board, command, field};
+use crate::plan::check::{Finding, Severity};
+use crate::plan::{Item, ListKind, command, field};
 use crate::text::figure;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -85,10 +85,9 @@ fn line(shown: &Shown<'_>, index: usize, item: &Item, panel: Panel<'_>) -> Line<
     let (fault, role) = fault(shown, index);
     let home = shown.document.home;
     let home = home.map(|home| LatLon::from_e7(home.x, home.y));
-    let word = field::word(item.command).or_else(|| board::name(item.command));
-    let word = word.map_or_else(|| item.command.to_string(), str::to_owned);
+    let word = field::word(item.command).map_or_else(|| item.command.to_string(), str::to_owned);
     let has_parameters = panel.width() >= WITH_PARAMETERS;
-    let place = place(item, home).unwrap_or_else(|| {
+    let position = position(item, home).unwrap_or_else(|| {
         if has_parameters {
             String::new()
         } else {
@@ -105,7 +104,7 @@ fn line(shown: &Shown<'_>, index: usize, item: &Item, panel: Panel<'_>) -> Line<
         Span::raw(format!(
             " {} {} {}",
             aligned(&word, WORD, false),
-            aligned(&place, PLACE, false),
+            aligned(&position, PLACE, false),
             aligned(&height(item), HEIGHT, true)
         )),
         Span::styled(format!(" {}", frame(item)), panel.style(Role::Muted)),
@@ -130,7 +129,7 @@ fn fault(shown: &Shown<'_>, index: usize) -> (&'static str, Role) {
         .findings
         .iter()
         .filter(|it| it.list == list && it.item == Some(index));
-    match about.map(crate::plan::check::Finding::severity).max() {
+    match about.map(Finding::severity).max() {
         Some(Severity::Error) => ("!", Role::Danger),
         Some(Severity::Warning) => ("?", Role::Warning),
         None => (" ", Role::Text),
@@ -138,15 +137,14 @@ fn fault(shown: &Shown<'_>, index: usize) -> (&'static str, Role) {
 }
 
 /// The place of an item from home, otherwise in degrees; `None` without one.
-fn place(item: &Item, home: Option<LatLon>) -> Option<String> {
-    let is_placed = command::has_place(item.command) && (item.x, item.y) != (0, 0);
-    let place = is_placed.then(|| item.point())?;
+fn position(item: &Item, home: Option<LatLon>) -> Option<String> {
+    let here = place(item)?;
     Some(match home {
         Some(home) => {
-            let (north_m, east_m) = home.offset_to(place);
+            let (north_m, east_m) = home.offset_to(here);
             format!("n {} e {}", figure(north_m, 0), figure(east_m, 0))
         }
-        None => format!("{:.4} {:.4}", place.lat_deg, place.lon_deg),
+        None => format!("{:.4} {:.4}", here.lat_deg, here.lon_deg),
     })
 }
 

@@ -11,7 +11,7 @@ use super::{draw_nowhere, legend, markers};
 use crate::app::State;
 use crate::app::room::map::{SketchKind, sketches};
 use crate::app::room::plans::{Drawing, pace};
-use crate::draft::{Draft, areas, profile};
+use crate::draft::{Draft, areas, place, profile};
 use crate::geo::{GridSize, LatLon, Outline, Viewport};
 use crate::plan::{Document, Item, ListKind, command};
 use crate::ui::look::Badge;
@@ -99,12 +99,10 @@ impl Board<'_> {
         for pair in way.windows(2) {
             self.line(pair[0], pair[1], Stroke::dense(badge.role));
         }
-        if let Some(second) = way.get(1).or(way.first()) {
-            self.label(
-                *second,
-                format!("{}{}", badge.sign, draft.name()),
-                badge.role,
-            );
+        let first = way.first().copied();
+        let is_away = |place: &&LatLon| first.is_some_and(|home| home.distance_m(**place) > 1.0);
+        if let Some(away) = way.iter().find(is_away) {
+            self.label(*away, format!("{}{}", badge.sign, draft.name()), badge.role);
         }
     }
 
@@ -120,7 +118,10 @@ impl Board<'_> {
             self.label(LatLon::from_e7(home.x, home.y), "H".to_owned(), Role::Title);
         }
         self.numbers(room, ListKind::Rally, &document.rally, Role::Title);
-        self.numbers(room, ListKind::Plan, &document.plan, role);
+        // Numbers of both lists at once could not be told apart.
+        if room.list() != ListKind::Fence {
+            self.numbers(room, ListKind::Plan, &document.plan, role);
+        }
     }
 
     fn fence(&mut self, room: &Drawing, document: &Document) {
@@ -158,11 +159,9 @@ impl Board<'_> {
         for (at, item) in plan.iter().enumerate() {
             let is_jump = item.command == command::DO_JUMP;
             let target = plan.get((item.params[0] as usize).wrapping_sub(1));
-            let from = plan[..at].iter().rev().find(|item| is_placed(item));
-            if let (true, Some(from), Some(to)) = (is_jump, from, target)
-                && is_placed(to)
-            {
-                self.line(from.point(), to.point(), Stroke::sparse(role));
+            let from = plan[..at].iter().rev().find_map(place);
+            if let (true, Some(from), Some(to)) = (is_jump, from, target.and_then(place)) {
+                self.line(from, to, Stroke::sparse(role));
             }
         }
     }
@@ -172,25 +171,21 @@ impl Board<'_> {
         let marked = room.marked().filter(|_| room.list() == list);
         let prefix = if list == ListKind::Rally { "R" } else { "" };
         let mut last = Vec::new();
-        for (at, item) in items.iter().enumerate().filter(|(_, item)| is_placed(item)) {
-            let number = at + 1;
+        let numbered = (1..).zip(items);
+        for (number, here) in numbered.filter_map(|(number, item)| Some((number, place(item)?))) {
             let is_marked = marked.is_some_and(|it| (it.first..=it.last).contains(&number));
             let text = format!("{prefix}{number}");
             // Labels that come later win where there is no room for all.
             if is_marked {
-                last.push((item.point(), text));
+                last.push((here, text));
             } else {
-                self.label(item.point(), text, role);
+                self.label(here, text, role);
             }
         }
-        for (place, text) in last {
-            self.label(place, text, Role::Selected);
+        for (here, text) in last {
+            self.label(here, text, Role::Selected);
         }
     }
-}
-
-fn is_placed(item: &Item) -> bool {
-    command::has_place(item.command) && (item.x, item.y) != (0, 0)
 }
 
 /// The places that a plan leads through, from home on.

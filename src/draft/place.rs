@@ -1,0 +1,51 @@
+//! Where things are, and what is not there.
+
+use std::ops::Range;
+
+use super::edit::{Items, Spot, Surroundings};
+use crate::geo::LatLon;
+use crate::plan::edit::EditError;
+use crate::plan::{Document, Item, command};
+use crate::text;
+use crate::text::Text;
+
+/// The place of an item, if it has one.
+pub fn place(item: &Item) -> Option<LatLon> {
+    let is_placed = command::has_place(item.command) && (item.x, item.y) != (0, 0);
+    is_placed.then(|| item.point())
+}
+
+/// Why the library refused, in words.
+pub(super) fn refused(error: EditError) -> Text {
+    match error {
+        EditError::NoItem(count) => text!("draft-no-item", count = count),
+        EditError::JumpTarget(jump) => text!("draft-jump-target", item = jump + 1),
+        EditError::NoLeg => text!("draft-no-leg"),
+        EditError::UnknownHeight => text!("draft-unknown-height"),
+    }
+}
+
+pub(super) fn known(list: &[Item], items: Items) -> Result<Range<usize>, Text> {
+    let range = items.range();
+    if range.start < range.end && range.end <= list.len() {
+        Ok(range)
+    } else {
+        Err(text!("draft-no-item", count = list.len()))
+    }
+}
+
+/// A place named relative to what is around.
+pub(super) fn found(
+    spot: Spot,
+    document: &Document,
+    around: &Surroundings,
+) -> Result<LatLon, Text> {
+    match spot {
+        Spot::At(place) => Ok(place),
+        Spot::Cursor => around.cursor.ok_or_else(|| text!("draft-no-cursor")),
+        Spot::FromHome { north_m, east_m } => {
+            let home = document.home.ok_or_else(|| text!("draft-no-home"))?;
+            Ok(LatLon::from_e7(home.x, home.y).moved(north_m, east_m))
+        }
+    }
+}

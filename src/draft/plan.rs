@@ -1,0 +1,137 @@
+//! Changes of the plan.
+
+use super::edit::{Insertion, Items, NewItem, PlanEdit, PlanFrame, Spot, Surroundings};
+use super::place::{found, known, place, refused};
+use crate::geo::LatLon;
+use crate::plan::edit::{self, FrameChange};
+use crate::plan::{Document, Item, command};
+use crate::text::Text;
+
+/// The height of a first item that names none, in metres above home.
+const USUAL_HEIGHT_M: f32 = 30.0;
+
+/// Changes the plan, and returns the item that the change is about.
+///
+/// # Errors
+/// The reason why it is not possible.
+pub(super) fn change(
+    document: &mut Document,
+    edit: &PlanEdit,
+    around: &Surroundings,
+) -> Result<Option<usize>, Text> {
+    let at = match edit {
+        PlanEdit::Add { item, at } => add(document, item, *at, around)?,
+        PlanEdit::Reorder { items, to } => {
+            let to = to.saturating_sub(1);
+            document.plan = edit::relocate(&document.plan, items.range(), to).map_err(refused)?;
+            to
+        }
+        PlanEdit::Split(item) => {
+            let at = item.saturating_sub(1);
+            document.plan = edit::split(&document.plan, at).map_err(refused)?;
+            at
+        }
+        PlanEdit::Frame { items, frame } => {
+            change_frame(document, *items, *frame)?;
+            return Ok(None);
+        }
+        PlanEdit::Command { item, command } => change_command(document, *item, *command, around)?,
+    };
+    Ok(Some(at))
+}
+
+fn add(
+    document: &mut Document,
+    new: &NewItem,
+    at: Insertion,
+    around: &Surroundings,
+) -> Result<usize, Text> {
+    let at = match at {
+        Insertion::Last => document.plan.len(),
+        Insertion::Before(number) => number.saturating_sub(1),
+        Insertion::After(number) => number,
+    };
+    let item = built(document, new, at, around)?;
+    document.plan = edit::insert(&document.plan, at, &[item]).map_err(refused)?;
+    Ok(at)
+}
+
+/// Whether a command that names no place is carried out where the vehicle is.
+fn stays_in_place(command: u16) -> bool {
+    command::is_takeoff(command) || matches!(command, command::LAND | command::VTOL_LAND)
+}
+
+fn built(
+    document: &Document,
+    new: &NewItem,
+    at: usize,
+    around: &Surroundings,
+) -> Result<Item, Text> {
+    let has_place = command::has_place(new.command);
+    let spot = match new.spot {
+        None if has_place && !stays_in_place(new.command) => Some(Spot::Cursor),
+        other => other,
+    };
+    let point = spot.map(|spot| found(spot, document, around)).transpose()?;
+    let (x, y) = point.map_or((0, 0), LatLon::to_e7);
+    let before = document.plan.get(..at).unwrap_or(&document.plan);
+    let flown = before
+        .iter()
+        .rev()
+        .find(|item| command::is_flown_to(item.command) && item.command != command::LAND);
+    let frame = new.frame.or_else(|| flown.and_then(PlanFrame::of));
+    let usual_m = match new.command {
+        command::LAND | command::VTOL_LAND => 0.0,
+        _ => flown.map_or(USUAL_HEIGHT_M, |item| item.z),
+    };
+    let height_m = new.height_m.unwrap_or(usual_m);
+    Ok(Item {
+        command: new.command,
+        frame: frame.unwrap_or(PlanFrame::Home).number(),
+        auto_continue: true,
+        params: new.params,
+        x: if has_place { x } else { 0 },
+        y: if has_place { y } else { 0 },
+        z: if has_place { height_m } else { 0.0 },
+    })
+}
+
+/// Changes the frame of items. Numbers stay between home and terrain, where the ground counts as level; to or from sea
+/// level, the flight stays at its height.
+fn change_frame(document: &mut Document, items: Items, frame: PlanFrame) -> Result<(), Text> {
+    let home = document.home;
+    for at in known(&document.plan, items)? {
+        let before = PlanFrame::of(&document.plan[at]);
+        let keep = FrameChange::KeepHeights {
+            home,
+            ground_amsl_m: &|_| None,
+        };
+        let change = match (before, frame) {
+            (Some(PlanFrame::Sea), _) | (_, PlanFrame::Sea) => keep,
+            _ => FrameChange::KeepNumbers,
+        };
+        document.plan = edit::change_frame(&document.plan, at..at + 1, frame.number(), &change)
+            .map_err(refused)?;
+    }
+    Ok(())
+}
+
+/// Gives an item another command; its place and height stay, its parameters do not.
+fn change_command(
+    document: &mut Document,
+    number: usize,
+    command: u16,
+    around: &Surroundings,
+) -> Result<usize, Text> {
+    let at = known(&document.plan, Items::one(number))?.start;
+    let old = document.plan[at];
+    let here = place(&old);
+    let new = NewItem {
+        spot: here.map(Spot::At),
+        height_m: here.map(|_| old.z),
+        frame: here.and_then(|_| PlanFrame::of(&old)),
+        ..NewItem::new(command)
+    };
+    document.plan[at] = built(document, &new, at, around)?;
+    Ok(at)
+}
