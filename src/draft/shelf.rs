@@ -35,16 +35,13 @@ impl Drafts {
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
         for draft in drafts {
-            let at = match self.all.iter().position(|it| it.name == draft.name) {
-                Some(at) => {
-                    self.all[at] = draft;
-                    at
-                }
-                None => {
-                    self.all.push(draft);
-                    self.all.len() - 1
-                }
-            };
+            let known = self.all.iter().position(|it| it.name == draft.name);
+            let at = known.unwrap_or(self.all.len());
+            if known.is_some() {
+                self.all[at] = draft;
+            } else {
+                self.all.push(draft);
+            }
             first.get_or_insert(at);
         }
         self.current = first.unwrap_or(self.current);

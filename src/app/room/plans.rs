@@ -1,6 +1,6 @@
 //! The plans that are being drawn: several drafts at a time, their items, and a map with a cursor.
 //!
-//! Keys and lines give the same [`Edit`]s, so both can be undone alike.
+//! Keys and lines give the same [`Edit`](crate::draft::Edit)s, so both can be undone alike.
 
 use std::sync::Arc;
 

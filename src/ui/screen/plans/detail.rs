@@ -136,6 +136,6 @@ fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
     let words = panel.text(&finding_words(finding));
     let count = findings.len();
     let counted = panel.text(&text!("plans-faults", count = count));
-    let text = format!(" {mark} {words}  ({counted})");
+    let text = format!(" {mark} {counted}: {words}");
     Line::styled(clip(&text, panel.width()), panel.style(role))
 }
