@@ -17,14 +17,14 @@ fn around() -> Surroundings {
     }
 }
 
-fn at(north_m: f64, east_m: f64) -> Option<Spot> {
-    Some(Spot::FromHome { north_m, east_m })
+fn at(north_m: f64, east_m: f64) -> Spot {
+    Spot::FromHome { north_m, east_m }
 }
 
-fn waypoint(spot: Option<Spot>) -> Edit {
+fn waypoint(spot: impl Into<Option<Spot>>) -> Edit {
     Edit::Plan(PlanEdit::Add {
         item: NewItem {
-            spot,
+            spot: spot.into(),
             ..NewItem::new(command::WAYPOINT)
         },
         at: Insertion::Last,
@@ -70,7 +70,7 @@ fn new_items_take_what_they_lack_from_those_before() {
     let document = draft.document();
     let [first, second] = [document.plan[0], document.plan[1]];
     assert_eq!((first.x, first.y, first.z), (0, 0, 25.0), "straight up");
-    assert_eq!(second.z, 25.0, "the height of the takeoff");
+    assert_eq!(second.z as i32, 25, "the height of the takeoff");
     assert_eq!((second.x, second.y), HOME.moved(100.0, 0.0).to_e7());
     assert_eq!(
         document.home.map(|home| home.z),
@@ -227,7 +227,7 @@ fn parameters_are_set_by_name_and_commands_change_in_place() {
     assert!(
         draft.document().plan[1..4]
             .iter()
-            .all(|item| item.params[0] == 5.0)
+            .all(|item| item.params[0] as i32 == 5)
     );
     let reason = draft.edit(&set("turns", 2.0), &around()).expect_err("none");
     assert!(reason.to_string().contains("hold"), "{reason}");
@@ -239,7 +239,7 @@ fn parameters_are_set_by_name_and_commands_change_in_place() {
     draft.edit(&turns, &around()).expect("possible");
     let after = draft.document().plan[2];
     assert_eq!((after.x, after.y, after.z), (before.x, before.y, before.z));
-    assert_eq!(after.params, [0.0; 4]);
+    assert_eq!(after.params.map(|it| it as i32), [0; 4]);
 }
 
 fn corner(north_m: f64, east_m: f64, after: Option<usize>) -> Edit {
@@ -284,7 +284,7 @@ fn fences_are_drawn_corner_by_corner() {
         change: ItemsChange::Height(HeightChange::By(5.0)),
     };
     draft.edit(&wider, &around()).expect("a circle");
-    assert_eq!(draft.document().fence[4].params[0], 15.0);
+    assert_eq!(draft.document().fence[4].params[0] as i32, 15);
 }
 
 #[test]

@@ -338,9 +338,14 @@ mod tests {
         };
         let radius = field_named(item.command, "radius").expect("known");
         radius.set(&mut item, 25.0);
-        assert_eq!(item.params, [0.0, 0.0, 25.0, 0.0]);
+        let wanted = Item {
+            command: command::LOITER_TURNS,
+            params: [0.0, 0.0, 25.0, 0.0],
+            ..Item::default()
+        };
+        assert!(item.is_same(&wanted), "{item:?}");
         let third = field_named(item.command, "p3").expect("known");
-        assert_eq!(third.value(&item), 25.0);
+        assert_eq!(third.value(&item).to_bits(), 25f32.to_bits());
         assert!(field_named(command::LAND, "radius").is_none());
     }
 }

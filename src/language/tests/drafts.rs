@@ -72,131 +72,95 @@ fn items_are_added_by_word_place_and_height() {
     assert_eq!(added("draft add NAV_LAND").0.command, command::LAND);
 }
 
+fn changed(list: ListKind, first: usize, last: usize, change: ItemsChange) -> Edit {
+    let items = Items { first, last };
+    Edit::Items {
+        list,
+        items,
+        change,
+    }
+}
+
 #[test]
 fn items_are_changed_by_range_and_list() {
     let plan = ListKind::Plan;
+    let tower = Spot::At(LatLon::new(50.45, 30.52));
+    let shift = ItemsChange::Shift {
+        north_m: 20.0,
+        east_m: 0.0,
+    };
+    let hold = ItemsChange::Set {
+        field: "hold".to_owned(),
+        value: 120.0,
+    };
+    let height = |change| changed(plan, 2, 6, ItemsChange::Height(change));
     let cases = [
+        ("delete 3-5", changed(plan, 3, 5, ItemsChange::Delete)),
         (
-            "draft delete 3-5",
-            Edit::Items {
-                list: plan,
-                items: Items { first: 3, last: 5 },
-                change: ItemsChange::Delete,
-            },
+            "delete fence 2",
+            changed(ListKind::Fence, 2, 2, ItemsChange::Delete),
+        ),
+        ("move 4 n 20 e 0", changed(plan, 4, 4, shift)),
+        (
+            "move 4 tower",
+            changed(plan, 4, 4, ItemsChange::Place(tower)),
         ),
         (
-            "draft delete fence 2",
-            Edit::Items {
-                list: ListKind::Fence,
-                items: Items::one(2),
-                change: ItemsChange::Delete,
-            },
+            "move rally 1",
+            changed(ListKind::Rally, 1, 1, ItemsChange::Place(Spot::Cursor)),
         ),
-        (
-            "draft move 4 n 20 e 0",
-            Edit::Items {
-                list: plan,
-                items: Items::one(4),
-                change: ItemsChange::Shift {
-                    north_m: 20.0,
-                    east_m: 0.0,
-                },
-            },
-        ),
-        (
-            "draft move 4 tower",
-            Edit::Items {
-                list: plan,
-                items: Items::one(4),
-                change: ItemsChange::Place(Spot::At(LatLon::new(50.45, 30.52))),
-            },
-        ),
-        (
-            "draft move rally 1",
-            Edit::Items {
-                list: ListKind::Rally,
-                items: Items::one(1),
-                change: ItemsChange::Place(Spot::Cursor),
-            },
-        ),
-        (
-            "draft height 2-6 40",
-            Edit::Items {
-                list: plan,
-                items: Items { first: 2, last: 6 },
-                change: ItemsChange::Height(HeightChange::To(40.0)),
-            },
-        ),
-        (
-            "draft height 2-6 by -5m",
-            Edit::Items {
-                list: plan,
-                items: Items { first: 2, last: 6 },
-                change: ItemsChange::Height(HeightChange::By(-5.0)),
-            },
-        ),
-        (
-            "draft frame 2-6 terrain",
-            Edit::Plan(PlanEdit::Frame {
-                items: Items { first: 2, last: 6 },
-                frame: PlanFrame::Terrain,
-            }),
-        ),
-        (
-            "draft set 4 hold 2min",
-            Edit::Items {
-                list: plan,
-                items: Items::one(4),
-                change: ItemsChange::Set {
-                    field: "hold".to_owned(),
-                    value: 120.0,
-                },
-            },
-        ),
-        (
-            "draft command 4 turns",
-            Edit::Plan(PlanEdit::Command {
-                item: 4,
-                command: command::LOITER_TURNS,
-            }),
-        ),
-        ("draft split 4", Edit::Plan(PlanEdit::Split(4))),
-        (
-            "draft order 4-5 to 2",
-            Edit::Plan(PlanEdit::Reorder {
-                items: Items { first: 4, last: 5 },
-                to: 2,
-            }),
-        ),
-        ("draft fence reverse 3", Edit::Fence(FenceEdit::Flip(3))),
-        (
-            "draft fence circle 50 out n 10 e 20",
-            Edit::Fence(FenceEdit::Circle {
-                keeps_in: false,
-                spot: Spot::FromHome {
-                    north_m: 10.0,
-                    east_m: 20.0,
-                },
-                radius_m: 50.0,
-            }),
-        ),
-        (
-            "draft rally n 10 e 20 up 15",
-            Edit::Rally {
-                spot: Spot::FromHome {
-                    north_m: 10.0,
-                    east_m: 20.0,
-                },
-                height_m: Some(15.0),
-            },
-        ),
+        ("height 6-2 40", height(HeightChange::To(40.0))),
+        ("height 2-6 by -5m", height(HeightChange::By(-5.0))),
+        ("set 4 hold 2min", changed(plan, 4, 4, hold)),
     ];
     for (line, wanted) in cases {
-        assert_eq!(edit(line), wanted, "{line}");
+        assert_eq!(edit(&format!("draft {line}")), wanted, "{line}");
     }
-    let Edit::Fence(FenceEdit::Polygon { corners, keeps_in }) = edit("draft fence area lane out")
-    else {
-        panic!("a polygon");
+}
+
+#[test]
+fn plans_fences_and_rally_points_have_changes_of_their_own() {
+    let spot = Spot::FromHome {
+        north_m: 10.0,
+        east_m: 20.0,
+    };
+    let frame = PlanEdit::Frame {
+        items: Items { first: 2, last: 6 },
+        frame: PlanFrame::Terrain,
+    };
+    let turns = PlanEdit::Command {
+        item: 4,
+        command: command::LOITER_TURNS,
+    };
+    let order = PlanEdit::Reorder {
+        items: Items { first: 4, last: 5 },
+        to: 2,
+    };
+    let circle = FenceEdit::Circle {
+        keeps_in: false,
+        spot,
+        radius_m: 50.0,
+    };
+    let rally = Edit::Rally {
+        spot,
+        height_m: Some(15.0),
+    };
+    let cases = [
+        ("frame 2-6 terrain", Edit::Plan(frame)),
+        ("command 4 turns", Edit::Plan(turns)),
+        ("split 4", Edit::Plan(PlanEdit::Split(4))),
+        ("order 4-5 to 2", Edit::Plan(order)),
+        ("fence reverse 3", Edit::Fence(FenceEdit::Flip(3))),
+        ("fence circle 50 out n 10 e 20", Edit::Fence(circle)),
+        ("rally n 10 e 20 up 15", rally),
+        ("home n 10 e 20", Edit::Home(spot)),
+    ];
+    for (line, wanted) in cases {
+        assert_eq!(edit(&format!("draft {line}")), wanted, "{line}");
+    }
+    let area = edit("draft fence area lane out");
+    let Edit::Fence(FenceEdit::Polygon { corners, keeps_in }) = area else {
+        panic!("a polygon: {area:?}");
     };
     assert_eq!((corners.len(), keeps_in), (4, false));
 }

@@ -172,7 +172,7 @@ fn fences_and_rally_points_have_lists_of_their_own() {
         fence,
         [corner, corner, corner, command::FENCE_CIRCLE_INCLUSION]
     );
-    assert_eq!(draft.document().fence[3].params[0], 55.0);
+    assert_eq!(draft.document().fence[3].params[0] as i32, 55);
     desk.press("f3a");
     let draft = desk.room().drafts().current().expect("a draft");
     assert_eq!(
@@ -203,8 +203,8 @@ fn keys_begin_the_lines_that_need_words() {
     }
 }
 
-fn written(effects: Vec<Effect>) -> (String, String) {
-    match effects.as_slice() {
+fn written(effects: &[Effect]) -> (String, String) {
+    match effects {
         [
             Effect::File(FileEffect::Write {
                 kind: FileKind::Plan,
@@ -222,7 +222,7 @@ fn a_draft_is_saved_and_opened_again() {
     let mut desk = Desk::new();
     desk.press("ta");
     assert!(!is_kept(desk.app.state()));
-    let (path, text) = written(desk.give("draft save field"));
+    let (path, text) = written(&desk.give("draft save field"));
     assert_eq!(path, "field.plan");
     let _ = desk
         .app
