@@ -169,6 +169,30 @@ const HINTS: &[KeyHint] = &[
     ),
 ];
 
+const FENCE_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    hint(&[drawing(DrawAction::BeginPolygon)], "plans-hint-area"),
+    hint(&[drawing(DrawAction::AddItem)], "plans-hint-corner"),
+    hint(&[drawing(DrawAction::AddCircle)], "plans-hint-circle"),
+    hint(&[drawing(DrawAction::MoveItem)], "plans-hint-move"),
+    hint(&[drawing(DrawAction::DeleteItem)], "plans-hint-delete"),
+    hint(&[drawing(DrawAction::NextFrame)], "plans-hint-reverse"),
+    hint(
+        &[drawing(DrawAction::Higher), drawing(DrawAction::Lower)],
+        "plans-hint-radius",
+    ),
+    hint(&[own(PlansAction::UndoEdit)], "plans-hint-undo"),
+    hint(
+        &[
+            own(PlansAction::PlanList),
+            own(PlansAction::FenceList),
+            own(PlansAction::RallyList),
+        ],
+        "plans-hint-lists",
+    ),
+];
+
 const EMPTY_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
@@ -230,9 +254,11 @@ impl RoomModel for Drawing {
     ];
 
     fn hints(state: &State) -> &'static [KeyHint] {
-        match state.rooms.plans.drafts.current() {
-            Some(_) => HINTS,
-            None => EMPTY_HINTS,
+        let room = &state.rooms.plans;
+        match (room.drafts.current(), room.list) {
+            (None, _) => EMPTY_HINTS,
+            (Some(_), ListKind::Fence) => FENCE_HINTS,
+            (Some(_), ListKind::Plan | ListKind::Rally) => HINTS,
         }
     }
 

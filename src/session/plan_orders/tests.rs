@@ -296,6 +296,23 @@ fn every_list_goes_up_is_held_comes_down_and_is_cleared() {
 }
 
 #[test]
+fn a_draft_goes_on_board_without_a_file() {
+    let mut rig = Rig::new(true);
+    let mut document = Document::default();
+    for kind in ListKind::ALL {
+        *document.list_mut(kind) = list(kind, 5, 2.0);
+    }
+    let document = Arc::new(document);
+    for kind in ListKind::ALL {
+        let source = PlanSource::Draft(Arc::clone(&document));
+        rig.order(kind, PlanDeed::Upload { source });
+        assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
+        let held = rig.on_board(kind);
+        assert!(compare::is_held(kind, &whole(&document, kind), &held));
+    }
+}
+
+#[test]
 fn what_the_vehicle_would_refuse_is_not_sent() {
     let mut rig = Rig::new(true);
     let mut items = list(ListKind::Plan, 6, 1.0);
