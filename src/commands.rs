@@ -51,7 +51,7 @@ pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
-pub use plan::{PlanCommand, PlanDeed, PlanSource, flies_plan};
+pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, flies_plan, protected_item};
 pub use query::QueryCommand;
 pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};
@@ -88,6 +88,8 @@ pub enum Setup<'command> {
     Home,
     /// The areas that it must keep to, or the places where a return may end.
     Limits,
+    /// An item of a plan that changes home or the fence when it is flown.
+    PlanItem(ProtectedItem),
     /// Anything: a raw command is not interpreted.
     Anything,
 }
@@ -98,7 +100,7 @@ impl Command {
         match self {
             Self::Parameter(ParameterCommand::Set { name, .. }) => Some(Setup::Parameter(name)),
             Self::Motion(MotionCommand::SetHome { .. }) => Some(Setup::Home),
-            Self::Plan(command) => command.changes_limits().then_some(Setup::Limits),
+            Self::Plan(command) => command.setup(),
             Self::Device(DeviceCommand::Fence { .. }) => Some(Setup::Limits),
             Self::Raw(_) => Some(Setup::Anything),
             Self::Parameter(ParameterCommand::Get { .. })

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanTask};
+use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanSource, PlanTask};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Context, Statement};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -171,7 +171,9 @@ impl Operator {
         for (vehicle, document) in plans {
             let command = PlanCommand {
                 kind: ListKind::Plan,
-                deed: PlanDeed::Put(Arc::new(document)),
+                deed: PlanDeed::Upload {
+                    source: PlanSource::Document(Arc::new(document)),
+                },
             };
             commands.insert(vehicle, Command::Plan(command));
         }

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::plan::{Document, ListKind};
+use super::{Setup, command_name};
+use crate::plan::{Document, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle};
@@ -19,8 +20,8 @@ pub struct PlanCommand {
 pub enum PlanSource {
     /// A file with this name.
     File(String),
-    /// What is being drawn in the console.
-    Draft(Arc<Document>),
+    /// This document: a draft, or a plan that the console has made.
+    Document(Arc<Document>),
 }
 
 /// What is done with a list.
@@ -37,14 +38,32 @@ pub enum PlanDeed {
 }
 
 impl PlanCommand {
+    /// The change that it makes to the vehicle's setup, as far as it is known without reading a file.
+    pub fn setup(&self) -> Option<Setup<'_>> {
+        if self.changes_limits() {
+            return Some(Setup::Limits);
+        }
+        match &self.deed {
+            PlanDeed::Upload {
+                source: PlanSource::Document(document),
+            } => protected_item(document).map(Setup::PlanItem),
+            PlanDeed::Upload {
+                source: PlanSource::File(_),
+            }
+            | PlanDeed::Clear
+            | PlanDeed::Download { .. }
+            | PlanDeed::Show => None,
+        }
+    }
+
     /// Whether it changes the fence or the rally points.
-    pub fn changes_limits(&self) -> bool {
+    fn changes_limits(&self) -> bool {
         let is_limit = match self.kind {
             ListKind::Fence | ListKind::Rally => true,
             ListKind::Plan => false,
         };
         let writes = match self.deed {
-            PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => true,
+            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
             PlanDeed::Download { .. } | PlanDeed::Show => false,
         };
         is_limit && writes
@@ -57,9 +76,7 @@ impl PlanCommand {
             PlanDeed::Clear if vehicle.armed() && !flies_plan(vehicle) => {
                 Some(text!("hazard-plan-armed"))
             }
-            PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => {
-                replacing_hazard(self.kind, vehicle)
-            }
+            PlanDeed::Upload { .. } | PlanDeed::Clear => replacing_hazard(self.kind, vehicle),
         }
     }
 
@@ -67,6 +84,47 @@ impl PlanCommand {
     pub fn replacing_hazard(vehicle: &Vehicle) -> Option<Text> {
         replacing_hazard(ListKind::Plan, vehicle)
     }
+}
+
+/// An item of a plan that changes home or the fence when it is flown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ProtectedItem {
+    /// The item's number in the plan, from 1.
+    pub number: usize,
+    /// The number of its `MAV_CMD`.
+    pub command: u16,
+}
+
+impl ProtectedItem {
+    /// The reason to refuse it in a flight that counts.
+    pub fn refusal(self) -> Text {
+        text!(
+            "refused-protected-item",
+            item = self.number,
+            command = command_name(self.command).unwrap_or_default()
+        )
+    }
+}
+
+/// The function of a remote control's switch for the fence. Source: ArduPilot's `RC_Channel::AUX_FUNC::FENCE`.
+const FENCE_SWITCH: f32 = 11.0;
+
+/// The first item of a plan that changes home or the fence when it is flown.
+pub fn protected_item(document: &Document) -> Option<ProtectedItem> {
+    let items = document.plan.iter().enumerate();
+    let protected = |(at, item): (usize, &Item)| {
+        let is_protected = match item.command {
+            command::DO_SET_HOME | command::DO_FENCE_ENABLE => true,
+            // Functions are whole numbers.
+            command::DO_AUX_FUNCTION => (item.params[0] - FENCE_SWITCH).abs() < 0.5,
+            _ => false,
+        };
+        is_protected.then_some(ProtectedItem {
+            number: at + 1,
+            command: item.command,
+        })
+    };
+    items.into_iter().find_map(protected)
 }
 
 fn replacing_hazard(kind: ListKind, vehicle: &Vehicle) -> Option<Text> {

@@ -137,6 +137,7 @@ impl Flight {
                 .then(|| text!("refused-protected-parameter", parameter = name)),
             Setup::Home => Some(text!("refused-protected-home")),
             Setup::Limits => Some(text!("refused-protected-limits")),
+            Setup::PlanItem(item) => Some(item.refusal()),
             Setup::Anything => Some(text!("refused-protected-raw")),
         }
     }

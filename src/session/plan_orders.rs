@@ -164,7 +164,7 @@ fn wanted(
     vehicle: &Vehicle,
 ) -> Result<Option<Vec<Item>>, Text> {
     let writes = match &command.deed {
-        PlanDeed::Upload { .. } | PlanDeed::Put(_) | PlanDeed::Clear => true,
+        PlanDeed::Upload { .. } | PlanDeed::Clear => true,
         PlanDeed::Download { .. } | PlanDeed::Show => false,
     };
     let is_ardupilot = vehicle
@@ -182,18 +182,13 @@ fn wanted(
         PlanDeed::Clear => Ok(Some(Vec::new())),
         PlanDeed::Upload { source } => {
             let document = match source {
-                PlanSource::Draft(document) => Arc::clone(document),
+                PlanSource::Document(document) => Arc::clone(document),
                 PlanSource::File(file) => {
                     let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
                     Arc::new(shelf.read(&named(file, vehicle))?)
                 }
             };
-            let own = document.list(command.kind);
-            if own.is_empty() {
-                return Err(text!("refused-plan-empty"));
-            }
-            compare::check(command.kind, own)?;
-            Ok(Some(whole(&document, command.kind)))
+            checked(&document, command.kind).map(Some)
         }
     }
 }

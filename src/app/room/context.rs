@@ -47,7 +47,7 @@ impl State {
             class: self.class(),
             parameters: parameters.map(|known| known.list.as_ref()),
             names: &Known(self),
-            channel: if self.has_rooms {
+            channel: if self.display.has_rooms {
                 Channel::Screen
             } else {
                 Channel::Plain

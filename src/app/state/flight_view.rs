@@ -11,9 +11,8 @@ use super::{
 use crate::app::room_list::Room;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
-use crate::language::Groups;
-use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow, RowState, RowUpdate};
-use crate::mission::{Area, Listing, Progress, Stake};
+use crate::ledger::{LedgerEntry, LedgerRow};
+use crate::mission::Stake;
 use crate::operator::Meeting;
 use crate::swarm::Path;
 use crate::text;
@@ -38,23 +37,15 @@ pub struct FlightView {
     pub(in crate::app) paths: Vec<Path>,
     /// Where vehicles come too close to each other in the newest rehearsal.
     pub(in crate::app) meetings: Vec<Meeting>,
-    /// For each vehicle, its newest ledger entry and those that were under way when that was opened.
-    recent: BTreeMap<VehicleId, Vec<EntryId>>,
-    /// The speed-up of simulated time.
-    pub(in crate::app) pace: SessionPace,
-    /// Whether the user has moved the cursor.
-    cursor_placed: bool,
-}
-
-/// Whether a session's time runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum TimeFlow {
-    #[default]
-    Passes,
-    /// The session is paused.
-    Paused,
-    /// The mission has not begun: its brief is still shown.
-    AwaitsReader,
+    /// The places that commands may name.
+    pub(in crate::app) places: BTreeMap<String, LatLon>,
+    pub(in crate::app) choice: Choice,
+    pub(in crate::app) commands: SessionLedger,
+    pub(in crate::app) connections: Connections,
+    /// The processes that simulate the vehicles, if any.
+    pub(in crate::app) hangar: Option<Hangar>,
+    pub(in crate::app) task: FlownMission,
+    pub(in crate::app) timing: Timing,
 }
 
 /// The kind of session.

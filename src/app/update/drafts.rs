@@ -38,7 +38,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             upload(state, &own)
         }
         other => {
-            if state.has_rooms {
+            if state.display.has_rooms {
                 act::show(state, Room::Plans);
             }
             plans::carry_out(state, other)
@@ -64,7 +64,7 @@ fn upload(state: &mut State, drafts: &[(Draft, Vec<VehicleId>)]) -> Result<Effec
 /// An order to upload a file, with the content of a draft instead.
 fn with_content(mut order: Order, draft: &Draft) -> Order {
     if let Act::Command(Command::Plan(command)) = &mut order.act {
-        let source = PlanSource::Draft(Arc::clone(draft.document()));
+        let source = PlanSource::Document(Arc::clone(draft.document()));
         command.deed = PlanDeed::Upload { source };
     }
     order

@@ -54,10 +54,10 @@ fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
 
 /// Handles a clicked cell. Overlays take no clicks.
 pub fn click(state: &mut State, column: u16, row: u16) {
-    if state.overlay.is_some() || state.is_too_small() {
+    if state.overlay.is_some() || state.display.is_too_small() {
         return;
     }
-    let size = state.grid();
+    let size = state.display.grid();
     if state.room == Room::Map {
         state.rooms.map.click(size, column, row);
     } else if state.room == Room::Plans {

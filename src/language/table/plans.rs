@@ -3,7 +3,10 @@
 use super::super::argument::{Argument, Arguments, Kind, Unit};
 use super::super::verb::{Form, Scope, VerbRow};
 use super::{ASK, Built, CHANGE, ONCE, command};
-use crate::commands::{Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed, PlanSource};
+use crate::commands::{
+    Act, Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed, PlanSource,
+};
+use crate::language::Meaning;
 use crate::plan::ListKind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 

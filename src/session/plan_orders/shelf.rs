@@ -2,9 +2,9 @@
 
 use std::fmt::Debug;
 
-use crate::commands::command_name;
-use crate::plan::{Document, FileFormat, Item, ListKind, command};
-use crate::text;
+use crate::commands::protected_item;
+use crate::plan::{Document, FileFormat, ListKind};
+
 use crate::text::Text;
 
 /// Reads and writes files of plans, fences and rally points. Names are as the user typed them.
@@ -22,9 +22,6 @@ pub trait PlanShelf: Debug + Send + Sync {
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
 }
 
-/// The function of a remote control's switch for the fence. Source: ArduPilot's `RC_Channel::AUX_FUNC::FENCE`.
-const FENCE_SWITCH: f32 = 11.0;
-
 /// The files of a flight that counts: no plan with items that move home or switch the fence.
 #[derive(Debug)]
 pub struct GuardedShelf<S>(pub S);
@@ -32,29 +29,14 @@ pub struct GuardedShelf<S>(pub S);
 impl<S: PlanShelf> PlanShelf for GuardedShelf<S> {
     fn read(&self, file: &str) -> Result<Document, Text> {
         let document = self.0.read(file)?;
-        let refused = document.plan.iter().position(changes_limits);
-        match refused {
+        match protected_item(&document) {
             None => Ok(document),
-            Some(at) => Err(text!(
-                "refused-protected-item",
-                item = at + 1,
-                command = command_name(document.plan[at].command).unwrap_or_default()
-            )),
+            Some(item) => Err(item.refusal()),
         }
     }
 
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text> {
         self.0.write(file, kind, document)
-    }
-}
-
-/// Whether an item of a plan changes home or the fence when it is flown.
-fn changes_limits(item: &Item) -> bool {
-    match item.command {
-        command::DO_SET_HOME | command::DO_FENCE_ENABLE => true,
-        // Functions are whole numbers.
-        command::DO_AUX_FUNCTION => (item.params[0] - FENCE_SWITCH).abs() < 0.5,
-        _ => false,
     }
 }
 

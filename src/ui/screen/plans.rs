@@ -32,7 +32,7 @@ struct Shown<'a> {
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().plans();
-    let sizes = layout(state.grid());
+    let sizes = layout(state.display().grid());
     draw_tabs(state, panel.upper(1), buffer);
     let body = below(panel.area, 1);
     let middle = upper(body, sizes.rows);

@@ -32,7 +32,7 @@ pub(super) fn step(state: &mut State, step: Step) {
         Step::First => return go(state, 0),
         Step::Last => return go(state, usize::MAX),
     };
-    let size = layout(state.grid()).canvas;
+    let size = layout(state.display.grid()).canvas;
     state.rooms.plans.map.step(size, right, down);
 }
 
@@ -96,12 +96,12 @@ fn turn(state: &mut State, by: isize) {
 }
 
 fn zoom(state: &mut State, closer: bool) {
-    let size = layout(state.grid()).canvas;
+    let size = layout(state.display.grid()).canvas;
     state.rooms.plans.map.zoom(size, closer);
 }
 
 fn centre(state: &mut State) {
-    let size = layout(state.grid()).canvas;
+    let size = layout(state.display.grid()).canvas;
     let map = &mut state.rooms.plans.map;
     if let Some(pointed) = map.view(size).map(|view| map.pointed(&view)) {
         map.centre_on(size, pointed);

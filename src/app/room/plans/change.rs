@@ -28,7 +28,7 @@ pub(super) fn home(state: &State) -> Option<Home> {
 
 fn surroundings(state: &State) -> Surroundings {
     let map = &state.rooms.plans.map;
-    let view = map.view(view::layout(state.grid()).canvas);
+    let view = map.view(view::layout(state.display.grid()).canvas);
     Surroundings {
         cursor: view.map(|view| map.pointed(&view)),
         home: home(state),

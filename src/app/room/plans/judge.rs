@@ -12,7 +12,7 @@ const CIRCLE: u32 = 2;
 
 /// A parameter of the vehicle under the cursor, if it is known.
 fn parameter(state: &State, name: &str) -> Option<f32> {
-    let vehicle = state.session.cursor?;
+    let vehicle = state.session.choice.cursor?;
     let known = state.rooms.parameters.get(vehicle, name)?;
     Some(known.value)
 }

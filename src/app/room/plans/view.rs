@@ -71,7 +71,7 @@ pub fn fit(state: &mut State) {
         all.extend(vehicle.home.map(|home| home.at_point));
         all.extend(vehicle.global.map(|global| global.at_point));
     }
-    let areas = state.session.areas.iter();
+    let areas = state.session.task.areas.iter();
     let tasks = areas.filter(|area| area.kind == AreaKind::Task);
     all.extend(tasks.flat_map(|area| area.outline.corners()));
     all.extend(state.session.places.values());
@@ -115,7 +115,7 @@ pub fn point_at(map: &mut Map, size: GridSize, place: LatLon) {
 
 /// Puts the map's cursor on the item under the cursor, if that has a place.
 pub fn point_at_item(state: &mut State) {
-    let size = layout(state.grid()).canvas;
+    let size = layout(state.display.grid()).canvas;
     let room = &mut state.rooms.plans;
     let item = room.row().and_then(|row| room.items().get(row));
     if let Some(place) = item.and_then(place) {
@@ -125,7 +125,7 @@ pub fn point_at_item(state: &mut State) {
 
 /// Puts the map's cursor on a cell of the screen, if the map covers it.
 pub fn click(state: &mut State, column: u16, row: u16) {
-    let sizes = layout(state.grid());
+    let sizes = layout(state.display.grid());
     let map = &mut state.rooms.plans.map;
     let column = column.checked_sub(sizes.list + 1);
     let row = row.checked_sub(ROWS_ABOVE);

@@ -76,7 +76,7 @@ fn height(item: &Item) -> Option<Text> {
 
 /// The position of the map's cursor: in degrees, from home, and from the item under the list's cursor.
 fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
-    let canvas = layout(state.grid()).canvas;
+    let canvas = layout(state.display().grid()).canvas;
     let map = shown.room.map();
     let Some(view) = map.view(GridSize::new(canvas.columns, canvas.rows)) else {
         return Line::default();
