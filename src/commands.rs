@@ -27,6 +27,7 @@ mod motion;
 mod order;
 mod parameter;
 mod plan;
+mod plan_flight;
 mod query;
 mod raw;
 mod request;
@@ -51,7 +52,8 @@ pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
-pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, flies_plan, protected_item};
+pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, protected_item};
+pub use plan_flight::PlanFlight;
 pub use query::QueryCommand;
 pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};
@@ -65,6 +67,8 @@ pub enum Command {
     Arming(ArmingCommand),
     /// Begins, ends and interrupts a flight.
     Flight(FlightCommand),
+    /// Flies the plan on board, or interrupts it.
+    PlanFlight(PlanFlight),
     /// Sets where and how a vehicle flies, its point of interest, and its home.
     Motion(MotionCommand),
     /// Outputs, and the autopilot as a device.
@@ -107,6 +111,7 @@ impl Command {
             | Self::Motion(_)
             | Self::Arming(_)
             | Self::Flight(_)
+            | Self::PlanFlight(_)
             | Self::Device(_)
             | Self::Query(_)
             | Self::Log(_) => None,
@@ -128,6 +133,7 @@ impl Command {
         match self {
             Self::Arming(command) => long(command.fields(vehicle)?),
             Self::Flight(command) => long(command.fields(vehicle)?),
+            Self::PlanFlight(command) => command.request(vehicle, confirmation),
             Self::Motion(command) => command.request(vehicle, confirmation),
             Self::Device(command) => long(command.fields(vehicle)?),
             Self::Query(command) => long(command.fields()),
@@ -146,6 +152,7 @@ impl Command {
             Self::Motion(command) => command.repeat(),
             Self::Arming(_)
             | Self::Flight(_)
+            | Self::PlanFlight(_)
             | Self::Device(_)
             | Self::Query(_)
             | Self::Parameter(_)
@@ -155,11 +162,28 @@ impl Command {
         }
     }
 
+    /// Whether it tells the vehicle at which item of its plan to continue.
+    pub fn sets_plan_item(&self) -> bool {
+        match self {
+            Self::PlanFlight(command) => command.sets_item(),
+            Self::Arming(_)
+            | Self::Flight(_)
+            | Self::Motion(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Parameter(_)
+            | Self::Log(_)
+            | Self::Plan(_)
+            | Self::Raw(_) => false,
+        }
+    }
+
     /// The effect to expect in telemetry, given the vehicle when the command was sent.
     pub fn effect(&self, before: &Vehicle) -> Effect {
         match self {
             Self::Arming(command) => command.effect(),
             Self::Flight(command) => command.effect(before),
+            Self::PlanFlight(command) => command.effect(before),
             Self::Motion(command) => command.effect(before),
             Self::Device(command) => command.effect(before),
             Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Plan(_) | Self::Raw(_) => {
@@ -175,6 +199,7 @@ impl Command {
             Self::Device(command) => command.hazard(vehicle),
             Self::Arming(_)
             | Self::Flight(_)
+            | Self::PlanFlight(_)
             | Self::Motion(_)
             | Self::Query(_)
             | Self::Parameter(_)
@@ -190,6 +215,7 @@ impl Command {
             Self::Parameter(command) => command.risk(),
             Self::Raw(command) => command.risk(),
             Self::Flight(_)
+            | Self::PlanFlight(_)
             | Self::Motion(_)
             | Self::Device(_)
             | Self::Query(_)

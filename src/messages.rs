@@ -52,6 +52,8 @@ pub struct Inbox {
     pack_heard_at: Option<Duration>,
     /// `GPS_GLOBAL_ORIGIN`: the origin of local coordinates.
     origin: Option<Place>,
+    /// The way through the plan on board.
+    plan: plan::PlanWatch,
 }
 
 /// The notices of a handler, with their time.
@@ -209,8 +211,8 @@ impl Inbox {
             M::EKF_STATUS_REPORT(data) => ekf::apply(vehicle, data, report),
             M::VIBRATION(data) => vibration::apply(vehicle, data),
             M::EXTENDED_SYS_STATE(data) => landed::apply(vehicle, data),
-            M::MISSION_CURRENT(data) => plan::apply_current(vehicle, data),
-            M::MISSION_ITEM_REACHED(data) => vehicle.plan.reached = Some(data.seq),
+            M::MISSION_CURRENT(data) => self.plan.apply_current(vehicle, data, report),
+            M::MISSION_ITEM_REACHED(data) => self.plan.apply_reached(vehicle, data),
             M::FENCE_STATUS(data) => fence::apply(vehicle, data, report),
             M::RANGEFINDER(data) => rangefinder::apply(vehicle, data),
             M::DISTANCE_SENSOR(data) => rangefinder::apply_sensor(vehicle, data),
@@ -229,6 +231,7 @@ impl Inbox {
         report: &mut HandlerNotices<'_>,
     ) {
         status_text::apply(vehicle, text, &mut self.reasons_at, report);
+        plan::apply_text(vehicle, &text.text, report);
     }
 
     fn note_clock(&mut self, vehicle: &mut Vehicle, boot_ms: u32, report: &mut HandlerNotices<'_>) {
@@ -261,6 +264,7 @@ impl Inbox {
         self.reasons_at = None;
         self.pack_heard_at = None;
         self.origin = None;
+        self.plan = plan::PlanWatch::default();
     }
 }
 

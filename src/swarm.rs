@@ -329,6 +329,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         )
         | Command::Arming(_)
         | Command::Flight(_)
+        | Command::PlanFlight(_)
         | Command::Device(_)
         | Command::Query(_)
         | Command::Parameter(_)

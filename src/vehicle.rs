@@ -10,15 +10,20 @@ use std::sync::Arc;
 use crate::geo::maths;
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
+mod carried;
+mod leg;
 mod limits;
 mod mode;
 mod plan;
 mod readings;
+mod route;
 mod speeds;
 mod status;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
+pub use carried::CarriedLists;
+pub use leg::{LegSpeed, PlanLeg};
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
@@ -26,8 +31,8 @@ pub use plan::{
 };
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
-    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText,
-    Target, Unheard, Vibration, Wind,
+    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanPhase, PlanProgress, RcChannels,
+    StatusText, Target, Unheard, Vibration, Wind,
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
@@ -74,6 +79,10 @@ pub struct Vehicle {
     pub landed: LandedState,
     /// The progress of AUTO through its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
+    /// How often each jump of its plan has been taken, by the jump's number, as far as it has said.
+    pub plan_jumps: BTreeMap<u16, u16>,
+    /// Its speed on the legs of its plan; `None` in other modes.
+    pub cruise: Option<LegSpeed>,
     /// The plan, the fence and the rally points on board, if they have been read.
     pub plans: Plans,
     /// `FENCE_STATUS`; `None` while no fence is enabled.
@@ -127,6 +136,8 @@ impl Vehicle {
             vibration: None,
             landed: LandedState::Undefined,
             plan: PlanProgress::default(),
+            plan_jumps: BTreeMap::new(),
+            cruise: None,
             plans: Plans::default(),
             fence: None,
             rangefinder_m: None,
@@ -159,6 +170,15 @@ impl Vehicle {
     /// The flight mode, if known.
     pub fn mode(&self) -> Option<Mode> {
         self.heartbeat.map(|heartbeat| heartbeat.mode)
+    }
+
+    /// The number of the last item of its plan; 0 without a plan, `None` if that is unknown.
+    pub fn last_item(&self) -> Option<u16> {
+        let read = self.plans.plan.content.as_ref();
+        let last = read.map(|plan| plan.items.len().saturating_sub(1));
+        self.plan
+            .total
+            .or_else(|| last.and_then(|last| u16::try_from(last).ok()))
     }
 
     /// Whether its motors are known to be armed.

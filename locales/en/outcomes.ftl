@@ -50,6 +50,19 @@ outcome-not-heard = not sent: no such vehicle in contact
 outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
 # Expected effects, inserted into outcome-not-seen and similar messages.
+# A list that is kept since a transfer was broken off.
+plan-broken-off = an upload of its { $verb ->
+    [plan] plan
+    [fence] fence
+   *[rally] rally points
+} was broken off; the old list is kept: `{ $verb } upload { $file }` puts it back
+plan-broken-off-empty = an upload of its { $verb ->
+    [plan] plan
+    [fence] fence
+   *[rally] rally points
+} was broken off; it had none before: `{ $verb } clear` removes the rest
+
+# What was awaited in the telemetry; goes into outcome-not-seen and its like.
 effect-nothing = an effect
 effect-armed = armed
 effect-disarmed = disarmed
@@ -61,6 +74,7 @@ effect-place = within { $metres } m of the target
 effect-heading = heading { $degrees }°
 effect-velocity = flying at this velocity
 effect-plan-item = item { $item } is current
+effect-plan-flown = flying the plan in AUTO at item { $item }
 effect-home = home moved
 effect-servo = output { $output } at { $pulse } us
 effect-rebooted = rebooted

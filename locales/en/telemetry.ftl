@@ -3,6 +3,42 @@
 heard-mode = mode { $mode }
 heard-armed = armed
 heard-disarmed = disarmed
+carried-most = { $count ->
+    [one] 1 of { $all } carries
+   *[other] { $count } of { $all } carry
+} { $list ->
+    [plan] plan
+    [fence] fence
+   *[rally] rally points
+} { $mark } ({ $items ->
+    [one] 1 item
+   *[other] { $items } items
+})
+carried-most-none = { $count ->
+    [one] 1 of { $all } carries
+   *[other] { $count } of { $all } carry
+} no { $list ->
+    [plan] plan
+    [fence] fence
+   *[rally] rally points
+}
+carried-differ = { $count ->
+    [one] { $vehicles } differs
+   *[other] { $vehicles } differ
+}: { $details }
+carried-other = { $vehicles } with { $items ->
+    [one] 1 item
+   *[other] { $items } items
+} ({ $mark })
+carried-none = { $vehicles } with none
+carried-unread = not read yet: { $vehicles }
+carried-unsupported = no such list: { $vehicles }
+
+heard-plan-complete = plan flown to its end
+heard-plan-back = plan went back from item { $before } to { $item }
+heard-plan-skipped = plan went on from item { $before } to { $item }; not reported as reached: { $items }
+heard-plan-unknown = item { $item } skipped: the vehicle does not know command { $command } in a plan
+heard-plan-unknown-somewhere = an item skipped: the vehicle does not know command { $command } in a plan
 heard-rebooted = rebooted
 heard-link-lost = link lost
 heard-link-back = link back after { $seconds } s

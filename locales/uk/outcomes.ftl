@@ -54,6 +54,18 @@ outcome-forgotten = апарат забуто
 outcome-not-heard = не надіслано: такого апарата не чути
 outcome-task-busy = не надіслано: консоль не встигає обробляти цей апарат
 
+# Список, збережений відтоді, як передавання обірвалося.
+plan-broken-off = передавання { $verb ->
+    [plan] плану
+    [fence] геозони
+   *[rally] точок збору
+} на борт обірвалося; старий список збережено: `{ $verb } upload { $file }` поверне його
+plan-broken-off-empty = передавання { $verb ->
+    [plan] плану
+    [fence] геозони
+   *[rally] точок збору
+} на борт обірвалося; раніше списку не було: `{ $verb } clear` прибере залишок
+
 # Чого чекали в телеметрії; стоїть в outcome-not-seen і подібних.
 effect-nothing = ефект
 effect-armed = двигуни активовано
@@ -66,6 +78,7 @@ effect-place = до цілі менше ніж { $metres } m
 effect-heading = курс { $degrees }°
 effect-velocity = політ із такою швидкістю
 effect-plan-item = поточний пункт — { $item }
+effect-plan-flown = політ за планом в AUTO з пункту { $item }
 effect-home = новий дім
 effect-servo = вихід { $output } на { $pulse } us
 effect-rebooted = перезапуск

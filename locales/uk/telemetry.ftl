@@ -3,6 +3,30 @@
 heard-mode = режим { $mode }
 heard-armed = двигуни активовано
 heard-disarmed = двигуни деактивовано
+carried-most = { $list ->
+    [plan] план
+    [fence] геозону
+   *[rally] точки збору
+} { $mark } (пунктів { $items }) мають { $count } з { $all }
+carried-most-none = не мають { $list ->
+    [plan] плану
+    [fence] геозони
+   *[rally] точок збору
+}: { $count } з { $all }
+carried-differ = { $count ->
+    [one] відрізняється
+   *[other] відрізняються
+} { $vehicles }: { $details }
+carried-other = { $vehicles } — пунктів { $items } ({ $mark })
+carried-none = { $vehicles } — нічого
+carried-unread = ще не прочитано: { $vehicles }
+carried-unsupported = такого списку немає: { $vehicles }
+
+heard-plan-complete = план пройдено до кінця
+heard-plan-back = план повернувся з пункту { $before } до { $item }
+heard-plan-skipped = план перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }
+heard-plan-unknown = пункт { $item } пропущено: апарат не знає команди { $command } у плані
+heard-plan-unknown-somewhere = пункт пропущено: апарат не знає команди { $command } у плані
 heard-rebooted = перезапуск
 heard-link-lost = зв'язок втрачено
 heard-link-back = зв'язок відновлено через { $seconds } s

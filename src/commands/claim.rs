@@ -15,6 +15,14 @@ pub struct Claim {
 }
 
 impl Claim {
+    /// A claim to be in a mode, also on the ground.
+    pub(super) fn mode(before: &Vehicle, name: &str) -> Self {
+        Self {
+            mode: mode_named(before, name),
+            armed: None,
+        }
+    }
+
     /// Whether the command makes no claim.
     pub fn is_empty(&self) -> bool {
         self.mode.is_none() && self.armed.is_none()
@@ -57,6 +65,7 @@ impl Command {
                 }),
             },
             Self::Flight(command) => command.claim(before),
+            Self::PlanFlight(command) => command.claim(before),
             Self::Motion(command) => command.claim(before),
             Self::Device(_)
             | Self::Query(_)
@@ -76,27 +85,18 @@ fn flight_in_this_mode(before: &Vehicle) -> Claim {
     }
 }
 
-/// A claim to be in a mode, also on the ground.
-fn mode(before: &Vehicle, name: &str) -> Claim {
-    Claim {
-        mode: mode_named(before, name),
-        armed: None,
-    }
-}
-
 impl FlightCommand {
-    fn claim(&self, before: &Vehicle) -> Claim {
+    pub(super) fn claim(&self, before: &Vehicle) -> Claim {
         match self {
-            Self::SetMode { name } => mode(before, name),
-            Self::Land => mode(before, "LAND"),
-            Self::ReturnToLaunch => mode(before, "RTL"),
+            Self::SetMode { name } => Claim::mode(before, name),
+            Self::Land => Claim::mode(before, "LAND"),
+            Self::ReturnToLaunch => Claim::mode(before, "RTL"),
             Self::Hold => match holding_mode(before) {
-                Some(name) => mode(before, name),
+                Some(name) => Claim::mode(before, name),
                 None => flight_in_this_mode(before),
             },
             Self::Takeoff { .. } => flight_in_this_mode(before),
-            Self::StartPlan => mode(before, "AUTO"),
-            Self::Resume | Self::GotoItem { .. } => Claim::default(),
+            Self::Resume => Claim::default(),
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::geo::maths;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, Vehicle, VehicleClass};
+use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
 
 /// The horizontal tolerance of a reached place.
 const ARRIVED_M: f64 = 1.5;
@@ -48,8 +48,10 @@ pub(super) enum Watched {
     Heading(f64),
     Velocity([f64; 3]),
     Home(LatLon),
-    /// The vehicle flies this item of its plan, or a later one.
-    PlanItem(u16),
+    /// The vehicle is at an item of its plan, or past it.
+    PlanItem(PlanAim),
+    /// It also flies its plan in AUTO, without a pause.
+    PlanFlown(PlanAim),
     Servo {
         output: u8,
         pulse_us: u16,
@@ -57,6 +59,51 @@ pub(super) enum Watched {
     Rebooted {
         reboots: u32,
     },
+}
+
+/// An item that a plan is to continue at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct PlanAim {
+    item: u16,
+    /// The current item before.
+    before: u16,
+    /// Whether a jump decides where the plan continues.
+    jumps: bool,
+}
+
+impl PlanAim {
+    pub fn new(vehicle: &Vehicle, item: u16) -> Self {
+        let plan = vehicle.plans.plan.content.as_ref();
+        Self {
+            item,
+            before: vehicle.plan.current,
+            jumps: plan.is_some_and(|plan| plan.jumps_from(item)),
+        }
+    }
+
+    /// Whether the plan has come to the item. Commands that do not navigate are passed at once, so a later item counts
+    /// as well, up to the one that was current before.
+    fn is_met(self, vehicle: &Vehicle) -> bool {
+        let now = vehicle.plan.current;
+        if self.jumps {
+            now != self.before
+        } else if self.item < self.before {
+            (self.item..self.before).contains(&now)
+        } else {
+            now >= self.item
+        }
+    }
+}
+
+/// Whether the vehicle flies its plan and neither pauses nor has come to the end.
+fn is_flown(vehicle: &Vehicle) -> bool {
+    let moves = match vehicle.plan.phase {
+        Some(PlanPhase::Active) | None => true,
+        Some(
+            PlanPhase::NoPlan | PlanPhase::NotStarted | PlanPhase::Paused | PlanPhase::Complete,
+        ) => false,
+    };
+    vehicle.flies_plan() && moves
 }
 
 impl Effect {
@@ -85,7 +132,8 @@ impl Effect {
             Watched::Home(place) => vehicle
                 .home
                 .is_some_and(|home| home.at_point.distance_m(*place) <= HOME_M),
-            Watched::PlanItem(item) => vehicle.plan.current >= *item,
+            Watched::PlanItem(aim) => aim.is_met(vehicle),
+            Watched::PlanFlown(aim) => aim.is_met(vehicle) && is_flown(vehicle),
             Watched::Servo { output, pulse_us } => {
                 usize::from(*output)
                     .checked_sub(1)
@@ -124,7 +172,8 @@ impl Effect {
             }
             Watched::Velocity(_) => text!("effect-velocity"),
             Watched::Home(_) => text!("effect-home"),
-            Watched::PlanItem(item) => text!("effect-plan-item", item = *item),
+            Watched::PlanItem(aim) => text!("effect-plan-item", item = aim.item),
+            Watched::PlanFlown(aim) => text!("effect-plan-flown", item = aim.item),
             Watched::Servo { output, pulse_us } => {
                 text!("effect-servo", output = *output, pulse = *pulse_us)
             }

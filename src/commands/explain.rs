@@ -100,6 +100,7 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         _ if is_unknown => None,
         Command::Arming(command) => command.likely_reason(vehicle),
         Command::Flight(command) => command.likely_reason(vehicle),
+        Command::PlanFlight(command) => command.likely_reason(),
         Command::Device(command) => command.likely_reason(vehicle),
         Command::Motion(_)
         | Command::Query(_)

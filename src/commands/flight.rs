@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
-use super::effect::{Effect, SOON, Watched, altitude_effect, landing_effect, mode_effect};
+use super::effect::{Effect, Watched, altitude_effect, landing_effect, mode_effect};
 use super::encode::LongFields;
 use super::modes::{holding_mode, mode_number};
 use crate::text;
@@ -31,13 +31,6 @@ pub enum FlightCommand {
     Hold,
     /// Resume after a hold.
     Resume,
-    /// Fly the plan in AUTO; on the ground, the vehicle takes off.
-    StartPlan,
-    /// Continue the plan at an item.
-    GotoItem {
-        /// Its number; 0 is home.
-        item: u16,
-    },
 }
 
 impl FlightCommand {
@@ -55,17 +48,6 @@ impl FlightCommand {
                 None => LongFields::new(MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, &[0.0]),
             },
             Self::Resume => LongFields::new(MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, &[1.0]),
-            Self::StartPlan if vehicle.plan.total == Some(0) => {
-                return Err(text!("refused-plan-none"));
-            }
-            Self::StartPlan => LongFields::new(MavCmd::MAV_CMD_MISSION_START, &[]),
-            Self::GotoItem { item } if vehicle.plan.total.is_some_and(|last| *item > last) => {
-                let last = vehicle.plan.total.unwrap_or_default();
-                return Err(text!("refused-plan-item-none", item = *item, last = last));
-            }
-            Self::GotoItem { item } => {
-                LongFields::new(MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT, &[f32::from(*item)])
-            }
         })
     }
 
@@ -80,8 +62,6 @@ impl FlightCommand {
                 None => Effect::new(Watched::Still, Duration::from_secs(15)),
             },
             Self::Resume => Effect::nothing(),
-            Self::StartPlan => mode_effect(before, "AUTO"),
-            Self::GotoItem { item } => Effect::new(Watched::PlanItem(*item), SOON),
         }
     }
 
@@ -94,17 +74,12 @@ impl FlightCommand {
                 .mode()
                 .filter(|mode| !mode.is("GUIDED"))
                 .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
-            Self::Land
-            | Self::ReturnToLaunch
-            | Self::Hold
-            | Self::Resume
-            | Self::StartPlan
-            | Self::GotoItem { .. } => None,
+            Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
         }
     }
 }
 
-fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {
+pub(super) fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {
     let number = mode_number(vehicle, name)? as f32;
     Ok(LongFields::new(MavCmd::MAV_CMD_DO_SET_MODE, &[1.0, number]))
 }

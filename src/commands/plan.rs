@@ -73,7 +73,7 @@ impl PlanCommand {
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
-            PlanDeed::Clear if vehicle.armed() && !flies_plan(vehicle) => {
+            PlanDeed::Clear if vehicle.armed() && !vehicle.flies_plan() => {
                 Some(text!("hazard-plan-armed"))
             }
             PlanDeed::Upload { .. } | PlanDeed::Clear => replacing_hazard(self.kind, vehicle),
@@ -134,13 +134,40 @@ fn replacing_hazard(kind: ListKind, vehicle: &Vehicle) -> Option<Text> {
         ListKind::Fence => plans.fence.transfer,
         ListKind::Rally => plans.rally.transfer,
     };
-    if flies_plan(vehicle) {
+    if vehicle.flies_plan() {
         return Some(text!("hazard-plan-auto"));
     }
     (transfer != Transfer::Done).then(|| text!("hazard-plan-unread"))
 }
 
-/// Whether the vehicle flies its plan.
-pub fn flies_plan(vehicle: &Vehicle) -> bool {
-    vehicle.armed() && vehicle.mode().is_some_and(|mode| mode.is("AUTO"))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_that_change_home_or_the_fence_are_found() {
+        let item = |command, first| Item {
+            command,
+            params: [first, 0.0, 0.0, 0.0],
+            ..Item::default()
+        };
+        let first = |second| {
+            protected_item(&Document {
+                plan: vec![item(command::WAYPOINT, 0.0), second],
+                ..Document::default()
+            })
+        };
+        for (second, name) in [
+            (item(command::DO_SET_HOME, 1.0), "DO_SET_HOME"),
+            (item(command::DO_FENCE_ENABLE, 0.0), "DO_FENCE_ENABLE"),
+            (item(command::DO_AUX_FUNCTION, 11.0), "DO_AUX_FUNCTION"),
+        ] {
+            let reason = first(second).map(ProtectedItem::refusal);
+            let words = reason.expect(name).to_string();
+            assert!(words.contains("item 2") && words.contains(name), "{words}");
+        }
+        for (command, first_parameter) in [(16, 0.0), (178, 1.0), (218, 9.0), (20, 0.0)] {
+            assert_eq!(first(item(command, first_parameter)), None, "{command}");
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::encode::{self, IntFields, LongFields};
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
@@ -29,6 +30,8 @@ pub struct Request {
     pub answer: Answer,
     /// Sent once after a [`Repeat`]: a velocity ends with a stop.
     pub closing: Option<Outgoing>,
+    /// The request that follows once this one is accepted.
+    pub next: Option<Box<Request>>,
 }
 
 impl Request {
@@ -38,6 +41,7 @@ impl Request {
             speeds: Vec::new(),
             answer,
             closing: None,
+            next: None,
         }
     }
 
@@ -48,6 +52,21 @@ impl Request {
     ) -> Result<Self, Text> {
         let message = encode::long(vehicle, fields, confirmation)?;
         Ok(Self::new(message, Answer::Ack(fields.command)))
+    }
+
+    /// Commands in order, each sent once the previous one is accepted. There must be at least one.
+    pub(super) fn chain(
+        vehicle: &Vehicle,
+        steps: &[LongFields],
+        confirmation: u8,
+    ) -> Result<Self, Text> {
+        let mut chain: Option<Self> = None;
+        for fields in steps.iter().rev() {
+            let mut step = Self::long(vehicle, fields, confirmation)?;
+            step.next = chain.map(Box::new);
+            chain = Some(step);
+        }
+        chain.ok_or_else(|| text!("refused-plan-here"))
     }
 
     pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Self, Text> {

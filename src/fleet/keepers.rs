@@ -8,6 +8,7 @@ use tokio::task::block_in_place;
 use crate::plan::{Document, ListKind};
 use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, PlanShelf, VehicleLog};
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// A keeper whose work blocks only its own vehicle.
 #[derive(Debug)]
@@ -42,6 +43,18 @@ impl PlanShelf for BlockingShelf {
 
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text> {
         off_the_loop(|| self.0.write(file, kind, document))
+    }
+
+    fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool {
+        off_the_loop(|| self.0.keep(vehicle, kind, document))
+    }
+
+    fn release(&self, vehicle: VehicleId, kind: ListKind) {
+        off_the_loop(|| self.0.release(vehicle, kind));
+    }
+
+    fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)> {
+        off_the_loop(|| self.0.kept(vehicle))
     }
 }
 

@@ -3,10 +3,12 @@
 use std::time::Duration;
 
 use super::VehicleChoice;
+use super::targets::Targets;
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::draft::Edit;
 use crate::moment::{Alignment, MomentKind};
+use crate::plan::ListKind;
 use crate::vehicle::VehicleId;
 
 /// A line that the console carries out itself, without any vehicle.
@@ -15,6 +17,11 @@ pub enum ConsoleLine {
     /// Show a report: in its room, or as text without a screen.
     Report(Report),
     Select(VehicleChoice),
+    /// Say which of its targets carry the same list.
+    Carried {
+        kind: ListKind,
+        targets: Targets,
+    },
     Group {
         /// The name, without `@`.
         name: String,

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::argument::Kind;
+use super::console::ConsoleLine;
 use super::form::{Expected, Fit, Misfit, fit};
 use super::lexer::{Word, words};
 use super::modes::{mode_named, mode_names};
@@ -32,7 +33,10 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     let words = words(line);
     let head = head(&words, context)?;
     let rest = &words[head.len..];
-    let (meaning, form) = understand(&head, rest, &words, context)?;
+    let (mut meaning, form) = understand(&head, rest, &words, context)?;
+    if let Meaning::Console(ConsoleLine::Carried { targets, .. }) = &mut meaning {
+        targets.clone_from(&head.targets);
+    }
     Ok(Statement {
         line: match meaning {
             Meaning::Act(_) | Meaning::Wait(_) => normalised(&head, rest),

@@ -63,6 +63,10 @@ fn step(line: &str, number: usize, context: &Context) -> Result<PilotStep, Diagn
     let needs_no_vehicle =
         matches!(&statement.meaning, Meaning::Wait(wait) if !wait.until.is_of_vehicles());
     let span = words(line).first().map_or(0..0, |word| word.span.clone());
+    if matches!(statement.meaning, Meaning::Console(_)) {
+        let message = text!("grammar-only-console", verb = statement.line.trim_end());
+        return Err(Diagnostic::new(span, message));
+    }
     let vehicles = match &statement.targets {
         Targets::Selection if !needs_no_vehicle => {
             return Err(Diagnostic::new(span, text!("grammar-script-selection"))

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::commands::{
     Act, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading, MotionCommand,
-    ParameterCommand, QueryCommand, RawCommand,
+    ParameterCommand, PlanFlight, QueryCommand, RawCommand,
 };
 use crate::vehicle::SpeedAxis;
 
@@ -111,6 +111,25 @@ fn lines_about_flying_become_the_commands_they_say() {
             }),
         ),
         ("land", Command::Flight(FlightCommand::Land)),
+        ("plan pause", Command::PlanFlight(PlanFlight::Pause)),
+        (
+            "plan resume",
+            Command::PlanFlight(PlanFlight::Resume { item: None }),
+        ),
+        (
+            "plan resume from 7",
+            Command::PlanFlight(PlanFlight::Resume { item: Some(7) }),
+        ),
+        (
+            "plan resume 7",
+            Command::PlanFlight(PlanFlight::Resume { item: Some(7) }),
+        ),
+        ("plan skip", Command::PlanFlight(PlanFlight::Skip)),
+        ("plan abort", Command::PlanFlight(PlanFlight::Abort)),
+        (
+            "plan goto 3",
+            Command::PlanFlight(PlanFlight::Goto { item: 3 }),
+        ),
         ("stop", Command::Flight(FlightCommand::Hold)),
         (
             "goto n 100 e -50 up 30",

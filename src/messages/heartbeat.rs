@@ -87,8 +87,12 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotic
     };
     let before = vehicle.heartbeat.replace(heartbeat);
     if !heartbeat.armed {
-        // The old target no longer applies.
+        // The old target no longer applies, and the plan begins anew.
         vehicle.target = None;
+        vehicle.plan_jumps.clear();
+    }
+    if !vehicle.flies_plan() {
+        vehicle.cruise = None;
     }
     let Some(before) = before else { return };
     if before.mode != heartbeat.mode {

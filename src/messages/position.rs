@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::attitude::heading_deg;
 use crate::geo::LatLon;
-use crate::vehicle::{GlobalPosition, LocalPosition, Place, Vehicle};
+use crate::vehicle::{GlobalPosition, LegSpeed, LocalPosition, Place, Vehicle};
 
 /// Applies `GLOBAL_POSITION_INT`. Latitude and longitude 0 mean an unknown position from `ArduPilot`; so does a height
 /// at an end of the range.
@@ -27,6 +27,12 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
         at: now,
     });
     vehicle.global = position;
+    if let Some(position) = position
+        && vehicle.flies_plan()
+        && vehicle.airborne()
+    {
+        vehicle.cruise = LegSpeed::after(vehicle.cruise, position.ground_speed_m_s(), now);
+    }
 }
 
 /// Applies `LOCAL_POSITION_NED`; a message with NaN changes nothing.

@@ -170,6 +170,9 @@ impl Line {
                 let Some((order, given)) = self.next(&mut moment) else {
                     break;
                 };
+                if order.command.sets_plan_item() {
+                    moment.vehicle.plan.asked = Some(now);
+                }
                 self.active = Transaction::start(order, given, moment.vehicle, now, moment.output);
             }
             let Some(mut active) = self.active.take() else {

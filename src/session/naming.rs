@@ -44,6 +44,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         Command::Parameter(ParameterCommand::Set { name, value }) => (name, Some(value)),
         Command::Arming(_)
         | Command::Flight(_)
+        | Command::PlanFlight(_)
         | Command::Motion(_)
         | Command::Device(_)
         | Command::Query(_)
@@ -131,6 +132,7 @@ fn names(command: &Command) -> (&str, &str) {
         }
         Command::Arming(_)
         | Command::Flight(_)
+        | Command::PlanFlight(_)
         | Command::Motion(_)
         | Command::Device(_)
         | Command::Query(_)

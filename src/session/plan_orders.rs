@@ -11,14 +11,14 @@ use mavlink::dialects::ardupilotmega::MavAutopilot;
 
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::plans::PlanReader;
-use super::{Output, VehicleCommand};
-use crate::commands::{Command, PlanCommand, PlanDeed, PlanSource, flies_plan};
+use super::{Output, Report, VehicleCommand};
+use crate::commands::{Command, PlanCommand, PlanDeed, PlanSource};
 use crate::ledger::{RowState, RowUpdate};
 use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Transfer, Vehicle};
-use crate::wire::Frame;
+use crate::vehicle::{Transfer, Vehicle, VehicleId};
+use crate::wire::{Frame, Outgoing};
 
 mod compare;
 mod packed;
@@ -53,6 +53,8 @@ pub(super) struct PlanOrders {
     shelf: Option<Arc<dyn PlanShelf>>,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
+    /// Whether the lists kept from earlier transfers have been named.
+    has_named_kept: bool,
 }
 
 /// The order in progress, and its transfer.
@@ -111,20 +113,36 @@ impl PlanOrders {
 
     /// Advances time: begins, continues and ends orders.
     pub fn poll(&mut self, desk: &mut Desk<'_>) {
+        self.name_kept(desk);
         if self.job.is_none() {
             self.begin(desk);
         }
         let Some(job) = &mut self.job else {
             return;
         };
-        match job.transaction.poll(desk) {
+        match job.transaction.poll(self.shelf.as_deref(), desk) {
             None => job.tell_progress(desk),
             Some(outcome) => {
+                self.has_named_kept = outcome != Outcome::Unknown;
+                job.put_away(&outcome, self.shelf.as_deref(), desk.vehicle.id);
                 let (state, text) = job.finish(outcome, self.shelf.as_deref(), desk);
                 job.report(state, Some(text), desk);
                 self.job = None;
             }
         }
+    }
+
+    /// Names the lists that are kept since a transfer was broken off, once the vehicle is heard.
+    fn name_kept(&mut self, desk: &mut Desk<'_>) {
+        let Some(shelf) = &self.shelf else {
+            return;
+        };
+        if self.has_named_kept || self.job.is_some() || desk.vehicle.heartbeat.is_none() {
+            return;
+        }
+        self.has_named_kept = true;
+        let notices = shelf::broken_off(shelf.as_ref(), desk.vehicle.id, desk.now);
+        desk.output.reports.extend(notices.map(Report::Notice));
     }
 
     fn begin(&mut self, desk: &mut Desk<'_>) {
@@ -176,7 +194,7 @@ fn wanted(
     match &command.deed {
         PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
         PlanDeed::Download { .. } | PlanDeed::Show => Ok(None),
-        PlanDeed::Clear if command.kind == ListKind::Plan && flies_plan(vehicle) => {
+        PlanDeed::Clear if command.kind == ListKind::Plan && vehicle.flies_plan() => {
             Err(text!("refused-plan-clear-auto"))
         }
         PlanDeed::Clear => Ok(Some(Vec::new())),
@@ -288,6 +306,27 @@ impl Job {
                 .then(|| text!("plan-stage-restoring"))
         };
         self.report(RowState::InProgress(told.0), explanation, desk);
+    }
+
+    /// Removes the stored old list, unless it may still be needed.
+    fn put_away(&self, outcome: &Outcome, shelf: Option<&dyn PlanShelf>, vehicle: VehicleId) {
+        let writes = match self.command.deed {
+            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+            PlanDeed::Download { .. } | PlanDeed::Show => false,
+        };
+        let is_over = match outcome {
+            Outcome::Written(_) | Outcome::Same(_) => writes,
+            // What was there before may itself be the rest of a transfer.
+            Outcome::Kept(..) | Outcome::Restored(..) => self.transaction.is_stored(),
+            Outcome::Read(_)
+            | Outcome::Changed(_)
+            | Outcome::Unsupported
+            | Outcome::Unread
+            | Outcome::Unknown => false,
+        };
+        if let Some(shelf) = shelf.filter(|_| is_over) {
+            shelf.release(vehicle, self.command.kind);
+        }
     }
 
     /// Notes what the vehicle holds, and says how the order has ended.

@@ -1,20 +1,53 @@
 //! Files of plans, fences and rally points.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::regular::read_regular;
-use super::{StoreError, user_path, write};
-use crate::plan::{Document, ListKind, ReadOptions};
+use super::{StoreError, sharing, user_path, write};
+use crate::plan::{Document, FileFormat, ListKind, ReadOptions};
 use crate::session::{PlanShelf, format_of};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// The maximum size of a file, in bytes: a plan of all items that a vehicle can carry is a hundredth of it.
 const LONGEST: u64 = 16 * 1024 * 1024;
 
 /// The files of plans on this machine; names are relative to the working directory.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PlanFiles;
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct PlanFiles {
+    /// The folder for lists that are kept while others are sent; `None` keeps none.
+    kept: Option<PathBuf>,
+}
+
+impl PlanFiles {
+    /// Files of which the kept ones are in the program's folder for data.
+    pub fn keeping_in(data: Option<&Path>) -> Self {
+        Self {
+            kept: data.map(|data| data.join("plans")),
+        }
+    }
+
+    /// The file of a kept list: `3-plan.waypoints`.
+    fn file(&self, vehicle: VehicleId, kind: ListKind) -> Option<PathBuf> {
+        let name = match kind {
+            ListKind::Plan => "plan.waypoints",
+            ListKind::Fence => "fence.fence",
+            ListKind::Rally => "rally.rally",
+        };
+        let folder = self.kept.as_ref()?;
+        Some(folder.join(format!("{vehicle}-{name}")))
+    }
+
+    /// Creates the folder for kept lists.
+    fn make_folder(&self) -> bool {
+        let Some(folder) = &self.kept else {
+            return false;
+        };
+        let above = folder.parent().unwrap_or(folder);
+        sharing::folder_within(above, folder).is_ok()
+    }
+}
 
 impl PlanShelf for PlanFiles {
     fn read(&self, file: &str) -> Result<Document, Text> {
@@ -46,6 +79,29 @@ impl PlanShelf for PlanFiles {
         save(&path, &text)?;
         Ok(path.display().to_string())
     }
+
+    fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool {
+        let Some(file) = self.file(vehicle, kind).filter(|_| self.make_folder()) else {
+            return false;
+        };
+        let text = crate::plan::write(document, FileFormat::Wpl(kind));
+        text.is_ok_and(|text| write(&file, &text, false).is_ok())
+    }
+
+    fn release(&self, vehicle: VehicleId, kind: ListKind) {
+        if let Some(file) = self.file(vehicle, kind) {
+            // A file that cannot be removed is named again at the next contact.
+            let _ = std::fs::remove_file(file);
+        }
+    }
+
+    fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)> {
+        let files = ListKind::ALL.into_iter().filter_map(|kind| {
+            let file = self.file(vehicle, kind)?;
+            file.is_file().then(|| (kind, file.display().to_string()))
+        });
+        files.collect()
+    }
 }
 
 fn save(path: &Path, text: &str) -> Result<(), Text> {
@@ -70,13 +126,15 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = |name: &str| folder.path().join(name).display().to_string();
         std::fs::write(path("a.waypoints"), PLAN).expect("written");
-        let document = PlanFiles.read(&path("a.waypoints")).expect("valid");
+        let document = PlanFiles::default()
+            .read(&path("a.waypoints"))
+            .expect("valid");
         assert_eq!(document.plan.len(), 1);
         for name in ["b.waypoints", "b.plan", "b.kml", "b.geojson", "b"] {
-            let written = PlanFiles.write(&path(name), ListKind::Plan, &document);
-            let again = PlanFiles.read(&written.expect("written"));
+            let written = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
+            let again = PlanFiles::default().read(&written.expect("written"));
             assert_eq!(again.expect("valid").plan.len(), 1, "{name}");
-            let taken = PlanFiles.write(&path(name), ListKind::Plan, &document);
+            let taken = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
             assert!(taken.is_err(), "{name}");
         }
     }
@@ -86,9 +144,35 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("bad.waypoints");
         std::fs::write(&file, format!("{PLAN}2\t0\tx\n")).expect("written");
-        let fault = PlanFiles.read(&file.display().to_string());
+        let fault = PlanFiles::default().read(&file.display().to_string());
         let text = fault.expect_err("a fault").to_string();
         assert!(text.contains('4'), "{text}");
-        assert!(PlanFiles.read("/nowhere/at/all").is_err());
+        assert!(PlanFiles::default().read("/nowhere/at/all").is_err());
+    }
+
+    #[test]
+    fn a_kept_list_stays_until_it_is_released() {
+        let data = tempfile::tempdir().expect("a folder");
+        let files = PlanFiles::keeping_in(Some(data.path()));
+        let source = data.path().join("a.waypoints").display().to_string();
+        std::fs::write(&source, PLAN).expect("written");
+        let document = files.read(&source).expect("valid");
+        assert!(files.keep(3, ListKind::Plan, &document));
+        assert!(
+            !files.keep(3, ListKind::Plan, &Document::default()),
+            "the first one stays"
+        );
+        assert!(files.keep(3, ListKind::Rally, &Document::default()));
+        let kept = PlanFiles::keeping_in(Some(data.path())).kept(3);
+        let kinds: Vec<ListKind> = kept.iter().map(|(kind, _)| *kind).collect();
+        assert_eq!(kinds, [ListKind::Plan, ListKind::Rally]);
+        assert_eq!(files.read(&kept[0].1).expect("valid").plan, document.plan);
+        assert!(files.read(&kept[1].1).expect("valid").rally.is_empty());
+        assert_eq!(files.kept(4), []);
+        files.release(3, ListKind::Plan);
+        files.release(3, ListKind::Plan);
+        assert_eq!(files.kept(3).len(), 1);
+        let nowhere = PlanFiles::default();
+        assert!(!nowhere.keep(3, ListKind::Plan, &document) && nowhere.kept(3).is_empty());
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use crate::geo::LatLon;
+use crate::plan::command::{is_jump, is_navigation};
 use crate::plan::{HeightFrame, Item};
 
 /// The items that fences and rally points consist of.
@@ -88,6 +89,13 @@ impl Plan {
     pub fn flown(&self) -> &[Item] {
         let skip = usize::from(self.home_first).min(self.items.len());
         &self.items[skip..]
+    }
+
+    /// Whether a jump decides where the plan continues from an item: one comes before the next command that navigates.
+    pub fn jumps_from(&self, item: u16) -> bool {
+        let ahead = self.items.iter().skip(usize::from(item));
+        let mut decisive = ahead.filter(|it| is_jump(it.command) || is_navigation(it.command));
+        decisive.next().is_some_and(|it| is_jump(it.command))
     }
 
     /// The items that the vehicle flies to, by number, with their places, without home.

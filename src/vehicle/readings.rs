@@ -218,6 +218,26 @@ pub struct PlanProgress {
     pub total: Option<u16>,
     /// The last item that was reported as reached.
     pub reached: Option<u16>,
+    /// What AUTO does with the plan; `None` if the vehicle does not report it.
+    pub phase: Option<PlanPhase>,
+    /// When the current item became current.
+    pub since: Option<Duration>,
+    /// When this program last told the vehicle where to continue.
+    pub asked: Option<Duration>,
+}
+
+/// What AUTO does with a plan (`MISSION_STATE`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlanPhase {
+    /// Nothing is on board.
+    NoPlan,
+    /// Not begun, or interrupted by another mode.
+    NotStarted,
+    Active,
+    /// The vehicle has stopped on the way.
+    Paused,
+    /// The end is reached.
+    Complete,
 }
 
 /// The state of the fence (`FENCE_STATUS`).

@@ -121,6 +121,16 @@ fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) 
         + Effort::hover(PAUSES_S)
 }
 
+/// The seconds of a landing from a height.
+pub(super) fn landing_s(height_m: f64) -> f64 {
+    Pace::default().landing(height_m.max(0.0)).time_s
+}
+
+/// The seconds of a return from a place and a height, until the motors have stopped.
+pub(super) fn return_s(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> f64 {
+    return_flight(from, home, height_m, wind).time_s
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

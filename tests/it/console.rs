@@ -23,6 +23,7 @@ mod palette;
 mod panes;
 pub mod parameters;
 mod pause;
+mod plans;
 mod pointer;
 mod swarm;
 

@@ -114,7 +114,19 @@ pub fn is_circle(command: u16) -> bool {
     matches!(command, FENCE_CIRCLE_INCLUSION | FENCE_CIRCLE_EXCLUSION)
 }
 
-/// Whether a command is a takeoff.
+/// Whether a vehicle carries it out on its own, one after the other; other commands act beside it.
+/// Source: `AP_Mission::is_nav_cmd`.
+pub fn is_navigation(command: u16) -> bool {
+    // NAV_SET_YAW_SPEED, NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME.
+    command <= LAST_NAVIGATION || matches!(command, 213 | 42_702 | 42_703)
+}
+
+/// Whether it is a jump.
+pub fn is_jump(command: u16) -> bool {
+    matches!(command, DO_JUMP | DO_JUMP_TAG)
+}
+
+/// Whether it is a takeoff.
 pub fn is_takeoff(command: u16) -> bool {
     matches!(command, TAKEOFF | VTOL_TAKEOFF)
 }

@@ -289,6 +289,8 @@ impl AutoPlan {
         if self.state != PlanState::Running {
             return self.prepare(vehicle, at);
         }
+        // The new leg begins at once.
+        self.paused = false;
         let worked = self.advance_to(vehicle, at);
         if !worked {
             self.complete(vehicle);

@@ -11,10 +11,11 @@ use crate::app::room::{Room, fly, hangar, parameters};
 use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
-use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, words};
+use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, Targets, words};
+use crate::plan::ListKind;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::{CarriedLists, Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
 /// Carries out a command.
@@ -42,6 +43,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
             let ids = state.chosen(&vehicles)?;
             act::select(state, &ids);
         }
+        ConsoleLine::Carried { kind, targets } => carried(state, kind, &targets)?,
         ConsoleLine::Group { name, vehicles } => {
             let ids = match vehicles {
                 Some(vehicles) => state.chosen(&vehicles)?,
@@ -104,6 +106,21 @@ fn show(state: &mut State, report: &Report) {
         Report::Objectives => act::show(state, Room::Mission),
         Report::Status(_) | Report::Contacts => act::show(state, Room::Fly),
     }
+}
+
+/// Says which vehicles carry the same list.
+fn carried(state: &mut State, kind: ListKind, targets: &Targets) -> Result<(), Text> {
+    let selection = state.addressed();
+    let ids = state.with_context(|context| targets.resolve(&selection, context))?;
+    let vehicles = ids.iter().filter_map(|id| state.session.vehicles.get(id));
+    let lists = CarriedLists::of(kind, vehicles.map(Arc::as_ref));
+    let severity = if lists.are_same() {
+        Severity::Notice
+    } else {
+        Severity::Warning
+    };
+    state.say(severity, lists.text());
+    Ok(())
 }
 
 fn arrange(state: &mut State, line: TableLine) {

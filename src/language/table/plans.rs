@@ -1,10 +1,12 @@
 //! The lists that a vehicle carries: its plan, its fence and its rally points.
 
 use super::super::argument::{Argument, Arguments, Kind, Unit};
+use super::super::console::ConsoleLine;
+use super::super::targets::Targets;
 use super::super::verb::{Form, Scope, VerbRow};
-use super::{ASK, Built, CHANGE, ONCE, command};
+use super::{ASK, Built, CHANGE, COME_DOWN, ONCE, command, console};
 use crate::commands::{
-    Act, Command, DeviceCommand, FlightCommand, PlanCommand, PlanDeed, PlanSource,
+    Act, Command, DeviceCommand, PlanCommand, PlanDeed, PlanFlight, PlanSource,
 };
 use crate::language::Meaning;
 use crate::plan::ListKind;
@@ -27,11 +29,29 @@ const fn list_verb(name: &'static str) -> Verb {
     }
 }
 
+/// The number of an item; 0 is home.
+const ITEM: Kind = Kind::Whole(Unit::None, 1.0, u16::MAX as f64);
+
 const UPLOAD: Argument = Argument::keyed("upload", "file", Kind::Rest, "argument-plan-file");
 const DOWNLOAD: Argument = Argument::keyed("download", "file", Kind::Rest, "argument-plan-file");
 
 fn deed(kind: ListKind, deed: PlanDeed) -> Built {
     command(Command::Plan(PlanCommand { kind, deed }))
+}
+
+fn flight(flight: PlanFlight) -> Built {
+    command(Command::PlanFlight(flight))
+}
+
+fn resume(item: Option<f64>) -> Built {
+    let item = item.map(|item| item as u16);
+    flight(PlanFlight::Resume { item })
+}
+
+/// Which of the targets carry the same list; the targets follow when the whole line is read.
+fn carried(kind: ListKind) -> Built {
+    let targets = Targets::Selection;
+    console(ConsoleLine::Carried { kind, targets })
 }
 
 fn file(given: &Arguments) -> String {
@@ -63,6 +83,33 @@ const GOTO: Verb = Verb {
 };
 
 const REHEARSE: Verb = list_verb("plan rehearse");
+const PAUSE: Verb = Verb {
+    retry: CHANGE,
+    precedence: Precedence::Urgent,
+    movement: Movement::To(Arrival::Done),
+    counts_as: CountsAs::Task,
+    ..list_verb("plan pause")
+};
+
+const RESUME: Verb = Verb {
+    name: "plan resume",
+    retry: CHANGE,
+    ..START
+};
+
+const SKIP: Verb = Verb {
+    retry: CHANGE,
+    counts_as: CountsAs::Task,
+    ..list_verb("plan skip")
+};
+
+const ABORT: Verb = Verb {
+    retry: COME_DOWN,
+    precedence: Precedence::Urgent,
+    movement: Movement::To(Arrival::Landed),
+    counts_as: CountsAs::Task,
+    ..list_verb("plan abort")
+};
 
 const PLAN: VerbRow = VerbRow {
     verb: list_verb("plan"),
@@ -73,12 +120,18 @@ const PLAN: VerbRow = VerbRow {
         "all plan download v{id}.waypoints",
         "plan clear",
         "all plan show",
+        "all plan status",
         "1-4 plan start",
         "plan goto 7",
         "1-6 plan survey lane spacing 20 up 40",
         "1-3 plan search square around 50.4501 30.5234 radius 200",
         "1-4 plan orbit 50.4501 30.5234 radius 40 turns 3",
         "all plan rehearse",
+        "all plan pause",
+        "all plan resume",
+        "4 plan resume from 7",
+        "plan skip",
+        "all plan abort",
     ],
     forms: &[
         Form::new(&[UPLOAD], |given| upload(ListKind::Plan, given)),
@@ -99,23 +152,47 @@ const PLAN: VerbRow = VerbRow {
         Form::new(&[Argument::flag("show", "")], |_| {
             deed(ListKind::Plan, PlanDeed::Show)
         }),
+        Form::new(&[Argument::flag("status", "")], |_| carried(ListKind::Plan)),
         Form::new(&[Argument::flag("start", "")], |_| {
-            command(Command::Flight(FlightCommand::StartPlan))
+            flight(PlanFlight::Start)
         })
         .meaning(&START),
         Form::new(
-            &[Argument::keyed(
-                "goto",
-                "item",
-                Kind::Whole(Unit::None, 1.0, u16::MAX as f64),
-                "argument-plan-item",
-            )],
+            &[Argument::keyed("goto", "item", ITEM, "argument-plan-item")],
             |given| {
                 let item = given.required("item")? as u16;
-                command(Command::Flight(FlightCommand::GotoItem { item }))
+                flight(PlanFlight::Goto { item })
             },
         )
         .meaning(&GOTO),
+        Form::new(&[Argument::flag("pause", "")], |_| {
+            flight(PlanFlight::Pause)
+        })
+        .meaning(&PAUSE),
+        Form::new(
+            &[
+                Argument::flag("resume", ""),
+                Argument::keyed("from", "item", ITEM, "argument-plan-item").optional(),
+            ],
+            |given| resume(given.number("item")),
+        )
+        .meaning(&RESUME),
+        Form::new(
+            &[Argument::keyed(
+                "resume",
+                "item",
+                ITEM,
+                "argument-plan-item",
+            )],
+            |given| resume(Some(given.required("item")?)),
+        )
+        .meaning(&RESUME)
+        .shortcut(),
+        Form::new(&[Argument::flag("skip", "")], |_| flight(PlanFlight::Skip)).meaning(&SKIP),
+        Form::new(&[Argument::flag("abort", "")], |_| {
+            flight(PlanFlight::Abort)
+        })
+        .meaning(&ABORT),
     ],
 };
 
@@ -133,6 +210,7 @@ const FENCE: VerbRow = VerbRow {
         "fence download field.fence",
         "fence clear",
         "fence show",
+        "all fence status",
         "all fence on",
         "fence off",
     ],
@@ -144,6 +222,9 @@ const FENCE: VerbRow = VerbRow {
         }),
         Form::new(&[Argument::flag("show", "")], |_| {
             deed(ListKind::Fence, PlanDeed::Show)
+        }),
+        Form::new(&[Argument::flag("status", "")], |_| {
+            carried(ListKind::Fence)
         }),
         Form::new(&[Argument::flag("on", "")], |_| {
             command(Command::Device(DeviceCommand::Fence { on: true }))
@@ -165,6 +246,7 @@ const RALLY: VerbRow = VerbRow {
         "rally download field.rally",
         "rally clear",
         "rally show",
+        "all rally status",
     ],
     forms: &[
         Form::new(&[UPLOAD], |given| upload(ListKind::Rally, given)),
@@ -174,6 +256,9 @@ const RALLY: VerbRow = VerbRow {
         }),
         Form::new(&[Argument::flag("show", "")], |_| {
             deed(ListKind::Rally, PlanDeed::Show)
+        }),
+        Form::new(&[Argument::flag("status", "")], |_| {
+            carried(ListKind::Rally)
         }),
     ],
 };

@@ -4,8 +4,10 @@ use crate::config::{LiveSetting, TableSort};
 use crate::diagnostic::Diagnostic;
 use crate::language::{
     AlertLine, Channel, ConsoleLine, Context, Listed, Meaning, NameList, Named, Names,
-    ParametersLine, ProcessDeed, Report, TableLine, VehicleChoice, complete, lines, parse, rows,
+    ParametersLine, ProcessDeed, Report, Script, TableLine, Targets, VehicleChoice, complete,
+    lines, parse, rows,
 };
+use crate::plan::ListKind;
 use crate::text;
 use crate::text::{Language, Text};
 
@@ -54,6 +56,24 @@ fn fault(line: &str) -> (String, String) {
     let fault = read(line).expect_err(line);
     let help = fault.help.unwrap_or_default();
     (fault.message.to_string(), help.to_string())
+}
+
+#[test]
+fn a_question_about_lists_on_board_has_targets_and_is_for_the_console() {
+    for (line, kind, targets) in [
+        ("plan status", ListKind::Plan, Targets::Selection),
+        ("all fence status", ListKind::Fence, Targets::All),
+        (
+            "1-2 rally status",
+            ListKind::Rally,
+            Targets::Ids(vec![1, 2]),
+        ),
+    ] {
+        assert_eq!(read(line), Ok(ConsoleLine::Carried { kind, targets }));
+    }
+    let in_script = Script::parse("all plan status\n", &Context::default());
+    let faults = in_script.expect_err("no console reads it");
+    assert!(faults[0].message.to_string().contains("all plan status"));
 }
 
 #[test]

@@ -1,11 +1,14 @@
 //! The interface through which a session accesses plan files.
 
 use std::fmt::Debug;
+use std::time::Duration;
 
 use crate::commands::protected_item;
+use crate::notice::Notice;
 use crate::plan::{Document, FileFormat, ListKind};
-
+use crate::text;
 use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
 
 /// Reads and writes files of plans, fences and rally points. Names are as the user typed them.
 pub trait PlanShelf: Debug + Send + Sync {
@@ -20,6 +23,16 @@ pub trait PlanShelf: Debug + Send + Sync {
     /// # Errors
     /// A text if the file exists or cannot be written.
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
+
+    /// Keeps the list of a vehicle while another one is sent, so that it is not lost with this program. A list that is
+    /// kept already stays: it is the whole one. Returns whether the list is kept now.
+    fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool;
+
+    /// Removes the kept list of a vehicle, if there is one.
+    fn release(&self, vehicle: VehicleId, kind: ListKind);
+
+    /// The kept lists of a vehicle, each with its file.
+    fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)>;
 }
 
 /// The files of a flight that counts: no plan with items that move home or switch the fence.
@@ -38,6 +51,18 @@ impl<S: PlanShelf> PlanShelf for GuardedShelf<S> {
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text> {
         self.0.write(file, kind, document)
     }
+
+    fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool {
+        self.0.keep(vehicle, kind, document)
+    }
+
+    fn release(&self, vehicle: VehicleId, kind: ListKind) {
+        self.0.release(vehicle, kind);
+    }
+
+    fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)> {
+        self.0.kept(vehicle)
+    }
 }
 
 /// The format of a file to write, by its name: `QGC WPL 110` with one list, unless the extension says otherwise.
@@ -49,56 +74,25 @@ pub(crate) fn format_of(file: &str, kind: ListKind) -> FileFormat {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Files with one item each, by its command.
-    #[derive(Debug)]
-    struct OneItem;
-
-    impl PlanShelf for OneItem {
-        fn read(&self, file: &str) -> Result<Document, Text> {
-            let mut numbers = file.split(' ');
-            let mut number = || numbers.next().and_then(|it| it.parse().ok()).unwrap_or(0);
-            let (waypoint, last) = (item(command::WAYPOINT, 0), item(number(), number()));
-            Ok(Document {
-                plan: vec![waypoint, last],
-                ..Document::default()
-            })
-        }
-
-        fn write(&self, file: &str, _: ListKind, _: &Document) -> Result<String, Text> {
-            Ok(file.to_owned())
-        }
-    }
-
-    fn item(command: u16, first: u16) -> Item {
-        Item {
-            command,
-            frame: 3,
-            auto_continue: true,
-            params: [f32::from(first), 0.0, 0.0, 0.0],
-            x: 0,
-            y: 0,
-            z: 20.0,
-        }
-    }
-
-    #[test]
-    fn a_plan_that_changes_home_or_the_fence_is_refused_with_the_item() {
-        let shelf = GuardedShelf(OneItem);
-        for (file, name) in [
-            ("179 1", "DO_SET_HOME"),
-            ("207 0", "DO_FENCE_ENABLE"),
-            ("218 11", "DO_AUX_FUNCTION"),
-        ] {
-            let said = shelf.read(file).expect_err(file).to_string();
-            assert!(said.contains("item 2") && said.contains(name), "{said}");
-            OneItem.read(file).expect("in practice");
-        }
-        for file in ["16 0", "178 1", "218 9", "20 0"] {
-            shelf.read(file).expect(file);
-        }
-    }
+/// The notices about transfers to a vehicle that were broken off: their old lists are still kept.
+pub(super) fn broken_off(
+    shelf: &dyn PlanShelf,
+    vehicle: VehicleId,
+    now: Duration,
+) -> impl Iterator<Item = Notice> {
+    let kept = shelf.kept(vehicle).into_iter();
+    kept.map(move |(kind, file)| {
+        let verb = match kind {
+            ListKind::Plan => "plan",
+            ListKind::Fence => "fence",
+            ListKind::Rally => "rally",
+        };
+        let document = shelf.read(&file);
+        let text = if document.is_ok_and(|document| document.list(kind).is_empty()) {
+            text!("plan-broken-off-empty", verb = verb)
+        } else {
+            text!("plan-broken-off", verb = verb, file = file)
+        };
+        Notice::about(vehicle, now, Severity::Warning, text)
+    })
 }

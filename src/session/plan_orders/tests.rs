@@ -11,9 +11,13 @@ use super::*;
 use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::EntryId;
+use crate::notice::Notice;
 use crate::session::{RadioFault, Report, Session, Want};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{Decoder, Encoder, Outgoing};
+
+mod broken;
+mod flying;
 
 const STEP: Duration = Duration::from_millis(10);
 const HOME: LatLon = LatLon {
@@ -43,6 +47,32 @@ impl PlanShelf for Shelf {
         files.insert(file.to_owned(), document.clone());
         Ok(file.to_owned())
     }
+
+    fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool {
+        let mut files = self.0.lock().expect("no panic");
+        let name = kept_name(vehicle, kind);
+        let is_new = !files.contains_key(&name);
+        files.entry(name).or_insert_with(|| document.clone());
+        is_new
+    }
+
+    fn release(&self, vehicle: VehicleId, kind: ListKind) {
+        let mut files = self.0.lock().expect("no panic");
+        files.remove(&kept_name(vehicle, kind));
+    }
+
+    fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)> {
+        let files = self.0.lock().expect("no panic");
+        let named = ListKind::ALL.map(|kind| (kind, kept_name(vehicle, kind)));
+        let kept = named
+            .into_iter()
+            .filter(|(_, name)| files.contains_key(name));
+        kept.collect()
+    }
+}
+
+fn kept_name(vehicle: VehicleId, kind: ListKind) -> String {
+    format!("kept {vehicle} {kind:?}")
 }
 
 /// A list of so many items, some metres apart.
@@ -86,6 +116,7 @@ struct Rig {
     row: Option<RowUpdate>,
     /// The highest progress of the order.
     percent: u8,
+    notices: Vec<Notice>,
 }
 
 impl Rig {
@@ -111,6 +142,7 @@ impl Rig {
             entries: 0,
             row: None,
             percent: 0,
+            notices: Vec::new(),
         };
         rig.pass(s(4));
         if !by_file {
@@ -161,11 +193,14 @@ impl Rig {
         }
         self.session.poll(self.now);
         for report in self.session.take_reports() {
-            if let Report::Row(row) = report {
-                if let RowState::InProgress(percent) = row.state {
-                    self.percent = self.percent.max(percent);
+            match report {
+                Report::Row(row) => {
+                    if let RowState::InProgress(percent) = row.state {
+                        self.percent = self.percent.max(percent);
+                    }
+                    self.row = Some(row);
                 }
-                self.row = Some(row);
+                Report::Notice(notice) => self.notices.push(notice),
             }
         }
     }
@@ -351,6 +386,12 @@ fn a_list_that_another_program_has_changed_is_replaced_only_by_a_second_order() 
     );
     rig.upload(ListKind::Rally, "c");
     assert_eq!(rig.ended(s(30)), RowState::Done);
+}
+
+/// What the console has said since the last call, as text.
+fn said(rig: &mut Rig) -> Vec<String> {
+    let notices = std::mem::take(&mut rig.notices);
+    notices.iter().map(|it| it.text.to_string()).collect()
 }
 
 /// The results of many transfers over a link that loses messages and is cut once.

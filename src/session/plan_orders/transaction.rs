@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult;
 
 use super::reading::{Read, Reading};
 use super::sending::{Sending, Sent};
-use super::{Desk, compare, known, packed};
+use super::{Desk, PlanShelf, compare, document_of, known, packed};
 use crate::plan::{Item, ListKind};
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::logs::hands_out_files;
@@ -35,6 +35,8 @@ pub(super) struct Transaction {
     by_file: bool,
     /// Whether the old list is being restored.
     restores: bool,
+    /// Whether the old list was stored by this transfer.
+    is_stored: bool,
     /// The number of attempts to write the current list.
     writes: u8,
     /// Why the vehicle does not accept the new list.
@@ -94,6 +96,7 @@ impl Transaction {
             old: Vec::new(),
             by_file,
             restores: false,
+            is_stored: false,
             writes: 0,
             reason: None,
             phase: Phase::Keeping(Reading::new(kind, by_file, desk.now)),
@@ -105,7 +108,12 @@ impl Transaction {
         self.restores
     }
 
-    /// The progress in percent.
+    /// Whether the old list was stored by this transfer, outside this program.
+    pub fn is_stored(&self) -> bool {
+        self.is_stored
+    }
+
+    /// Its progress in percent.
     pub fn percent(&self) -> u8 {
         let (from, weight, share) = match &self.phase {
             Phase::Keeping(reading) if self.new.is_none() => (0.0, 99.0, reading.share()),
@@ -173,6 +181,8 @@ impl Transaction {
 
     /// Takes the steps that are due; returns the result at the end.
     pub fn poll(&mut self, desk: &mut Desk<'_>) -> Option<Outcome> {
+    /// Does what is due; returns the end.
+    pub fn poll(&mut self, shelf: Option<&dyn PlanShelf>, desk: &mut Desk<'_>) -> Option<Outcome> {
         if desk.vehicle.link.lost {
             if let Phase::Keeping(reading) = &self.phase {
                 reading.leave(desk.ftp);
@@ -184,7 +194,7 @@ impl Transaction {
         match &mut self.phase {
             Phase::Keeping(reading) => {
                 let read = reading.poll(desk)?;
-                self.kept(read, desk)
+                self.kept(read, shelf, desk)
             }
             Phase::Writing(writing) => {
                 let sent = writing.poll(desk)?;
@@ -198,7 +208,12 @@ impl Transaction {
         }
     }
 
-    fn kept(&mut self, read: Read, desk: &mut Desk<'_>) -> Option<Outcome> {
+    fn kept(
+        &mut self,
+        read: Read,
+        shelf: Option<&dyn PlanShelf>,
+        desk: &mut Desk<'_>,
+    ) -> Option<Outcome> {
         let items = match read {
             Read::Items(items) => items,
             Read::Unsupported | Read::Silent if self.by_file => {
@@ -221,6 +236,10 @@ impl Transaction {
             return Some(Outcome::Same(items));
         }
         self.old = items;
+        self.is_stored = shelf.is_some_and(|shelf| {
+            let document = document_of(self.kind, &self.old);
+            shelf.keep(desk.vehicle.id, self.kind, &document)
+        });
         self.write(desk);
         None
     }

@@ -58,7 +58,8 @@ impl Transaction {
         else {
             return;
         };
-        if self.effect_shows(vehicle) == Some(true) {
+        // The effect of a chain shows only at its end.
+        if self.request.next.is_none() && self.effect_shows(vehicle) == Some(true) {
             let remark = text!("outcome-answer-lost");
             return self.end(RowState::Done, Some(remark), now, output);
         }
@@ -125,6 +126,16 @@ impl Transaction {
     }
 
     fn accept(&mut self, remark: Option<Text>, now: Duration, output: &mut Output) {
+        if let Some(next) = self.request.next.take() {
+            self.request = *next;
+            self.tries = 0;
+            self.phase = Phase::AwaitingAnswer {
+                deadline: self.given + self.order.verb.retry.deadline,
+                in_progress: false,
+                rejected: false,
+            };
+            return self.send(now, output);
+        }
         self.is_accepted = true;
         self.phase = TransactionPhase::AwaitingEffect {
             since: now,

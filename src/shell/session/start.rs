@@ -100,12 +100,13 @@ impl SessionPlan {
 
 impl SessionPlan {
     /// The files of plans for its vehicles; in a flight that counts, home and fence are part of the task.
-    fn shelf(&self, stake: Stake) -> Arc<dyn PlanShelf> {
-        let counts = matches!(self, Self::Mission(_)) && stake != Stake::Practice;
+    fn shelf(&self, backend: &SessionBackend) -> Arc<dyn PlanShelf> {
+        let files = PlanFiles::keeping_in(backend.data.as_deref());
+        let counts = matches!(self, Self::Mission(_)) && backend.occasion.stake != Stake::Practice;
         if counts {
-            Arc::new(GuardedShelf(PlanFiles))
+            Arc::new(GuardedShelf(files))
         } else {
-            Arc::new(PlanFiles)
+            Arc::new(files)
         }
     }
 }
@@ -129,7 +130,7 @@ impl RunningSession {
         let keeping = Keeping {
             sink,
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
-            plans: Some(plan.shelf(backend.occasion.stake)),
+            plans: Some(plan.shelf(backend)),
         };
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {

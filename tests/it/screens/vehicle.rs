@@ -132,6 +132,7 @@ fn add_plans(vehicle: &mut Vehicle) {
         current: 4,
         total: Some(9),
         reached: Some(3),
+        ..PlanProgress::default()
     };
     vehicle.plans.plan = stored(plan());
     let circle = FenceArea {
