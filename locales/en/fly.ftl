@@ -63,6 +63,8 @@ column-ping = ms
 column-ekf = EKF
 column-vibe = vibe
 column-item = item
+column-next = next
+column-end = end
 column-sea = sea m
 column-lat = latitude
 column-lon = longitude
@@ -124,6 +126,7 @@ telemetry-wind-from = { $speed } m/s from { $from }°
 telemetry-vibrations = { $levels } m/s²  clipped { $clipped }
 telemetry-below = { $metres } m below
 telemetry-item = item { $item } of { $total }
+telemetry-item-times = { $item }/{ $total }: { $way }, end { $end }
 
 landed-unknown = unknown
 landed-ground = on ground

@@ -63,6 +63,8 @@ column-ping = ms
 column-ekf = EKF
 column-vibe = вібр
 column-item = пункт
+column-next = до пункту
+column-end = кінець
 column-sea = море m
 column-lat = широта
 column-lon = довгота
@@ -125,6 +127,7 @@ telemetry-wind-from = { $speed } m/s з { $from }°
 telemetry-vibrations = { $levels } m/s²  зрізів { $clipped }
 telemetry-below = { $metres } m під апаратом
 telemetry-item = пункт { $item } з { $total }
+telemetry-item-times = { $item }/{ $total }: { $way }, кінець { $end }
 
 landed-unknown = невідомо
 landed-ground = на землі

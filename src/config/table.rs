@@ -66,6 +66,10 @@ pub enum Column {
     Vibration,
     /// The plan item that is being flown.
     Item,
+    /// The way and the time to the place of that item.
+    Next,
+    /// The time to the end of the plan.
+    End,
     /// Height above mean sea level in metres.
     Sea,
     #[strum(serialize = "lat")]

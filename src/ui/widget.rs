@@ -19,6 +19,7 @@ pub mod footer;
 pub mod gauge;
 pub mod header;
 pub mod ledger;
+pub mod leg;
 pub mod log;
 pub mod map;
 pub mod mission;

@@ -23,6 +23,7 @@ mod link_room;
 mod map;
 mod mission;
 mod parameters;
+mod legs;
 mod plans;
 mod review;
 mod rooms;

@@ -25,7 +25,7 @@ const NAMES: &[&str] = &[
     "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
-    "Ctrl Enter Esc Tab R1 g1 w3 p3",
+    "Ctrl Enter Esc Tab R1 g1 w3 w3/12 p3",
     // Formats of plans, and the programs that write them.
     "QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.

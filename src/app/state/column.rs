@@ -49,6 +49,8 @@ impl Column {
             | Self::Ekf
             | Self::Vibration
             | Self::Item
+            | Self::Next
+            | Self::End
             | Self::Sea
             | Self::Latitude
             | Self::Longitude
@@ -90,6 +92,8 @@ impl Column {
                 .vibration
                 .map(|it| f64::from(it.level_m_s2.into_iter().fold(0.0, f32::max))),
             Self::Item => vehicle.plan.total.map(|_| f64::from(vehicle.plan.current)),
+            Self::Next => vehicle.plan_leg()?.left_m,
+            Self::End => vehicle.plan_leg()?.end.map(|end| end.as_secs_f64()),
             Self::Sea => vehicle.global.map(|global| global.altitude_amsl_m),
             Self::Latitude => place.map(|place| place.lat_deg),
             Self::Longitude => place.map(|place| place.lon_deg),
@@ -103,7 +107,9 @@ impl Column {
     /// The minimum change of a value that moves its row.
     pub fn step(self) -> f64 {
         match self {
-            Self::Heading | Self::Home | Self::ToGo | Self::RoundTrip => 5.0,
+            Self::Heading | Self::Home | Self::ToGo | Self::Next | Self::End | Self::RoundTrip => {
+                5.0
+            }
             Self::Altitude | Self::Speed | Self::Link | Self::Sea => 1.0,
             Self::Battery | Self::Vibration => 2.0,
             Self::Used => 20.0,

@@ -38,6 +38,8 @@ pub enum SketchKind {
     Radio,
     /// A vehicle's plan for AUTO.
     Plan,
+    /// The leg of it that the vehicle flies.
+    Leg,
     /// A rally point, where RTL may end.
     Rally,
     /// A vehicle's path in a joint manoeuvre.
@@ -156,6 +158,12 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     ids.filter_map(|id| session.vehicles.get(&id).map(Arc::as_ref))
 }
 
+/// Whether the map shows the leg of a vehicle's plan, which ends at its target.
+pub fn shows_leg(state: &State, vehicle: &Vehicle) -> bool {
+    let is_shown = shown(state).any(|it| it.id == vehicle.id);
+    is_shown && vehicle.plan_leg().is_some_and(|leg| leg.to.is_some())
+}
+
 /// The plan, the fence and the rally points of a vehicle.
 fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
     let plans = &vehicle.plans;
@@ -172,12 +180,16 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
             points: plan.path().map(|(_, place)| place).collect(),
             closed: false,
         });
+        let current = vehicle.plan_leg().filter(|leg| leg.to.is_some());
+        let is_current = |number: usize| current.is_some_and(|leg| usize::from(leg.item) == number);
+        let others = plan.path().filter(|(number, _)| !is_current(*number));
         sketches.extend(
-            plan.path().map(|(number, place)| {
+            others.map(|(number, place)| {
                 Sketch::point(SketchKind::Plan, format!("w{number}"), place)
             }),
         );
     }
+    sketches.extend(flown(vehicle).into_iter().flatten());
     if let Some(rally) = &plans.rally.content {
         let points = rally.points.iter().enumerate();
         sketches.extend(points.map(|(at, point)| {
@@ -185,6 +197,20 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
         }));
     }
     sketches
+}
+
+/// The leg that a vehicle flies, and its end with the number of the item and of the last one.
+fn flown(vehicle: &Vehicle) -> Option<[Sketch; 2]> {
+    let leg = vehicle.plan_leg()?;
+    let (here, to) = (vehicle.global?.at_point, leg.to?);
+    let way = Sketch {
+        kind: SketchKind::Leg,
+        label: String::new(),
+        points: vec![here, to],
+        closed: false,
+    };
+    let label = format!("w{}/{}", leg.item, leg.last);
+    Some([way, Sketch::point(SketchKind::Leg, label, to)])
 }
 
 fn fenced(fence: &FencePlan) -> impl Iterator<Item = Sketch> {

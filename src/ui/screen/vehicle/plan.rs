@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::VehicleSubject;
-use super::row::{filled, labelled};
+use super::row::{UNKNOWN, filled, labelled};
 use crate::commands::command_name;
 use crate::geo::LatLon;
 use crate::plan::{HeightFrame, Item};
@@ -13,10 +13,10 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, upper};
-use crate::vehicle::{Plan, Transfer, Vehicle};
+use crate::ui::widget::{below, leg, put, upper};
+use crate::vehicle::{Plan, PlanLeg, Transfer, Vehicle};
 
-/// Rows of fence and rally points.
+/// Rows of the fence and the rally points.
 const OTHERS: u16 = 2;
 /// Columns of an item's number, name, and height.
 const SEQ: usize = 4;
@@ -36,7 +36,9 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
         _ => look.say("vehicle-plan"),
     };
     let inner = Panel::new(look, area).titled(&title, buffer);
-    let items = upper(inner, inner.height.saturating_sub(OTHERS));
+    let leg = vehicle.plan_leg();
+    let others = OTHERS + u16::from(leg.is_some());
+    let items = upper(inner, inner.height.saturating_sub(others));
     match stored.content.as_deref() {
         Some(plan) if !plan.flown().is_empty() => draw_items(subject, plan, items, buffer),
         content => {
@@ -51,21 +53,33 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
             );
         }
     }
-    draw_others(subject, below(inner, items.height), buffer);
+    draw_others(subject, leg.as_ref(), below(inner, items.height), buffer);
 }
 
-/// Fence and rally points in a row each.
-fn draw_others(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
+/// The leg, if one is flown, the fence and the rally points in a row each.
+fn draw_others(subject: &VehicleSubject<'_>, leg: Option<&PlanLeg>, area: Rect, buffer: &mut Buffer) {
     let (vehicle, look) = (subject.vehicle, subject.look);
-    let rows = [
+    let others = [
         ("vehicle-fence", fence(vehicle)),
         ("vehicle-rally", rally(vehicle)),
     ];
-    for (row, (label, text)) in rows.into_iter().enumerate() {
+    let times = leg.map(|leg| ("vehicle-leg", leg_times(leg)));
+    let rows = times.into_iter().chain(others);
+    for (row, (label, text)) in rows.enumerate() {
         let value = vec![Span::raw(look.text(&text))];
         let line = labelled(look, &look.say(label), value);
         put(buffer, area, row as u16, &line);
     }
+}
+
+/// The way and the times of the leg that is flown.
+fn leg_times(leg: &PlanLeg) -> Text {
+    let known = |text: Option<String>| text.unwrap_or_else(|| UNKNOWN.to_owned());
+    text!(
+        "vehicle-leg-times",
+        way = known(leg::way(leg)),
+        end = known(leg::end(leg))
+    )
 }
 
 /// The content of a list, or why it is unknown.

@@ -44,6 +44,11 @@ impl Stroke {
         Self { role, on: 3, of: 6 }
     }
 
+    /// A line of long dashes with short gaps.
+    pub const fn broken(role: Role) -> Self {
+        Self { role, on: 6, of: 8 }
+    }
+
     /// A line of dots close together.
     pub const fn dense(role: Role) -> Self {
         Self { role, on: 1, of: 2 }

@@ -33,6 +33,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::People => Stroke::dotted(Role::Warning),
         SketchKind::Radio => Stroke::dotted(Role::Accent),
         SketchKind::Plan => Stroke::dense(Role::Info),
+        SketchKind::Leg => Stroke::broken(Role::Accent),
         SketchKind::Rally => Stroke::dotted(Role::Title),
         SketchKind::Course => Stroke::sparse(Role::Accent),
     }
@@ -50,6 +51,7 @@ pub const fn sign(kind: SketchKind) -> &'static str {
         | SketchKind::Fence
         | SketchKind::KeepOut
         | SketchKind::Plan
+        | SketchKind::Leg
         | SketchKind::Rally
         | SketchKind::Course => "",
     }
@@ -60,12 +62,19 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
-    for sketch in sketches(state) {
-        draw_sketch(&sketch, view, &mut canvas, &mut labels);
+    let sketches = sketches(state);
+    let (legs, others): (Vec<_>, Vec<_>) =
+        (sketches.iter()).partition(|sketch| sketch.kind == SketchKind::Leg);
+    for sketch in others {
+        draw_sketch(sketch, view, &mut canvas, &mut labels);
     }
     let ghosts = ways::draw_ghost(state, view, &mut canvas);
     ways::draw_trails(state, look, view, &mut canvas, &mut labels);
     ways::draw_targets(state, view, &mut canvas, &mut labels);
+    // A leg covers trails and the targets of other vehicles.
+    for sketch in legs {
+        draw_sketch(sketch, view, &mut canvas, &mut labels);
+    }
     draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));

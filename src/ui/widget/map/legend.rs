@@ -12,9 +12,9 @@ use super::ways::{GHOST, target, trail};
 use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
-    Course, Fence, Jamming, KeepOut, Meeting, NoFly, People, Plan, Radio, Rally, Task,
+    Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task,
 };
-use crate::app::room::map::{leg, sketches};
+use crate::app::room::map::{leg, shows_leg, sketches};
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -153,7 +153,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
     let trails = !map.hides_trails() && !map.trails().is_empty();
     let mut vehicles = state.session().vehicles().values();
     let ghost = state.ghost_time().is_some();
-    let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
+    let targets = vehicles.any(|vehicle| leg(vehicle).is_some() && !shows_leg(state, vehicle));
     [
         (trails, trail(FIRST), "map-legend-trail"),
         (targets, target(FIRST), "map-legend-target"),
@@ -166,6 +166,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
         (has(People), stroke(People), "map-legend-people"),
         (has(Radio), stroke(Radio), "map-legend-radio"),
         (has(Plan), stroke(Plan), "map-legend-plan"),
+        (has(Leg), stroke(Leg), "map-legend-leg"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
         (has(Course), stroke(Course), "map-legend-course"),
         (has(Meeting), stroke(Meeting), "map-legend-meeting"),

@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Stroke};
 use super::labels::Label;
 use crate::app::State;
-use crate::app::room::map::leg;
+use crate::app::room::map::{leg, shows_leg};
 use crate::comparison::TrackPoint;
 use crate::config::Symbols;
 use crate::geo::maths;
@@ -68,7 +68,7 @@ pub fn draw_trails(
 /// The lines to targets.
 pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     for vehicle in shown(state) {
-        let Some((from, to)) = leg(vehicle) else {
+        let Some((from, to)) = leg(vehicle).filter(|_| !shows_leg(state, vehicle)) else {
             continue;
         };
         // The line begins at the target, so that the dashes stay in place, and ends at the vehicle's cell.

@@ -12,7 +12,7 @@ use crate::text::{Text, figure};
 use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{battery_role, link_role};
-use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
+use crate::ui::widget::{clip, leg, row_role, severity_role, short_clock, width};
 use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 
 /// A text, and its role.
@@ -107,6 +107,8 @@ pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
         Column::Link => link(row),
         Column::Command => command(row, look, width),
         Column::Item => item(row.vehicle),
+        Column::Next => way(row.vehicle),
+        Column::End => end(row.vehicle),
         Column::Alert => alert(row, look, width),
         Column::Altitude
         | Column::Speed
@@ -228,6 +230,17 @@ fn item(vehicle: &Vehicle) -> Cell {
         Some(total) if total > 0 => (format!("{}/{total}", vehicle.plan.current), Role::Text),
         _ => unknown(),
     }
+}
+
+/// The way to the next place, and the time.
+fn way(vehicle: &Vehicle) -> Cell {
+    let way = vehicle.plan_leg().and_then(|leg| leg::way(&leg));
+    way.map_or_else(unknown, |way| (way, Role::Text))
+}
+
+fn end(vehicle: &Vehicle) -> Cell {
+    let end = vehicle.plan_leg().and_then(|leg| leg::end(&leg));
+    end.map_or_else(unknown, |end| (end, Role::Text))
 }
 
 fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {

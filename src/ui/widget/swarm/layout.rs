@@ -51,6 +51,9 @@ const FORMS: &[ColumnForm] = &[
     form(Column::Home, "column-home", 6, 11, true),
     // Wide enough for `takeoff timed out`.
     form(Column::Command, "column-command", 17, 6, false),
+    form(Column::Item, "column-item", 5, 8, true),
+    form(Column::Next, "column-next", 11, 12, true),
+    form(Column::End, "column-end", 6, 10, true),
     form(Column::ToGo, "column-to-go", 7, 14, true),
     form(Column::Heading, "column-heading", 3, 15, true),
     form(Column::Climb, "column-climb", 5, 16, true),
@@ -61,7 +64,6 @@ const FORMS: &[ColumnForm] = &[
     form(Column::RoundTrip, "column-ping", 5, ASKED, true),
     form(Column::Ekf, "column-ekf", 4, ASKED, true),
     form(Column::Vibration, "column-vibe", 4, ASKED, true),
-    form(Column::Item, "column-item", 7, ASKED, true),
     form(Column::Sea, "column-sea", 6, ASKED, true),
     form(Column::Latitude, "column-lat", 10, ASKED, true),
     form(Column::Longitude, "column-lon", 11, ASKED, true),
@@ -126,8 +128,16 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
 
 fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let has_groups = !state.session().groups().is_empty();
-    let is_offered =
-        |form: &&ColumnForm| form.rank < ASKED && (has_groups || form.column != Column::Group);
+    let flies_plan = state
+        .session()
+        .vehicles()
+        .values()
+        .any(|vehicle| vehicle.flies_plan());
+    let is_offered = |form: &&ColumnForm| match form.column {
+        Column::Group => has_groups,
+        Column::Item | Column::Next | Column::End => flies_plan,
+        _ => form.rank < ASKED,
+    };
     let mut by_rank: Vec<(u8, Shown)> = FORMS
         .iter()
         .filter(is_offered)

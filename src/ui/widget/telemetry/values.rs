@@ -8,6 +8,7 @@ use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{Gauge, battery_role, link_role, reach_role};
+use crate::ui::widget::leg;
 use crate::vehicle::{LandedState, Vehicle};
 
 /// The level of detail of a vehicle.
@@ -346,6 +347,16 @@ fn ground(vehicle: &Vehicle) -> Text {
 }
 
 fn plan(vehicle: &Vehicle) -> Text {
+    if let Some(leg) = vehicle.plan_leg() {
+        let unknown = || "-".to_owned();
+        return text!(
+            "telemetry-item-times",
+            item = leg.item,
+            total = leg.last,
+            way = leg::way(&leg).unwrap_or_else(unknown),
+            end = leg::end(&leg).unwrap_or_else(unknown)
+        );
+    }
     match vehicle.plan.total {
         Some(total) if total > 0 => {
             text!("telemetry-item", item = vehicle.plan.current, total = total)
