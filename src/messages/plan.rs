@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MISSION_ITEM_REACHED_DATA, MissionState,
 };
 
-use super::Report;
+use super::HandlerNotices;
 use crate::plan::Item;
 use crate::plan::command::{is_jump, is_navigation};
 use crate::text;
@@ -31,7 +31,7 @@ impl PlanWatch {
         &mut self,
         vehicle: &mut Vehicle,
         data: &MISSION_CURRENT_DATA,
-        report: &mut Report<'_>,
+        report: &mut HandlerNotices<'_>,
     ) {
         let before = vehicle.plan;
         let total = total(data);
@@ -72,7 +72,12 @@ impl PlanWatch {
 }
 
 /// Says how the plan went on where its items do not lead.
-fn follow(vehicle: &Vehicle, before: u16, reached: &BTreeSet<u16>, report: &mut Report<'_>) {
+fn follow(
+    vehicle: &Vehicle,
+    before: u16,
+    reached: &BTreeSet<u16>,
+    report: &mut HandlerNotices<'_>,
+) {
     let Some(plan) = &vehicle.plans.plan.content else {
         return;
     };
@@ -174,7 +179,7 @@ impl PlanRemark {
 }
 
 /// Applies a text of the vehicle.
-pub(super) fn apply_text(vehicle: &mut Vehicle, text: &str, report: &mut Report<'_>) {
+pub(super) fn apply_text(vehicle: &mut Vehicle, text: &str, report: &mut HandlerNotices<'_>) {
     match PlanRemark::of(text) {
         None => {}
         Some(PlanRemark::Jumped { item, times }) => {

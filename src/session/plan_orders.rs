@@ -18,7 +18,7 @@ use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle, VehicleId};
-use crate::wire::{Frame, Outgoing};
+use crate::wire::Frame;
 
 mod compare;
 mod packed;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::way_home::{self, CLIMB_M_S, DESCENT_M_S};
+use super::way_home;
 use super::{Plan, Vehicle, VehicleClass};
 use crate::geo::{LatLon, maths, wrap_180};
+use crate::plan::effort::Pace;
 use crate::plan::{HeightFrame, Item, command};
 
 /// The most items followed: jumps can make a way of any length.
@@ -15,9 +16,6 @@ const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 const FOR_EVER: f32 = -1.0;
 /// A leg shorter than this is none.
 const SAME_PLACE_M: f64 = 1.0;
-/// The defaults of `ArduCopter` for a flight in AUTO: `WPNAV_ACCEL` and `WPNAV_JERK`.
-const ACCELERATION_M_S2: f64 = 2.5;
-const JERK_M_S3: f64 = 1.0;
 
 /// A plan, and the vehicle that flies it.
 pub(super) struct Route<'a> {
@@ -208,18 +206,14 @@ impl<'a> Route<'a> {
         if !self.is_copter {
             return 0.0;
         }
-        share * (speed_m_s / ACCELERATION_M_S2 + ACCELERATION_M_S2 / JERK_M_S3)
+        let pace = Pace::default();
+        share * (speed_m_s / pace.accel_m_s2 + pace.accel_m_s2 / pace.jerk_m_s3)
     }
 
     /// Only copters have rates that are the same for most of them.
     fn vertical_s(&self, climb_m: f64) -> f64 {
-        let rate_m_s = if climb_m > 0.0 {
-            CLIMB_M_S
-        } else {
-            DESCENT_M_S
-        };
         if self.is_copter {
-            climb_m.abs() / rate_m_s
+            Pace::default().rise(climb_m).time_s
         } else {
             0.0
         }

@@ -5,9 +5,7 @@ use super::super::console::ConsoleLine;
 use super::super::targets::Targets;
 use super::super::verb::{Form, Scope, VerbRow};
 use super::{ASK, Built, CHANGE, COME_DOWN, ONCE, command, console};
-use crate::commands::{
-    Act, Command, DeviceCommand, PlanCommand, PlanDeed, PlanFlight, PlanSource,
-};
+use crate::commands::{Act, Command, DeviceCommand, PlanCommand, PlanDeed, PlanFlight, PlanSource};
 use crate::language::Meaning;
 use crate::plan::ListKind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};

@@ -132,7 +132,7 @@ fn an_unknown_command_is_found_in_the_plan() {
     at(&mut bench, 5);
     bench.said();
     let mut notices = Vec::new();
-    let mut report = Report {
+    let mut report = HandlerNotices {
         vehicle: 7,
         now: bench.now,
         notices: &mut notices,

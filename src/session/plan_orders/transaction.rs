@@ -180,8 +180,6 @@ impl Transaction {
     }
 
     /// Takes the steps that are due; returns the result at the end.
-    pub fn poll(&mut self, desk: &mut Desk<'_>) -> Option<Outcome> {
-    /// Does what is due; returns the end.
     pub fn poll(&mut self, shelf: Option<&dyn PlanShelf>, desk: &mut Desk<'_>) -> Option<Outcome> {
         if desk.vehicle.link.lost {
             if let Phase::Keeping(reading) = &self.phase {

@@ -129,7 +129,7 @@ impl Transaction {
         if let Some(next) = self.request.next.take() {
             self.request = *next;
             self.tries = 0;
-            self.phase = Phase::AwaitingAnswer {
+            self.phase = TransactionPhase::AwaitingAnswer {
                 deadline: self.given + self.order.verb.retry.deadline,
                 in_progress: false,
                 rejected: false,

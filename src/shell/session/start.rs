@@ -1,7 +1,7 @@
 //! Starts sessions.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -100,9 +100,9 @@ impl SessionPlan {
 
 impl SessionPlan {
     /// The files of plans for its vehicles; in a flight that counts, home and fence are part of the task.
-    fn shelf(&self, backend: &SessionBackend) -> Arc<dyn PlanShelf> {
-        let files = PlanFiles::keeping_in(backend.data.as_deref());
-        let counts = matches!(self, Self::Mission(_)) && backend.occasion.stake != Stake::Practice;
+    fn shelf(&self, stake: Stake, data: Option<&Path>) -> Arc<dyn PlanShelf> {
+        let files = PlanFiles::keeping_in(data);
+        let counts = matches!(self, Self::Mission(_)) && stake != Stake::Practice;
         if counts {
             Arc::new(GuardedShelf(files))
         } else {
@@ -130,7 +130,7 @@ impl RunningSession {
         let keeping = Keeping {
             sink,
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
-            plans: Some(plan.shelf(backend)),
+            plans: Some(plan.shelf(backend.occasion.stake, backend.data.as_deref())),
         };
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {
@@ -325,9 +325,13 @@ mod tests {
         let mission = Mission::parse(FORMATION).expect("it is good");
         let flown = SessionPlan::Mission(Arc::new(mission));
         for stake in [Stake::Graded, Stake::Daily, Stake::Exam] {
-            let fault = flown.shelf(stake).read(&file).expect_err("it is refused");
+            let fault = flown
+                .shelf(stake, None)
+                .read(&file)
+                .expect_err("it is refused");
             assert!(fault.to_string().contains("DO_SET_HOME"), "{fault}");
         }
-        flown.shelf(Stake::Practice).read(&file).expect("practice");
+        let practice = flown.shelf(Stake::Practice, None);
+        practice.read(&file).expect("practice");
     }
 }

@@ -57,7 +57,12 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
 }
 
 /// The leg, if one is flown, the fence and the rally points in a row each.
-fn draw_others(subject: &VehicleSubject<'_>, leg: Option<&PlanLeg>, area: Rect, buffer: &mut Buffer) {
+fn draw_others(
+    subject: &VehicleSubject<'_>,
+    leg: Option<&PlanLeg>,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let others = [
         ("vehicle-fence", fence(vehicle)),
