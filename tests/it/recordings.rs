@@ -224,6 +224,10 @@ fn a_notice_is_said_once_for_every_change_and_text() {
                 "fence breached",
                 seen.fence_breach.iter().filter(|out| **out).count(),
             ),
+            (
+                "plan flown to its end",
+                usize::from(path.ends_with("plan.tlog")),
+            ),
             ("rebooted", 0),
             ("two vehicles", 0),
         ] {

@@ -307,7 +307,7 @@ fn a_wait_in_a_pipe_takes_flight_time() {
 #[test]
 fn a_person_is_prompted_and_sees_no_escape_sequence() {
     let mut terminal = Terminal::start_with(&["fly", "--plain"], 80, 24, &[("TERM", "dumb")]);
-    terminal.see("plain console").see("EKF position good");
+    terminal.see("plain console").see("EKF3 IMU0 is using GPS");
     terminal.press("1-2 select\r").see("select");
     terminal
         .press("3 kill\r")

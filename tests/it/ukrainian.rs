@@ -22,7 +22,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// Names that are in no table: of things, keys and figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP USB UTC UTF",
+    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON MAVFTP MAVLink NAT RC RTK RX SITL SQLite TCP TX UDP Unix USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 g1 w3 w3/12 p3",
@@ -37,7 +37,7 @@ const NAMES: &[&str] = &[
     // Parts of MAVLink's names and of parameters' names.
     "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV",
     // Addresses, options and files.
-    "data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
+    "api data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
     "air alert bat invert status peak",
     // Words in the user's files: themes, keymaps, missions.

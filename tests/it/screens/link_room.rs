@@ -96,7 +96,7 @@ fn what_a_recording_does_not_contain_is_a_dash() {
         lines.find(|line| line.contains(label)).unwrap_or_default()
     };
     assert!(line("sent").contains("52 B/s"), "{screen}");
-    for label in ["round trip", "dropped", "never arrived", "others"] {
+    for label in ["round trip", "dropped", "never arrived", "other"] {
         assert_eq!(line(label).trim_end().chars().last(), Some('-'), "{screen}");
     }
     assert!(line("1 flight").contains(" - "), "{screen}");
