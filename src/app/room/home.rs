@@ -33,7 +33,7 @@ impl Home {
 /// An entry of the home screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeItem {
-    /// The mission with this index in [`State::missions`].
+    /// The mission with this index in [`Training::missions`](crate::app::state::Training::missions).
     Mission(usize),
     /// Fly without a task.
     Free,
