@@ -51,11 +51,9 @@ mod records;
 mod replay;
 mod report;
 mod run;
-#[cfg(unix)]
 mod say;
 mod settings;
 mod sim;
-#[cfg(unix)]
 mod socket;
 mod table;
 mod trainee;
@@ -130,7 +128,6 @@ enum CliCommand {
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
-    #[cfg(unix)]
     /// Says lines to a console that was started with --api, and prints what becomes of them.
     #[command(after_help = "Examples:\n  \
                             sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
@@ -283,7 +280,6 @@ fn dispatch(
             settings.complain();
             verify::verify(&options, &settings)
         }
-        #[cfg(unix)]
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Debrief(options)) => {

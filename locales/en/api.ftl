@@ -17,4 +17,3 @@ api-commands = a program gives commands through { $socket }
 api-in-use = { $socket } is in use by another console: choose another path
 api-no-socket = { $socket } exists and is not a socket: choose another path, or remove the file
 api-not-open = cannot open the socket { $socket }: { $error }
-api-no-unix = cannot open the socket { $socket }: this system has no Unix sockets

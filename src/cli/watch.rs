@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use strum::VariantArray as _;
 
 use super::Failure;
-#[cfg(unix)]
 use super::socket::ApiConnection;
-use crate::api::{self, Topic};
+use crate::api::{self, Request, Topic};
 
 /// Options of `sortie watch`.
 #[derive(Debug, Args)]
@@ -36,20 +36,13 @@ pub(super) fn watch(arguments: &WatchArguments) -> Result<ExitCode, Failure> {
     let Some(socket) = &arguments.socket else {
         return Ok(ExitCode::SUCCESS);
     };
-    follow(socket, arguments)
-}
-
-#[cfg(unix)]
-fn follow(socket: &std::path::Path, arguments: &WatchArguments) -> Result<ExitCode, Failure> {
-    use strum::VariantArray as _;
-
     let mut connection = ApiConnection::open(socket)?;
     let what = if arguments.topics.is_empty() {
         Topic::VARIANTS.to_vec()
     } else {
         arguments.topics.clone()
     };
-    connection.send(&api::Request::Watch {
+    connection.send(&Request::Watch {
         what,
         every_s: Some(arguments.every),
     })?;
@@ -61,11 +54,4 @@ fn follow(socket: &std::path::Path, arguments: &WatchArguments) -> Result<ExitCo
         }
     }
     Ok(ExitCode::SUCCESS)
-}
-
-#[cfg(not(unix))]
-fn follow(_socket: &std::path::Path, _arguments: &WatchArguments) -> Result<ExitCode, Failure> {
-    Err(Failure::Failed(anyhow::anyhow!(
-        "this system has no Unix sockets"
-    )))
 }

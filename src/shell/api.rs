@@ -24,10 +24,6 @@ use crate::text;
 use crate::text::{Locale, Text};
 use crate::vehicle::Severity;
 
-#[cfg(not(unix))]
-#[path = "api/no_socket.rs"]
-mod socket;
-#[cfg(unix)]
 mod socket;
 
 #[cfg(test)]

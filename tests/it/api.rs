@@ -1,5 +1,4 @@
 //! The interface for programs, over the socket of the real program.
-#![cfg(unix)]
 
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;

@@ -107,7 +107,6 @@ async fn a_program_that_does_not_read_is_asked_to_wait_and_holds_nobody_up() {
     writing.abort();
 }
 
-#[cfg(unix)]
 mod sockets {
     use std::os::unix::fs::PermissionsExt as _;
 
