@@ -24,7 +24,7 @@ load-sample-speed = samples need a speed of { $limit } m/s or less
 fire-put-out = the fire there is out
 fire-goes-on = the fire there is still burning
 fire-wetted = the ground there is wet
-fire-none-there = nothing burns there
+fire-none-there = nothing is burning there
 
 # Locating a source.
 locate-reports = reported: { $count }

@@ -33,7 +33,7 @@ map-legend-keep-out = keep out
 map-legend-plan = plan, waypoint w3
 map-legend-leg = to item 3 of 12 (w3/12)
 map-legend-rally = rally point (R1)
-map-legend-course = manoeuvre, place p3
+map-legend-course = manoeuvre, named place (p3)
 map-legend-meeting = too close in the rehearsal (!1/2)
 map-legend-ruler = ruler
 

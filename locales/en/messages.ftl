@@ -27,7 +27,7 @@ messages-unknown-id = This id is in no dialect that sortie knows; its checksum c
 messages-other-layout = The checksum does not match this message as sortie knows it: another layout, or a damaged frame.
 messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
 messages-not-drawn = { $count } not drawn
-messages-uncounted = frames of further kinds, not listed (often noise): { $count }
+messages-uncounted = frames of other kinds, not listed (often noise): { $count }
 messages-choose-field = choose a field first: { $key } goes to the fields
 messages-no-number = { $field } is text and has no graph
 

@@ -50,17 +50,17 @@ outcome-not-heard = not sent: no such vehicle in contact
 outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
 # Expected effects, inserted into outcome-not-seen and similar messages.
-# A list that is kept since a transfer was broken off.
+# A list that has been kept since a transfer was interrupted.
 plan-broken-off = an upload of its { $verb ->
     [plan] plan
     [fence] fence
    *[rally] rally points
-} was broken off; the old list is kept: `{ $verb } upload { $file }` puts it back
+} was interrupted; the old list is kept: `{ $verb } upload { $file }` puts it back
 plan-broken-off-empty = an upload of its { $verb ->
     [plan] plan
     [fence] fence
    *[rally] rally points
-} was broken off; it had none before: `{ $verb } clear` removes the rest
+} was interrupted; there was no list before: `{ $verb } clear` removes what is left
 
 # What was awaited in the telemetry; goes into outcome-not-seen and its like.
 effect-nothing = an effect
@@ -112,19 +112,19 @@ outcome-log-stalled = the vehicle stopped sending log { $number }: { $percent } 
 outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of log { $number } saved; disarm it and repeat the download to continue
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
 
-outcome-plan-idle = no part for this vehicle: it is too far away to save the others energy
+outcome-plan-idle = no part for this vehicle: it is too far away to save energy for the others
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-unread = the plan on board has not been read yet: `plan show` reads it
 rehearse-no-plan = no plan on board
 rehearse-refused = the simulator refuses a list of { $vehicle }
-rehearse-landed = lands after { $time }; takes { $used } % of the battery, { $left } % left
-rehearse-ends-in-air = the plan ends in the air after { $time }; takes { $used } % of the battery
-rehearse-battery = takes { $used } % of the battery: more than is left
-rehearse-meets = comes too close to another vehicle; flies { $time }
+rehearse-landed = lands after { $time }; uses { $used } % of the battery, { $left } % left
+rehearse-ends-in-air = the plan ends in the air after { $time }; uses { $used } % of the battery
+rehearse-battery = uses { $used } % of the battery: more than is left
+rehearse-meets = comes too close to another vehicle; flight time { $time }
 rehearse-fence = breaks its fence after { $time }
 rehearse-left-plan = leaves its plan after { $time } (mode { $mode })
 rehearse-grounded = does not take off
 rehearse-crashed = collides after { $time }
-rehearse-time-up = still flies after { $time }
-rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m across, { $vertical } m in height
-rehearse-closest = rehearsal: closest are { $a } and { $b } at { $time }: { $horizontal } m across, { $vertical } m in height
+rehearse-time-up = still flying after { $time }
+rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m horizontally, { $vertical } m vertically
+rehearse-closest = rehearsal: { $a } and { $b } come closest, at { $time }: { $horizontal } m horizontally, { $vertical } m vertically

@@ -25,7 +25,7 @@ threat-aircraft = an aircraft crosses the area
 
 # The objective to keep a link.
 link-target = { $margin } dB for { $percent } %
-link-kept = { $percent } % of { $seconds } s
+link-kept = linked for { $percent } % of { $seconds } s
 link-none = no time in the area
 link-more = { $seconds } s more
 link-advice = Place a relay above the ridge, in sight of both the ground station and the vehicle, before the vehicle flies behind the ridge.

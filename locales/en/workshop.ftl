@@ -98,7 +98,7 @@ finding-weak = thrust is { $ratio } times the weight: enough in calm air, but gu
 finding-collapse = the battery's voltage collapses in the hover
 finding-current = the hover draws { $current } A, the battery supplies { $most } A: its voltage collapses
 finding-hover-current = the hover draws { $current } A, more than half of the battery's { $most } A: the voltage will sag
-finding-sag = below { $charge } % charge the voltage is too low for the hover: land by { $land } %
+finding-sag = below { $charge } % charge the voltage is too low for the hover: land before { $land } %
 finding-power-cells = the battery has { $cells } cells, the power module takes at most { $most }
 finding-power-current = the hover draws { $current } A, the power module takes at most { $most } A
 

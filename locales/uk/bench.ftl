@@ -68,7 +68,7 @@ bench-polar-about = найдовший політ за { $longest } m/s, най�
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 
 bench-no-mission = завдання не обрано
-bench-choose-mission = [ і ] обирають завдання, для якого складати.
+bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
 bench-mission-flown = завдання вже виконується
 bench-seats = { $count ->
     [one] { $count } дрон

@@ -90,4 +90,4 @@ stake-exam = іспит
 stake-daily = варіант дня
 answer-yes = так
 answer-no = ні
-profile-member = { $name }: кредитів { $credits }, рівень { $level }, ліцензія на кількість дронів { $licence }, польотів { $flights }
+profile-member = { $name }: кредитів { $credits }, рівень { $level }, дронів за ліцензією { $licence }, польотів { $flights }

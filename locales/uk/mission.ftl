@@ -221,8 +221,8 @@ mission-try-practice = балів: { $score }, тренування
 mission-try-unfinished = не завершено
 mission-next-hint = підказка
 mission-hint-price = { $percent ->
-    [0] { $key } просить наступну, рівень { $level }: безкоштовно
-   *[other] { $key } просить наступну, рівень { $level }: коштує { $percent } % балів
+    [0] { $key } — наступна підказка, рівень { $level }: безкоштовно
+   *[other] { $key } — наступна підказка, рівень { $level }: коштує { $percent } % балів
 }
 mission-hint-of = підказка { $level }: { $hint }
 mission-rule-carries = дрон { $vehicles }

@@ -23,8 +23,8 @@ carried-unread = ще не прочитано: { $vehicles }
 carried-unsupported = такого списку немає: { $vehicles }
 
 heard-plan-complete = план пройдено до кінця
-heard-plan-back = план повернувся з пункту { $before } до { $item }
-heard-plan-skipped = план перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }
+heard-plan-back = політ за планом повернувся з пункту { $before } до { $item }
+heard-plan-skipped = політ за планом перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }
 heard-plan-unknown = пункт { $item } пропущено: апарат не знає команди { $command } у плані
 heard-plan-unknown-somewhere = пункт пропущено: апарат не знає команди { $command } у плані
 heard-rebooted = перезапуск

@@ -25,7 +25,7 @@ threat-aircraft = ділянку перетинає літак
 
 # Ціль: утримати зв'язок.
 link-target = { $margin } dB протягом { $percent } %
-link-kept = { $percent } % із { $seconds } s
+link-kept = зв'язок протягом { $percent } % із { $seconds } s
 link-none = часу на ділянці немає
 link-more = ще { $seconds } s
 link-advice = Поставте ретранслятор над хребтом, щоб він бачив і наземну станцію, і апарат, перш ніж апарат зайде за хребет.
