@@ -118,7 +118,7 @@ impl Call {
     /// Reads a line of a program.
     ///
     /// # Errors
-    /// The line is no request; the fault repeats its number, if it can be read.
+    /// The line is not a request; the fault repeats its number, if it can be read.
     pub fn read(line: &str, locale: &Locale) -> Result<Self, Fault> {
         let fault = |id, text: &Text| Fault::new(id, locale.text(text));
         let mut value: Value = serde_json::from_str(line)

@@ -45,7 +45,8 @@ impl Diagnostic {
         }
     }
 
-    /// The same fault in a file: the line is a string of `length` bytes at `quoted`.
+    /// The same fault in a file that contains the line as a string: `quoted` is its place with the quotes, `length` the
+    /// length of the line in bytes.
     #[must_use]
     pub fn in_string(mut self, quoted: Range<usize>, length: usize) -> Self {
         // Escapes and triple quotes shift the text after them; in that case the fault covers the whole string.

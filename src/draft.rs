@@ -1,4 +1,4 @@
-//! Plans, fences and rally points that are being drawn: their content, every change of it, and the way back.
+//! Plans, fences and rally points that are being drawn: their content, every change of it, and how to undo it.
 //!
 //! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document of the old one, so the
 //! history of a draft is the list of its documents.
@@ -80,14 +80,14 @@ impl Draft {
         &self.now
     }
 
-    /// Whether nothing would be lost with it: it is empty, or its content is also in a file or on board.
+    /// Whether closing it loses nothing: it is empty, or its content is also in a file or on board.
     pub fn is_kept(&self) -> bool {
         let is_same =
             |kept: &Arc<Document>| Arc::ptr_eq(kept, &self.now) || kept.is_same(&self.now);
         self.now.kinds().next().is_none() || self.kept.as_ref().is_some_and(is_same)
     }
 
-    /// Notes that a content of it has been written to a file.
+    /// Notes that one of its contents has been written to a file.
     pub fn note_kept(&mut self, document: Arc<Document>) {
         self.kept = Some(document);
     }

@@ -48,7 +48,7 @@ impl Client {
         };
     }
 
-    /// Reports the rows of a command that the program has said, until it has ended.
+    /// Reports the rows of a command that the program has given, until the command has ended.
     pub fn follow(&mut self, entry: EntryId) {
         self.commands.open.insert(entry);
     }

@@ -196,7 +196,7 @@ pub struct MissionView {
     pub readings: Vec<ReadingView>,
     /// What detectors have found so far.
     pub contacts: Vec<ContactView>,
-    /// Alerts that want an answer.
+    /// Alerts that need an acknowledgement.
     pub alerts: Vec<String>,
     /// The places that lines may name.
     pub places: Vec<NamedPlaceView>,

@@ -63,7 +63,7 @@ enum PlanCommand {
     #[command(after_help = "Examples:\n  \
                             sortie plan line road.geojson --home 50.449,30.52 --vehicles 3 --spacing 15 --write parts")]
     Line(generate::LineArguments),
-    /// Lets vehicles circle a place, evenly apart and at different heights.
+    /// Lets vehicles circle a place, evenly spaced and at different heights.
     #[command(after_help = "Examples:\n  \
                             sortie plan orbit --datum 50.45,30.52 --radius 40 --turns 3 --home 50.449,30.52 --vehicles 2")]
     Orbit(generate::OrbitArguments),

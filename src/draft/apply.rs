@@ -76,7 +76,7 @@ impl ItemsChange {
     }
 }
 
-/// Deletes items; the one behind them, or the last, is then the one to look at.
+/// Deletes items, and returns the item to look at next: the one after them, or the last.
 fn delete(
     document: &mut Document,
     list: ListKind,

@@ -139,12 +139,12 @@ pub enum PlanEdit {
         item: NewItem,
         at: Insertion,
     },
-    /// Gives items other numbers; the first of them gets the number `to`.
+    /// Moves items within the list; the first of them gets the number `to`.
     Reorder {
         items: Items,
         to: usize,
     },
-    /// Puts a waypoint into the middle of the leg to this item.
+    /// Puts a waypoint in the middle of the leg to this item.
     Split(usize),
     Frame {
         items: Items,
@@ -159,7 +159,7 @@ pub enum PlanEdit {
 /// A change of the fence.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FenceEdit {
-    /// Adds a corner to a polygon, behind this item.
+    /// Adds a corner to a polygon, after this item.
     Corner { spot: Spot, after: Option<usize> },
     /// Begins a polygon.
     Polygon { keeps_in: bool, corners: Vec<Spot> },
@@ -172,7 +172,7 @@ pub enum FenceEdit {
     Flip(usize),
 }
 
-/// A change of items that are there.
+/// A change of existing items.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ItemsChange {
     Delete,

@@ -105,7 +105,7 @@ fn add_circle(items: &mut Vec<Item>, keeps_in: bool, centre: LatLon, radius_m: f
     items.len() - 1
 }
 
-/// Adds a corner behind an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
+/// Adds a corner after an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
 /// begins one to stay in. Returns the new item.
 fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
     let all = areas(items);

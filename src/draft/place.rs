@@ -1,4 +1,4 @@
-//! Where things are, and what is not there.
+//! The places of items and of what lines name, and the refusals for what is missing.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ pub fn place(item: &Item) -> Option<LatLon> {
     is_placed.then(|| item.point())
 }
 
-/// Why the library refused, in words.
+/// The reason of a refused edit, in words.
 pub(super) fn refused(error: EditError) -> Text {
     match error {
         EditError::NoItem(count) => text!("draft-no-item", count = count),
@@ -34,7 +34,7 @@ pub(super) fn known(list: &[Item], items: Items) -> Result<Range<usize>, Text> {
     }
 }
 
-/// A place named relative to what is around.
+/// The place that an edit names; the cursor and home come from what lies around the draft.
 pub(super) fn found(
     spot: Spot,
     document: &Document,

@@ -1,4 +1,4 @@
-//! The course of a plan: the legs with their lengths, times and slopes, and the heights along them.
+//! The profile of a plan: the legs with their lengths, times and slopes, and the heights along them.
 
 use crate::geo::LatLon;
 use crate::plan::{Document, HeightFrame, Item, command};

@@ -70,7 +70,7 @@ impl Drafts {
         self.current = self.current.min(self.all.len().saturating_sub(1));
     }
 
-    /// A name that no draft has: the proposed one, or the same with a number behind it.
+    /// A name that no draft has: the proposed one, or the same followed by a number.
     pub fn free_name(&self, proposed: &str) -> String {
         let is_free = |name: &str| self.all.iter().all(|draft| draft.name != name);
         let numbered = (2..).map(|number: usize| format!("{proposed}-{number}"));

@@ -75,7 +75,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// The parts of it that the debrief shows on the map.
+    /// The parts of the hazard that the debrief shows on the map.
     fn truth(&self) -> Vec<TruthPiece> {
         Vec::new()
     }

@@ -16,7 +16,7 @@ mod effect;
 
 /// How long later commands wait for the effect of a command that they depend on.
 const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
-/// The state of a transaction for its line.
+/// Whether a transaction still holds up the commands behind it in its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Progress {
     /// The line stays occupied.

@@ -2,7 +2,7 @@
 //!
 //! Each connection has a task that reads requests and one that writes answers. A request takes a place in the queue of
 //! answers before it is passed to the console, so that a program that does not read cannot ask for more, and news wait
-//! while a program is behind: nobody else is delayed.
+//! while a program is behind. Neither the console nor another program is delayed.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ const MOST_PROGRAMS: usize = 64;
 const OUTBOX: usize = 256;
 /// News wait while a program's queue has less room than this.
 const ROOM_FOR_NEWS: usize = OUTBOX / 2;
-/// How long the console waits at its end for programs to read their last news.
+/// How long the console waits, when it ends, for programs to read their last news.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 /// The number of requests of all programs that wait for the console.
 const CALLS_KEPT: usize = 64;
@@ -73,13 +73,13 @@ struct Exchange {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ProgramId(u64);
 
-/// News of the connections.
+/// What arrives from the connections.
 pub(super) enum Arrival {
     Opened(ProgramId, mpsc::Sender<String>),
     Line {
         from: ProgramId,
         line: Result<String, LineFault>,
-        /// The place of the answer.
+        /// The reserved place of the answer in the queue.
         reply: mpsc::OwnedPermit<String>,
     },
     Closed(ProgramId),
@@ -104,7 +104,7 @@ impl LineFault {
 struct Program {
     client: Client,
     outbox: mpsc::Sender<String>,
-    /// Whether the user has been told that it gives commands.
+    /// Whether a notice has told the user that the program gives commands.
     is_noticed: bool,
 }
 

@@ -1,4 +1,5 @@
-//! The leg of its plan that a vehicle flies: the way and the time to the next place, and to the end of the plan.
+//! The leg of its plan that a vehicle flies: the distance and time to the next place, and the time to the end of the
+//! plan.
 
 use std::time::Duration;
 
@@ -7,9 +8,9 @@ use super::{PlanPhase, Vehicle};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
-/// The speed follows a slower flight with this time constant, so that a corner does not count for long.
+/// The time constant with which the speed follows a slower flight, so that a corner does not count for long.
 const SLOWER_TIME_S: f32 = 10.0;
-/// Below this speed the vehicle stays somewhere, in m/s.
+/// Below this speed the vehicle counts as staying in place, in m/s.
 const STAYING_M_S: f32 = 1.0;
 
 /// The speed over ground of a vehicle between the corners and stops of its plan.

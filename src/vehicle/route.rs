@@ -1,4 +1,4 @@
-//! The rest of a plan as a way with times: legs, stays, jumps, and the landing.
+//! The time that the rest of a plan takes: legs, stays, jumps, and the landing.
 
 use std::collections::BTreeMap;
 
@@ -8,13 +8,13 @@ use crate::geo::{LatLon, maths, wrap_180};
 use crate::plan::effort::Pace;
 use crate::plan::{HeightFrame, Item, command};
 
-/// The most items followed: jumps can make a way of any length.
+/// The maximum number of items that are followed: jumps can make a plan of any length.
 const MOST_ITEMS: usize = 5000;
 /// `DO_CHANGE_SPEED`: the kinds of speed over ground, as air speed and as ground speed.
 const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 /// `DO_JUMP`: a number of repetitions that never ends.
 const FOR_EVER: f32 = -1.0;
-/// A leg shorter than this is none.
+/// Legs shorter than this are ignored.
 const SAME_PLACE_M: f64 = 1.0;
 
 /// A plan, and the vehicle that flies it.
@@ -176,8 +176,8 @@ impl<'a> Route<'a> {
         }
     }
 
-    /// The seconds of a straight leg to a place, where the vehicle is then: across at the speed of the way, up and down no
-    /// faster than it climbs and sinks.
+    /// The seconds of a straight leg to a place, which becomes the new state: horizontally at the current speed over
+    /// ground, vertically no faster than the vehicle climbs and sinks.
     fn leg_s(&self, at: &mut Waystate, place: LatLon, height_m: f64) -> Option<f64> {
         let across_m = at.place.distance_m(place);
         let steep_s = self.vertical_s(height_m - at.height_m);

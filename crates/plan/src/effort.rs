@@ -1,5 +1,5 @@
-//! What a copter's flight takes before it is flown: the time, and the energy as the duration of a hover that takes the
-//! same.
+//! Estimates of the time and energy of a copter's flight; the energy is given as the duration of a hover that uses the
+//! same amount.
 //!
 //! The figures are `ArduCopter`'s defaults and measurements with its simulator; a rehearsal is more exact.
 
@@ -48,12 +48,12 @@ impl Default for Pace {
     }
 }
 
-/// What a part of a flight takes.
+/// The time and energy of a part of a flight.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Effort {
     /// Its duration, in seconds.
     pub time_s: f64,
-    /// The duration of a hover that takes the same energy, in seconds.
+    /// The duration of a hover that uses the same energy, in seconds.
     pub hover_s: f64,
 }
 
@@ -75,7 +75,7 @@ impl Sum for Effort {
 }
 
 impl Effort {
-    /// To stay in the air, or to descend.
+    /// Of a hover, or of a descent.
     pub const fn hover(time_s: f64) -> Self {
         Self {
             time_s,
@@ -83,7 +83,7 @@ impl Effort {
         }
     }
 
-    /// Level flight.
+    /// Of level flight.
     pub fn level(time_s: f64, airspeed_m_s: f64) -> Self {
         let drag = 1.0 + DRAG_PER_SPEED2 * airspeed_m_s * airspeed_m_s;
         Self {
@@ -94,7 +94,7 @@ impl Effort {
 }
 
 impl Pace {
-    /// To climb, or to descend if `up_m` is negative.
+    /// The effort of a climb, or of a descent if `up_m` is negative.
     pub fn rise(&self, up_m: f64) -> Effort {
         if up_m > 0.0 {
             let time_s = up_m / self.climb_m_s;
@@ -107,13 +107,13 @@ impl Pace {
         }
     }
 
-    /// To land from a height.
+    /// The effort of a landing from a height.
     pub fn landing(&self, height_m: f64) -> Effort {
         let low_m = height_m.min(LANDING_HEIGHT_M);
         Effort::hover((height_m - low_m) / self.descent_m_s + low_m / self.landing_m_s)
     }
 
-    /// To fly from place to place in calm air, from rest to rest; points are in metres.
+    /// The effort of a flight from place to place in calm air, from rest to rest; points are in metres.
     ///
     /// A corner is passed at the share of the speed that the turn leaves: all of it straight ahead, half of it at 90
     /// degrees, none at a reversal.

@@ -1,9 +1,9 @@
 //! Plans for several vehicles from a task: to survey an area, to search, to follow a line, to circle a place.
 //!
-//! Each vehicle takes off, crosses to its part at a height of its own, flies the part, and returns at its height to
-//! land at home. Parts are cut so that the largest energy is as small as possible ([`Pace`]).
+//! Each vehicle takes off, crosses to its part at a height of its own, flies the part, and returns at the same height
+//! to land at home. Parts are cut so that the vehicle that uses the most energy uses as little as possible ([`Pace`]).
 //!
-//! Inside, x is metres to the north of the first vehicle's home, y to the east.
+//! Within the module, x is metres to the north of the first vehicle's home, y to the east.
 
 use glam::DVec2;
 use sortie_geo::LatLon;
@@ -62,7 +62,7 @@ pub enum Task {
         /// The distance between lanes, in metres.
         spacing_m: f64,
     },
-    /// Circles around a place, evenly apart and each at a height of its own.
+    /// Circles around a place, evenly spaced and each at a height of its own.
     Orbit {
         /// The place.
         centre: LatLon,
@@ -109,7 +109,7 @@ pub enum GenerateError {
     /// The area has no extent, or the line no length.
     #[error("the area has no extent")]
     Empty,
-    /// The area needs too many lines; the most.
+    /// The area needs more lines than this maximum.
     #[error("more than {0} lines")]
     TooMany(usize),
     /// The fence is not valid.
@@ -118,7 +118,7 @@ pub enum GenerateError {
     /// The fence leaves nothing of the area, or the pattern breaks it.
     #[error("the pattern breaks the fence")]
     OutsideFence,
-    /// No way inside the fence leads from a vehicle's home to its part; the vehicle, counted from 0.
+    /// No way inside the fence leads from the home of this vehicle (counted from 0) to its part.
     #[error("no way inside the fence for vehicle {0}")]
     NoWay(usize),
 }
@@ -139,9 +139,9 @@ pub struct Part {
     pub vehicle: usize,
     /// Its plan, home and fence.
     pub document: Document,
-    /// The way from takeoff to landing over the ground, in metres.
+    /// The distance over the ground from takeoff to landing, in metres.
     pub length_m: f64,
-    /// What it takes.
+    /// Its estimated time and energy.
     pub effort: Effort,
     /// The height at which it crosses, above the first vehicle's home, in metres.
     pub layer_m: f64,
@@ -152,7 +152,7 @@ pub struct Part {
 pub struct Generated {
     /// In the order of the vehicles; a vehicle whose home is too far away to help has none.
     pub parts: Vec<Part>,
-    /// The share of the area that the fence keeps from being covered, from 0 to 1.
+    /// The share of the area that is not covered because of the fence, from 0 to 1.
     pub uncovered: f64,
 }
 

@@ -17,8 +17,9 @@ pub(super) struct Place {
     pub(super) altitude_amsl_m: f64,
 }
 
-/// The altitude above sea level of a height in a global frame (`MAV_FRAME`), with home as a point; `None` for a frame
-/// that the vehicle does not support. Without terrain data the ground counts as level with the start.
+/// The altitude above sea level of a height in a global frame (`MAV_FRAME`); `None` for a frame that the vehicle does
+/// not support. `home_m` is home relative to the start, with z downwards. Without terrain data the ground counts as
+/// level with the start.
 pub(super) fn altitude_amsl_m(
     frame: u8,
     height_m: f64,

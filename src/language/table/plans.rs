@@ -46,7 +46,7 @@ fn resume(item: Option<f64>) -> Built {
     flight(PlanFlight::Resume { item })
 }
 
-/// Which of the targets carry the same list; the targets follow when the whole line is read.
+/// A comparison of the lists of the targets, which are filled in once the whole line is read.
 fn carried(kind: ListKind) -> Built {
     let targets = Targets::Selection;
     console(ConsoleLine::Carried { kind, targets })

@@ -43,12 +43,12 @@ impl Listener {
 impl Drop for Listener {
     fn drop(&mut self) {
         self.task.abort();
-        // Somebody may have removed it before.
+        // It may have been removed already.
         drop(fs::remove_file(&self.path));
     }
 }
 
-/// Removes a socket on which nobody answers any more.
+/// Removes a socket on which no program answers any more.
 fn clear(path: &Path) -> anyhow::Result<()> {
     let Ok(found) = fs::symlink_metadata(path) else {
         return Ok(());
@@ -68,15 +68,15 @@ fn clear(path: &Path) -> anyhow::Result<()> {
     })
 }
 
-/// Binds within a folder of the owner and moves the socket into place, so that nobody can connect before its
-/// permissions are set.
+/// Binds within a folder of the owner and moves the socket into place, so that no program can connect
+/// before its permissions are set.
 fn bind(path: &Path) -> io::Result<UnixListener> {
     let parent = path.parent().filter(|it| !it.as_os_str().is_empty());
     let name = format!(".sortie-{}", std::process::id());
     let folder = parent.unwrap_or(Path::new(".")).join(name);
     DirBuilder::new().mode(0o700).create(&folder)?;
     let listener = bind_within(&folder, path);
-    // What remains there is nobody's.
+    // The folder is of no further use; one that remains does no harm.
     drop(fs::remove_dir_all(&folder));
     listener
 }
@@ -93,11 +93,11 @@ async fn accept(listener: UnixListener, exchange: Exchange) {
     let places = Arc::new(Semaphore::new(MOST_PROGRAMS));
     for number in 0.. {
         let Ok((stream, _)) = listener.accept().await else {
-            // No file descriptors are left: a connection that ends makes room.
+            // No file descriptors are left until a connection ends.
             tokio::task::yield_now().await;
             continue;
         };
-        // Without a place, the connection is closed.
+        // Beyond the maximum number of programs, the connection is closed.
         let Ok(place) = Arc::clone(&places).try_acquire_owned() else {
             continue;
         };

@@ -34,7 +34,7 @@ pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f6
     works
 }
 
-/// Circles that begin evenly apart, each at a height of its own.
+/// Circles with evenly spaced beginnings, each at a height of its own.
 pub(super) fn orbits(scene: &Scene, manner: &Manner, circle: Circle) -> Vec<Work> {
     let count = scene.homes.len();
     let towards = scene

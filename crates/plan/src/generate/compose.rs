@@ -36,7 +36,7 @@ impl Trip {
     }
 }
 
-/// What a vehicle's flight takes; `None` if the fence leaves no way.
+/// The time and energy of a vehicle's flight; `None` if the fence leaves no way.
 pub(super) fn effort(scene: &Scene, work: &Work) -> Option<Effort> {
     let trip = Trip::of(scene, work)?;
     let pace = &scene.pace;

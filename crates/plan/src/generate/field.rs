@@ -9,7 +9,7 @@ use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::check::is_crossed;
 use crate::pattern::{Lane, course};
 
-/// Where a fence bends a way, it passes at this distance; lines end at this distance from the fence.
+/// The distance from the fence at which ways bend around it and lines end, in metres.
 const MARGIN_M: f64 = 2.0;
 /// Pieces of lines shorter than this are left out.
 const SHORTEST_M: f64 = 1.0;
@@ -74,7 +74,7 @@ impl Field {
         if self.is_open() {
             return vec![lane];
         }
-        // What is cut from the longer line by the fence or at its ends ends at the right place.
+        // The longer line loses the margin at each end, whether the fence cuts it there or it ends by itself.
         let longer = Lane {
             from: lane.from - along * MARGIN_M,
             to: lane.to + along * MARGIN_M,

@@ -6,7 +6,7 @@ use super::compose::Trip;
 use super::{Scene, Work};
 use crate::pattern::distance_to_segment;
 
-/// Ways nearer than this are flown at different heights, in metres: what is too near, and a margin.
+/// Ways nearer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
 /// A way that ends beside a place is not counted as coming nearer to it than by this, in metres.
@@ -35,8 +35,8 @@ impl Crossing {
         }
     }
 
-    /// Whether it comes nearer to a place than it must. Where its own columns are close, as on neighbouring pads, that is
-    /// nearer than they are.
+    /// Whether it comes too near to a place. If one of its own columns is closer than the limit, as on neighbouring
+    /// pads, the distance of that column is the limit.
     fn comes_near(&self, point: DVec2) -> bool {
         let own = self.columns.iter().map(|mine| mine.distance(point));
         let limit = match own.fold(f64::INFINITY, f64::min) {
@@ -155,8 +155,8 @@ pub(super) fn are_apart(scene: &Scene, works: &[Work], layer_m: f64) -> bool {
     works.iter().all(|work| work.layer_m >= least_m) && pairs.all(|(a, b)| fits(a, b))
 }
 
-/// Which of the vehicles that are left is to be the lowest: it passes over none of the others, or over the fewest; the
-/// one with the shortest way of these.
+/// Which of the remaining vehicles is to be the lowest: the one that passes over the fewest others; of several, the one
+/// with the shortest way.
 fn lowest(crossings: &[Crossing], left: &[usize]) -> Option<usize> {
     let passed = |here: usize| {
         let others = left.iter().filter(|other| **other != here);

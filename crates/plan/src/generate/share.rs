@@ -7,12 +7,12 @@ use super::layers::{ASIDE_M, are_apart, set};
 use super::tour::Way;
 use super::{GenerateError, Manner, Scene, Work};
 
-/// The steps in which the limit of the energy is narrowed down, and the cut of a vehicle.
+/// The bisection steps for the limit of the energy, and for the cut of a vehicle.
 const LIMIT_STEPS: u32 = 24;
 const CUT_STEPS: u32 = 22;
-/// The times that shares are cut again with the heights at which their vehicles cross.
+/// How often shares are cut again, at most, with the heights at which their vehicles cross.
 const ROUNDS: usize = 8;
-/// Less than this is no work for a vehicle, in metres.
+/// Work shorter than this counts as none, in metres.
 const LEAST_WORK_M: f64 = 1.0;
 
 /// One of the ways, divided among the vehicles.
@@ -54,7 +54,7 @@ pub(super) fn works(
     best.map(|(_, works)| works).ok_or(GenerateError::NoWay(0))
 }
 
-/// The heights with which shares are cut again. If those that vehicles share do not last, each gets one of its own.
+/// The heights with which shares are cut again: those of the last cut, or with `apart` a separate one for each vehicle.
 fn next_layers(works: &[Work], layer_m: f64, apart: bool, layers: &mut [f64]) {
     let mut order: Vec<&Work> = works.iter().collect();
     order.sort_by(|a, b| a.layer_m.total_cmp(&b.layer_m));
@@ -103,7 +103,7 @@ impl<'a> Crew<'a> {
         }
     }
 
-    /// What a share takes from a vehicle; infinite if no way leads there.
+    /// The energy that a vehicle uses for a share; infinite if no way leads there.
     fn cost(&self, vehicle: usize, from_m: f64, to_m: f64) -> f64 {
         let work = self.work(vehicle, self.way.part(from_m, to_m));
         effort(self.scene, &work).map_or(f64::INFINITY, |effort| effort.hover_s)

@@ -67,7 +67,7 @@ impl Way {
         near.copied().unwrap_or(at_m)
     }
 
-    /// From the middle of its first half to that of the second.
+    /// The vector from the middle of its first half to the middle of its second half.
     pub(super) fn direction(&self) -> DVec2 {
         let mean = |points: &[DVec2]| points.iter().sum::<DVec2>() / points.len().max(1) as f64;
         let half = self.length_m() / 2.0;

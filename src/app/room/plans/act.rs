@@ -200,7 +200,7 @@ fn behind(number: Option<usize>) -> Insertion {
     number.map_or(Insertion::Last, Insertion::After)
 }
 
-/// A command of the plan behind the item under the cursor.
+/// A command of the plan after the item under the cursor.
 fn plain(command: u16, spot: Option<Spot>, number: Option<usize>) -> Edit {
     Edit::Plan(PlanEdit::Add {
         item: NewItem {

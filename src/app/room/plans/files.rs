@@ -14,7 +14,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
 
-/// The ending of a file whose name has none: this format holds all lists.
+/// The extension for a file whose name has none: this format holds all lists.
 const ENDING: &str = "plan";
 
 /// The file to propose for a draft.
@@ -172,8 +172,7 @@ pub(super) fn take_by_key(state: &mut State) {
     }
 }
 
-/// Which lists of a document go on board of which vehicles, as lines of the grammar that an upload of a file would
-/// have.
+/// The lines that upload each list of a draft to vehicles, like those for a file of that name.
 ///
 /// # Errors
 /// The draft is empty.

@@ -14,9 +14,9 @@ pub const DETAIL_ROWS: u16 = 3;
 /// Rows of the heights with their rule, on small screens and on large ones.
 const LOW: u16 = 6;
 const HIGH: u16 = 11;
-/// Rows of a screen with room for the high ones.
+/// From this number of rows on, a screen is a large one.
 const TALL: u16 = 36;
-/// Columns of the list by the columns of the screen, and for the widest ones.
+/// Columns of the list by the minimum columns of the screen; `NARROW` on narrower ones.
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 
