@@ -89,7 +89,7 @@ pub struct CareerFlight {
     pub imported: bool,
 }
 
-/// The licence for a kind of part.
+/// The purchase of a kind of part.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Purchase {
     /// Id of the part.

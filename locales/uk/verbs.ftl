@@ -87,7 +87,7 @@ argument-by-heading = від теперішнього курсу
 argument-clockwise = за годинниковою стрілкою додатний
 argument-duration = скільки часу
 argument-orbit-speed = типово 3 m/s
-argument-orbit-centre = типово теперішнє місце
+argument-orbit-centre = типово — теперішнє місце апарата
 argument-roi-height = над домом, типово 0
 argument-roi-off = знову дивитися вперед
 argument-here = теперішнє місце
@@ -110,7 +110,7 @@ argument-in-mode = у цьому режимі
 argument-altitude-or-distance = висота над домом або відстань до дому
 argument-ground-speed = відносно землі
 argument-charge = залишок заряду
-argument-satellites = супутників у роботі
+argument-satellites = кількість супутників, що використовуються
 argument-reading = що показує перший датчик апарата, у його одиницях
 argument-contact-count = контактів усіх апаратів разом
 

@@ -37,7 +37,7 @@ enum PlanCommand {
                             sortie plan check --ceiling 120 --radius 500 *.waypoints\n  \
                             sortie plan check survey.plan --terrain srtm --clearance 20")]
     Check(check::CheckArguments),
-    /// Converts a plan; the extension of OUT is the format: .waypoints, .fence, .rally, .plan, .kml or .geojson.
+    /// Converts a plan; the extension of OUT decides the format: .waypoints, .fence, .rally, .plan, .kml or .geojson.
     #[command(after_help = "Examples:\n  \
                             sortie plan convert survey.plan survey.waypoints --list plan\n  \
                             sortie plan convert field.kmz field.plan --height 40")]
@@ -63,11 +63,11 @@ enum PlanCommand {
     #[command(after_help = "Examples:\n  \
                             sortie plan line road.geojson --home 50.449,30.52 --vehicles 3 --spacing 15 --write parts")]
     Line(generate::LineArguments),
-    /// Lets vehicles circle a place, evenly spaced and at different heights.
+    /// Circles a place with one or more vehicles, evenly spaced and at different heights.
     #[command(after_help = "Examples:\n  \
                             sortie plan orbit --datum 50.45,30.52 --radius 40 --turns 3 --home 50.449,30.52 --vehicles 2")]
     Orbit(generate::OrbitArguments),
-    /// Proposes later starts or layers of height that keep the vehicles apart.
+    /// Proposes later starts or separate heights that keep the vehicles apart.
     #[command(after_help = "Examples:\n  \
                             sortie plan deconflict *.plan\n  \
                             sortie plan deconflict *.plan --write apart")]

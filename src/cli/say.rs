@@ -13,7 +13,7 @@ use crate::api::Request;
 /// Options of `sortie say`.
 #[derive(Debug, Args)]
 pub(super) struct SayArguments {
-    /// The socket of the console, as given to its --api.
+    /// The socket of the console, as given with --api.
     socket: PathBuf,
     /// Lines of the command grammar, such as "all takeoff 20"; each one waits until the one before has ended.
     #[arg(required = true, value_name = "LINE")]
@@ -21,7 +21,7 @@ pub(super) struct SayArguments {
     /// Confirm lines that would ask the user, such as kill.
     #[arg(long)]
     confirm: bool,
-    /// Print what the console answers as JSON lines.
+    /// Print the console's answers as JSON lines.
     #[arg(long)]
     json: bool,
 }

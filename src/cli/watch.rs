@@ -13,7 +13,7 @@ use crate::api::{self, Request, Topic};
 /// Options of `sortie watch`.
 #[derive(Debug, Args)]
 pub(super) struct WatchArguments {
-    /// The socket of the console, as given to its --api or --api-read-only.
+    /// The socket of the console, as given with --api or --api-read-only.
     #[arg(required_unless_present = "schema")]
     socket: Option<PathBuf>,
     /// What to watch: vehicles, notices, ledger, mission; all of them if none is named.

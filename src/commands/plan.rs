@@ -24,10 +24,10 @@ pub enum PlanSource {
     Document(Arc<Document>),
 }
 
-/// What is done with a list.
+/// What to do with a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
-    /// Replace it by that of a source.
+    /// Replace it with the one of a source.
     Upload { source: PlanSource },
     /// Write it into a new file.
     Download { file: String },

@@ -275,7 +275,7 @@ impl ManoeuvreGoal {
     }
 }
 
-/// The resolution of the time to reach, seconds.
+/// The resolution in seconds of the times at which an aim is reached.
 const STEP_S: f64 = 0.02;
 /// The number of quantities that are compared.
 const QUANTITIES: usize = 7;

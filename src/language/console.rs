@@ -236,14 +236,14 @@ pub enum DraftLine {
     New(Option<String>),
     /// Open a file.
     Open(String),
-    /// Write the current one to a file; `None` for the file that it comes from.
+    /// Write the current draft to a file; `None` for the file that it comes from.
     Save(Option<String>),
     /// Open what these vehicles have on board, a draft for each.
     Take(Option<VehicleChoice>),
-    /// Make the one with this name the current one.
+    /// Make the draft with this name the current one.
     Use(String),
     Close,
-    /// Put the current one on board of these vehicles, otherwise of the selected ones.
+    /// Upload the current draft to these vehicles, otherwise to the selected ones.
     Upload(Option<VehicleChoice>),
     /// Put each one that is meant for a vehicle on board of that vehicle.
     UploadEach,

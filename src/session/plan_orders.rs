@@ -132,7 +132,7 @@ impl PlanOrders {
         }
     }
 
-    /// Names the lists that are kept since a transfer was broken off, once the vehicle is heard.
+    /// Reports the lists that have been kept since a transfer was interrupted, once the vehicle is heard.
     fn name_kept(&mut self, desk: &mut Desk<'_>) {
         let Some(shelf) = &self.shelf else {
             return;
@@ -259,7 +259,7 @@ fn named(file: &str, vehicle: &Vehicle) -> String {
     file.replace("{id}", &vehicle.id.to_string())
 }
 
-/// The list that the model has, if it is known to be complete.
+/// The list in the vehicle model, if it is known to be complete.
 fn known(vehicle: &Vehicle, kind: ListKind) -> Option<Vec<Item>> {
     let plans = &vehicle.plans;
     let (items, transfer) = match kind {
@@ -316,7 +316,7 @@ impl Job {
         };
         let is_over = match outcome {
             Outcome::Written(_) | Outcome::Same(_) => writes,
-            // What was there before may itself be the rest of a transfer.
+            // The list before this transfer may itself be an incomplete one.
             Outcome::Kept(..) | Outcome::Restored(..) => self.transaction.is_stored(),
             Outcome::Read(_)
             | Outcome::Changed(_)

@@ -55,7 +55,7 @@ pub(super) struct RunningSession {
     links: SessionLinks,
     forwards: SessionForwards,
     inspection: Inspection,
-    /// The number of reports that the fleet dropped so far.
+    /// The number of reports that the fleet has dropped so far.
     dropped: u64,
     mission_run: Option<MissionRun>,
     /// The embedded simulator's speed, and whether it is paused.

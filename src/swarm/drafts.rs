@@ -1,4 +1,4 @@
-//! A plan for each vehicle from a task, from where the vehicles stand.
+//! Makes a plan for each vehicle from a task; each plan begins where its vehicle stands.
 
 use super::planner::{SECTOR_RADIUS_M, SQUARE_TURNS, USUAL_SPACING_M};
 use super::site::Site;

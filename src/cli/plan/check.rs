@@ -142,7 +142,7 @@ fn print_remarks(
     Ok(())
 }
 
-/// Where the plan is nearest to the ground.
+/// Prints where the plan is nearest to the ground.
 fn print_lowest(
     name: &str,
     document: &Document,

@@ -20,7 +20,7 @@ pub(super) struct DeconflictArguments {
     /// The plan of each vehicle, in any format.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Keep layers this far apart, in metres.
+    /// Keep the separate heights this far apart, in metres.
     #[arg(long, value_name = "M", default_value_t = 6.0, value_parser = parse_layer)]
     layer: f32,
     /// Write the changed plans to this folder; existing files are not replaced.

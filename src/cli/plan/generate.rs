@@ -55,7 +55,7 @@ pub(super) struct SearchArguments {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum SearchPattern {
-    /// Expanding square, in pieces.
+    /// Expanding square, divided among the vehicles.
     Square,
     /// Sectors through the datum, each vehicle at a height of its own.
     Sector,

@@ -25,7 +25,7 @@ pub trait PlanShelf: Debug + Send + Sync {
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
 
     /// Keeps the list of a vehicle while another one is sent, so that it is not lost with this program. A list that is
-    /// kept already stays: it is the whole one. Returns whether the list is kept now.
+    /// kept already stays, because it is the complete one. Returns whether the list is kept now.
     fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool;
 
     /// Removes the kept list of a vehicle, if there is one.
@@ -74,7 +74,7 @@ pub(crate) fn format_of(file: &str, kind: ListKind) -> FileFormat {
     }
 }
 
-/// The notices about transfers to a vehicle that were broken off: their old lists are still kept.
+/// The notices about interrupted transfers to a vehicle, whose old lists are still kept.
 pub(super) fn broken_off(
     shelf: &dyn PlanShelf,
     vehicle: VehicleId,

@@ -18,7 +18,7 @@ const SIDE_BY_SIDE_M: f64 = 8.0;
 /// Options of all tasks.
 #[derive(Debug, Args)]
 pub(super) struct TeamArguments {
-    /// Make plans for this many vehicles, which stand 8 m apart, from the home to the east.
+    /// Make plans for this many vehicles, which stand 8 m apart in a row from the home to the east.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=250))]
     vehicles: u16,
     /// The home of the first vehicle: latitude, longitude, and height above sea level in metres.
@@ -40,7 +40,7 @@ pub(super) struct TeamArguments {
     #[arg(long, value_name = "FILE")]
     fence: Option<PathBuf>,
     /// Write the plans: to `part-1.plan` and so on in this folder, or to files with this name, in which `{id}` is the
-    /// vehicle's number and the ending is the format.
+    /// vehicle's number and the extension decides the format.
     #[arg(long, value_name = "DIR|NAME")]
     pub(super) write: Option<PathBuf>,
     /// Replace files that exist.
