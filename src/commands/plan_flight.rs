@@ -23,7 +23,7 @@ pub enum PlanFlight {
     Start,
     /// Continue at an item, in AUTO or when AUTO is entered.
     Goto { item: u16 },
-    /// Stop on the way and stay there.
+    /// Stop on the way and hold position.
     Pause,
     /// Continue in AUTO at the current item, or at another one; never at the first item because of `MIS_RESTART`.
     Resume { item: Option<u16> },
@@ -71,7 +71,7 @@ impl PlanFlight {
         }
     }
 
-    /// Whether it says at which item to continue.
+    /// Whether the command sets the item at which to continue.
     pub(super) fn sets_item(self) -> bool {
         match self {
             Self::Start | Self::Goto { .. } | Self::Resume { .. } | Self::Skip => true,

@@ -90,7 +90,7 @@ impl PlanOrders {
         self.waiting.push_back(order);
     }
 
-    /// Begins to find out what is on board, because the link was down or the vehicle has rebooted.
+    /// Begins to read what is on board, because the link was down or the vehicle has rebooted.
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         if let Some(job) = &mut self.job {
             job.transaction.begin_anew(ftp, now);

@@ -2,20 +2,20 @@
 
 use sortie_geo::{LatLon, maths};
 
-/// Two vehicles nearer than this over the ground...
+/// The horizontal limit of a conflict, in metres: two vehicles are in conflict if they are below both limits.
 pub const TOO_NEAR_M: f64 = 5.0;
-/// .. and closer than this vertically are in conflict.
+/// The vertical limit of a conflict, in metres.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
-/// Vehicles that start nearer to each other than this...
+/// The distance at the start below which two vehicles have a smaller horizontal limit, in metres.
 const NEIGHBOURS_M: f64 = 6.5;
-/// ... are too near only at this share of that distance...
+/// That limit as a share of their distance at the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
-/// ... but at this one in any case.
+/// The smallest horizontal limit, in metres.
 const LEAST_LIMIT_M: f64 = 1.0;
 
-/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, in units
-/// of what is too near, was smallest.
+/// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, each
+/// divided by its limit, was smallest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach {
     /// The vehicle with the lower number.
@@ -30,8 +30,8 @@ pub struct Approach {
     pub at_s: f64,
     /// The place half-way between them.
     pub place: LatLon,
-    /// The distance over the ground below which these two are too near, in metres: [`TOO_NEAR_M`], or less for vehicles that
-    /// start nearer to each other.
+    /// The horizontal limit of these two vehicles, in metres: [`TOO_NEAR_M`], or less if they started close to each
+    /// other.
     pub limit_m: f64,
 }
 
@@ -49,7 +49,7 @@ impl Approach {
     }
 }
 
-/// The distance over the ground below which two vehicles are too near that start so far apart.
+/// The horizontal limit of two vehicles that start at this distance from each other, in metres.
 pub(crate) fn limit_m(starts_m: f64) -> f64 {
     if starts_m < NEIGHBOURS_M {
         (starts_m * NEIGHBOURS_SHARE).clamp(LEAST_LIMIT_M, TOO_NEAR_M)

@@ -1,4 +1,4 @@
-//! Separates vehicles whose plans bring them too close to each other, by later starts or by layers of height.
+//! Separates vehicles whose plans bring them too close to each other, by later starts or by separate heights (layers).
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ const LONGEST_DELAY_S: u32 = 1800;
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
 /// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
 const LIFTS_AFTER_ARMING_S: u32 = 2;
-/// The number of times that layers are flown and added to.
+/// How many times, at most, layers are rehearsed and then extended.
 const LAYER_ROUNDS: usize = 6;
 
 /// The change to one vehicle's plan.
@@ -318,7 +318,7 @@ pub(crate) fn by_layers(
     Ok(None)
 }
 
-/// The layers with the least sum that part those who come near each other.
+/// The layers with the least sum that separate the vehicles that come near each other.
 fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
     let found = best_order(vehicles, |order| {
         let layers = layers_in(order, near);
@@ -328,7 +328,7 @@ fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
     found.map(|(_, layers)| layers).unwrap_or_default()
 }
 
-/// The lowest layer for each vehicle that none of those before it has, of those that come near it.
+/// The lowest layer for each vehicle that is not taken by an earlier vehicle that comes near it.
 fn layers_in(order: &[usize], near: &[(usize, usize)]) -> Vec<usize> {
     let mut layers = vec![0; order.len()];
     for (place, &vehicle) in order.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! The order in which vehicles are placed one after the other.
 
-/// So many vehicles are placed in every order.
+/// Up to this many vehicles, all orders are tried.
 const ALL_ORDERS: usize = 5;
-/// The times that the neighbours in the order of more vehicles are exchanged.
+/// How many times, at most, all neighbours in the order of more vehicles are exchanged.
 const SWAP_ROUNDS: usize = 12;
 
 /// The best result of all orders of so many vehicles: the one with the least cost. Of more than [`ALL_ORDERS`] vehicles,

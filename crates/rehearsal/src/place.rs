@@ -10,9 +10,9 @@ use crate::{Conditions, Participant, RehearsalError};
 pub(crate) const STEPS: u32 = 2;
 /// Samples between two points of a track.
 pub(crate) const TRACK_EVERY: u32 = 10;
-/// Vehicles whose homes are closer together than this, in metres, start side by side ..
+/// Vehicles whose homes are closer together than this, in metres, start side by side.
 const SAME_PLACE_M: f64 = 2.0;
-/// .. at this distance in metres, which is no conflict.
+/// The distance of vehicles that start side by side, in metres; it is no conflict.
 const SIDE_BY_SIDE_M: f64 = 8.0;
 
 /// The positions of a vehicle in the air at regular times since its start: metres north and east of the first vehicle's

@@ -39,7 +39,7 @@ pub enum HomeItem {
     Free,
     /// Fly without a task, with ArduPilot's SITL.
     ArduPilot,
-    /// Connect to vehicles elsewhere.
+    /// Connect to real vehicles or to a running simulator.
     Connect,
     Quit,
 }

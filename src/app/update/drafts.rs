@@ -1,4 +1,4 @@
-//! Drafts of plans: lines about them, and their way on board.
+//! Drafts of plans: lines about them, and their uploads.
 
 use std::sync::Arc;
 
@@ -46,7 +46,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
     }
 }
 
-/// Puts drafts on board, each list by an order of its own.
+/// Uploads drafts, each list by an order of its own.
 fn upload(state: &mut State, drafts: &[(Draft, Vec<VehicleId>)]) -> Result<Effects, Text> {
     let mut orders = Vec::new();
     for (draft, vehicles) in drafts {
