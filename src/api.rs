@@ -23,7 +23,7 @@ pub use client::{Client, present};
 pub use schema::schema;
 pub use view::{
     ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
-    ParameterView, PlanItemView, PlanView, ReadingView, RowView, VehicleView,
+    ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView, VehicleView,
 };
 
 /// The version of this interface; it increases with every change that is not an addition.
@@ -80,6 +80,8 @@ pub enum Subject {
     Parameters,
     /// The plan on board of one vehicle, as far as it has been read.
     Plan,
+    /// The records of flights, newest first.
+    Records,
 }
 
 /// A subject that can be watched.
@@ -175,6 +177,7 @@ pub enum Message {
     Links(StateList<LinkView>),
     Parameters(StateList<ParameterView>),
     Plan(PlanView),
+    Records(StateList<RecordView>),
 }
 
 impl Message {

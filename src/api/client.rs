@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use super::{
     Ended, EntryView, Fault, LinkView, Message, MissionState, MissionView, NoticeView,
-    ParameterView, PlanView, RowView, StateList, Subject, Topic, USUAL_WATCH_S, VehicleView,
+    ParameterView, PlanView, RecordView, RowView, StateList, Subject, Topic, USUAL_WATCH_S,
+    VehicleView,
 };
 use crate::app::State;
 use crate::ledger::{EntryId, LedgerEntry, RowState};
@@ -191,7 +192,7 @@ fn mission(state: &State) -> Option<MissionView> {
     ))
 }
 
-/// The present state of a subject, as an answer to the request of this number.
+/// The present state of a subject, as an answer to the request of this number. `records` lists the recorded flights.
 ///
 /// # Errors
 /// The subject is one vehicle's, and none is named or it is not known.
@@ -200,6 +201,7 @@ pub fn present(
     id: Option<u64>,
     what: Subject,
     vehicle: Option<VehicleId>,
+    records: impl FnOnce() -> Vec<RecordView>,
 ) -> Result<Message, Fault> {
     let (session, locale) = (state.session(), state.locale());
     Ok(match what {
@@ -236,6 +238,7 @@ pub fn present(
             Message::Parameters(StateList::new(id, list.map(ParameterView::from)))
         }
         Subject::Plan => Message::Plan(PlanView::new(id, named(state, id, vehicle)?)),
+        Subject::Records => Message::Records(StateList::new(id, records())),
     })
 }
 

@@ -250,10 +250,11 @@ fn notices_and_commands_of_others_are_sent_from_the_request_on() {
 #[test]
 fn what_belongs_to_one_vehicle_needs_its_number() {
     let app = console();
-    let fault = present(app.state(), Some(1), Subject::Plan, None).expect_err("none named");
+    let fault =
+        present(app.state(), Some(1), Subject::Plan, None, Vec::new).expect_err("none named");
     assert_eq!(fault.id, Some(1));
-    assert!(present(app.state(), None, Subject::Plan, Some(9)).is_err());
-    let plan = present(app.state(), Some(2), Subject::Plan, Some(1)).expect("its plan");
+    assert!(present(app.state(), None, Subject::Plan, Some(9), Vec::new).is_err());
+    let plan = present(app.state(), Some(2), Subject::Plan, Some(1), Vec::new).expect("its plan");
     let expected = json!({"plan": {"id": 2, "vehicle": 1, "complete": false, "items": []}});
     assert_eq!(lines(&[plan]), [expected]);
 }
@@ -294,8 +295,10 @@ fn the_states_of_the_console_are_never_beyond_its_reach() {
         Subject::Ledger,
         Subject::Mission,
         Subject::Links,
+        Subject::Records,
     ] {
-        let message = present(state, Some(4), what, None).expect("a state of the whole console");
+        let message =
+            present(state, Some(4), what, None, Vec::new).expect("a state of the whole console");
         let line = lines(&[message]).remove(0);
         let content = line
             .as_object()

@@ -347,6 +347,19 @@ impl From<(&str, &ListedParameter)> for ParameterView {
     }
 }
 
+/// The files of a recorded flight.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub struct RecordView {
+    /// Their common name without suffix.
+    pub name: String,
+    /// Bytes of frames and journal.
+    pub bytes: u64,
+    /// The file with the frames of all links, a tlog.
+    pub frames: Option<String>,
+    /// The record of the mission's run.
+    pub run: Option<String>,
+}
+
 /// The plan on board of a vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct PlanView {

@@ -14,12 +14,14 @@ use tokio_util::sync::CancellationToken;
 
 use super::Console;
 use crate::api::{
-    Accepted, Call, Client, Fault, INTERFACE, LONGEST_LINE, Message, Request, Welcome, present,
+    Accepted, Call, Client, Fault, INTERFACE, LONGEST_LINE, Message, RecordView, Request, Welcome,
+    present,
 };
 use crate::app::State;
 use crate::app::effect::{ProgramAnswer, ProgramFault};
 use crate::app::event::{Event, ProgramLine};
 use crate::notice::Notice;
+use crate::store::{RecordFiles, Records};
 use crate::text;
 use crate::text::{Locale, Text};
 use crate::vehicle::Severity;
@@ -222,7 +224,9 @@ impl Console {
     ) -> Result<Message, Fault> {
         let accepted = |entry| Message::Accepted(Accepted { id, entry });
         match request {
-            Request::Get { what, vehicle } => present(self.app.state(), id, what, vehicle),
+            Request::Get { what, vehicle } => {
+                present(self.app.state(), id, what, vehicle, || self.record_views())
+            }
             Request::Watch { what, every_s } => {
                 if let Some(program) = programs.connected.get_mut(&from) {
                     program.client.watch(what, every_s, self.app.state());
@@ -254,6 +258,20 @@ impl Console {
                 }
             }
         }
+    }
+
+    /// The recorded flights, newest first.
+    fn record_views(&self) -> Vec<RecordView> {
+        let records = self.options.preferences.records.as_ref();
+        let files = records.map(Records::list).unwrap_or_default();
+        let path = |path: &PathBuf| path.display().to_string();
+        let view = |files: RecordFiles| RecordView {
+            frames: files.frames.as_ref().map(path),
+            run: files.run.as_ref().map(path),
+            bytes: files.bytes,
+            name: files.stem,
+        };
+        files.into_iter().rev().map(view).collect()
     }
 
     /// Tells the user once that a program gives commands.

@@ -163,6 +163,21 @@ fn a_socket_for_reading_takes_no_lines() {
 }
 
 #[test]
+fn the_flight_that_is_recorded_and_the_plan_on_board_can_be_asked_for() {
+    let served = Served::start(&["--vehicles", "1"], "--api-read-only");
+    let mut caller = served.connect();
+    caller.wait_until_ready(1);
+    caller.send(&json!({"id": 1, "do": "get", "what": "records"}));
+    let records = caller.next_of("records");
+    let frames = records["list"][0]["frames"].as_str().expect("a file");
+    assert!(Path::new(frames).exists(), "{records}");
+    caller.send(&json!({"id": 2, "do": "get", "what": "plan", "vehicle": 1}));
+    assert_eq!(caller.next_of("plan")["vehicle"], 1);
+    caller.send(&json!({"id": 3, "do": "get", "what": "parameters", "vehicle": 9}));
+    assert_eq!(caller.next_of("fault")["id"], 3);
+}
+
+#[test]
 fn ten_thousand_requests_are_answered_in_order_beside_fifty_clients_that_never_read() {
     let served = Served::start(&["--vehicles", "1"], "--api");
     let mut deaf = Vec::new();
