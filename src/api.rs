@@ -205,6 +205,9 @@ pub struct Accepted {
     pub id: Option<u64>,
     /// The command's number in the ledger; none for a line to the console itself.
     pub entry: Option<u32>,
+    /// What the console answers to the line, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
 }
 
 /// The reason why a request was not carried out.

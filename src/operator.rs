@@ -20,7 +20,7 @@ use crate::session::{Steering, VehicleCommand};
 use crate::swarm::{Conductor, Path, Rules};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{VehicleId, Vehicles};
+use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 mod rehearsing;
 #[cfg(test)]
@@ -182,21 +182,24 @@ impl Operator {
         if let Some(reason) = refusals.next() {
             return refused(entry, order, &reason, scene.now);
         }
-        let dispatch = |&vehicle: &VehicleId| match commands.get(&vehicle) {
-            Some(command) => {
-                let command = VehicleCommand::new(entry, order.verb, command.clone());
-                Dispatch::Command(vehicle, command)
-            }
-            None => Dispatch::Row(RowUpdate {
-                entry,
-                vehicle,
-                state: RowState::NoEffect,
-                tries: 0,
-                at: scene.now,
-                explanation: Some(text!("outcome-plan-idle")),
-            }),
+        let dispatch = |&vehicle: &VehicleId| {
+            let part = commands.remove(&vehicle);
+            let idle = part.is_none().then(|| {
+                let text = text!("outcome-plan-idle");
+                Notice::about(vehicle, scene.now, Severity::Notice, text)
+            });
+            // An old plan could lead the vehicle through the parts of the others.
+            let clear = Command::Plan(PlanCommand {
+                kind: ListKind::Plan,
+                deed: PlanDeed::Clear,
+            });
+            let command = VehicleCommand::new(entry, order.verb, part.unwrap_or(clear));
+            let notice = idle.map(Dispatch::Notice);
+            [Dispatch::Command(vehicle, command)]
+                .into_iter()
+                .chain(notice)
         };
-        order.targets.iter().map(dispatch).collect()
+        order.targets.iter().flat_map(dispatch).collect()
     }
 
     /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose own autopilots

@@ -112,7 +112,7 @@ outcome-log-stalled = the vehicle stopped sending log { $number }: { $percent } 
 outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of log { $number } saved; disarm it and repeat the download to continue
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
 
-outcome-plan-idle = no part for this vehicle: it is too far away to save energy for the others
+outcome-plan-idle = no part for this vehicle; its plan on board is cleared
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-unread = the plan on board has not been read yet: `plan show` reads it
 rehearse-no-plan = no plan on board

@@ -91,6 +91,8 @@ impl From<&Vehicle> for VehicleView {
 pub struct RowView {
     /// The command's number in the ledger.
     pub entry: u32,
+    /// The whole line, with its targets.
+    pub line: String,
     pub vehicle: VehicleId,
     /// `queued`, `sent`, `in_progress`, `accepted`, `done`, `no_effect`, `refused`, `timed_out`, `superseded` or
     /// `overtaken`.
@@ -111,6 +113,7 @@ impl RowView {
     pub(super) fn new(entry: &LedgerEntry, row: &LedgerRow, locale: &Locale) -> Self {
         Self {
             entry: entry.id.0,
+            line: entry.line.clone(),
             vehicle: row.vehicle,
             state: row.state.into(),
             percent: match row.state {

@@ -77,10 +77,12 @@ pub enum Effect {
 }
 
 /// A line of a program that was carried out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramAnswer {
     /// Its entry in the ledger; `None` for a line to the console itself.
     pub entry: Option<EntryId>,
+    /// The console's answer, if it has one.
+    pub text: Option<Text>,
 }
 
 /// The reason why a program's line was not carried out.

@@ -30,6 +30,7 @@ pub(super) struct SayArguments {
 struct ReadAccepted {
     id: Option<u64>,
     entry: Option<u32>,
+    text: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -87,6 +88,9 @@ fn follow(
         match message.kind.as_str() {
             "ok" => {
                 let accepted: ReadAccepted = message.read()?;
+                if let Some(text) = accepted.text.as_ref().filter(|_| !arguments.json) {
+                    say!("{text}")?;
+                }
                 if accepted.id == Some(id) && accepted.entry.is_none() {
                     return Ok(true);
                 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantArray as _;
 
 use super::Failure;
@@ -17,7 +18,7 @@ pub(super) struct WatchArguments {
     #[arg(required_unless_present = "schema")]
     socket: Option<PathBuf>,
     /// What to watch: vehicles, notices, ledger, mission; all of them if none is named.
-    #[arg(value_name = "TOPIC")]
+    #[arg(value_name = "TOPIC", value_parser = topic_parser())]
     topics: Vec<Topic>,
     /// Let at least this many seconds pass between two states.
     #[arg(long, value_name = "S", default_value_t = api::USUAL_WATCH_S)]
@@ -25,6 +26,11 @@ pub(super) struct WatchArguments {
     /// Print a JSON schema of the interface, and end.
     #[arg(long)]
     schema: bool,
+}
+
+fn topic_parser() -> impl TypedValueParser<Value = Topic> {
+    let names = Topic::VARIANTS.iter().map(<&str>::from);
+    PossibleValuesParser::new(names).try_map(|name| name.parse::<Topic>())
 }
 
 /// Prints what the console sends until it ends.

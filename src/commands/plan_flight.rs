@@ -39,6 +39,10 @@ impl PlanFlight {
         match self {
             Self::Start => {
                 carries_plan(vehicle)?;
+                // In AUTO, most vehicles cannot be armed any more.
+                if !vehicle.armed() {
+                    return Err(text!("refused-plan-not-armed"));
+                }
                 one(LongFields::new(MavCmd::MAV_CMD_MISSION_START, &[]))
             }
             Self::Goto { item } => {

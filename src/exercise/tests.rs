@@ -370,6 +370,26 @@ fn a_survey_becomes_plans_on_board_which_are_rehearsed() {
 }
 
 #[test]
+fn a_vehicle_without_a_part_of_a_survey_carries_no_old_plan() {
+    let script = "wait all ready timeout 60s\n\
+                  all plan survey n 20 e -20 to n 60 e 20 spacing 10 up 15\n\
+                  wait 40s\n\
+                  all plan survey n 20 e -2 to n 24 e 2 spacing 20 up 15\n\
+                  wait 40s\n\
+                  all plan rehearse\n\
+                  wait 5s\n";
+    let found = rows_of(script, &["all plan survey n 20 e -2 ", "all plan rehearse"]);
+    for (state, words) in &found[0] {
+        assert_eq!(*state, RowState::Done, "{words}");
+    }
+    let states: Vec<RowState> = found[1].iter().map(|(state, _)| *state).collect();
+    assert!(
+        states.contains(&RowState::Refused),
+        "one has no plan: {found:?}"
+    );
+}
+
+#[test]
 fn a_survey_that_no_vehicle_can_fly_is_refused_with_the_reason() {
     let script = "wait all ready timeout 60s\n\
                   all plan survey n 0 e 0 to n 90000 e 90000 spacing 1\n\

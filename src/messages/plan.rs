@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::HandlerNotices;
 use crate::plan::Item;
-use crate::plan::command::{is_jump, is_navigation};
+use crate::plan::command::{is_end, is_jump, is_navigation};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Plan, PlanPhase, PlanProgress, Severity, Vehicle};
@@ -23,6 +23,10 @@ const FLIES_IT: u8 = 1;
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanWatch {
     reached: BTreeSet<u16>,
+    /// Whether the vehicle flew its plan at the last report.
+    flew: bool,
+    /// Whether the end of this flight of the plan has been said.
+    has_ended: bool,
 }
 
 impl PlanWatch {
@@ -48,14 +52,21 @@ impl PlanWatch {
             asked: before.asked,
         };
         let flies = vehicle.armed() && (vehicle.flies_plan() || data.mission_mode == FLIES_IT);
+        let flew = std::mem::replace(&mut self.flew, flies);
+        self.has_ended &= flew || !flies;
+        let mut ends = vehicle.plan.phase == Some(PlanPhase::Complete)
+            && before.phase == Some(PlanPhase::Active);
         if is_news {
             let reached = std::mem::take(&mut self.reached);
-            if is_same && flies && before.since.is_some() && !was_asked(before, report.now) {
+            let is_own = is_same && before.since.is_some() && !was_asked(before, report.now);
+            let begins_anew = is_own && begins_anew(vehicle, before.current);
+            ends |= begins_anew;
+            if is_own && flies && !begins_anew {
                 follow(vehicle, before.current, &reached, report);
             }
         }
-        let ends = vehicle.plan.phase == Some(PlanPhase::Complete);
-        if flies && ends && before.phase == Some(PlanPhase::Active) {
+        // The motors may stop before this report: the end counts if the vehicle flew at the last one.
+        if ends && (flies || flew) && !std::mem::replace(&mut self.has_ended, true) {
             report.say(Severity::Notice, text!("heard-plan-complete"));
         }
     }
@@ -69,6 +80,13 @@ impl PlanWatch {
         vehicle.plan.reached = Some(data.seq);
         self.reached.insert(data.seq);
     }
+}
+
+/// Whether a plan has gone from an item that ends it to its first one, as ArduPilot does when the motors stop.
+fn begins_anew(vehicle: &Vehicle, before: u16) -> bool {
+    let plan = vehicle.plans.plan.content.as_ref();
+    let last = plan.and_then(|plan| plan.items.get(usize::from(before)));
+    vehicle.plan.current <= 1 && last.is_some_and(|item| is_end(item.command))
 }
 
 /// Says how the plan went on where its items do not lead.

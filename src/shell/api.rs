@@ -222,7 +222,7 @@ impl Console {
         from: ProgramId,
         Call { id, request }: Call,
     ) -> Result<Message, Fault> {
-        let accepted = |entry| Message::Accepted(Accepted { id, entry });
+        let accepted = |entry, text| Message::Accepted(Accepted { id, entry, text });
         match request {
             Request::Get { what, vehicle } => {
                 present(self.app.state(), id, what, vehicle, || self.record_views())
@@ -231,7 +231,7 @@ impl Console {
                 if let Some(program) = programs.connected.get_mut(&from) {
                     program.client.watch(what, every_s, self.app.state());
                 }
-                Ok(accepted(None))
+                Ok(accepted(None, None))
             }
             Request::Say { .. } if !programs.commands => {
                 let locale = self.app.state().locale();
@@ -245,16 +245,17 @@ impl Console {
                 self.feed(Event::Program(said)).await;
                 match self.program_answer.take() {
                     Some(Err(fault)) => Err(refused(id, &fault, self.app.state().locale())),
-                    Some(Ok(ProgramAnswer { entry })) => {
+                    Some(Ok(ProgramAnswer { entry, text })) => {
                         self.note_commands(programs, from);
                         if let (Some(entry), Some(program)) =
                             (entry, programs.connected.get_mut(&from))
                         {
                             program.client.follow(entry);
                         }
-                        Ok(accepted(entry.map(|entry| entry.0)))
+                        let text = text.map(|text| self.app.state().locale().text(&text));
+                        Ok(accepted(entry.map(|entry| entry.0), text))
                     }
-                    None => Ok(accepted(None)),
+                    None => Ok(accepted(None, None)),
                 }
             }
         }

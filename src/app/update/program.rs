@@ -18,10 +18,14 @@ use crate::verb::Danger;
 pub fn give(state: &mut State, said: &ProgramLine) -> Effects {
     // A question to the user stays open, and one that the line raises is not the user's.
     let overlay = state.overlay.take();
+    let message = state.message().cloned();
     let outcome = carry_out(state, said);
+    let news = state.message().filter(|it| Some(*it) != message.as_ref());
+    let text = news.map(|it| it.text.clone());
     state.overlay = overlay;
     match outcome {
-        Ok((answer, mut effects)) => {
+        Ok((entry, mut effects)) => {
+            let answer = ProgramAnswer { entry, text };
             effects.extend([Effect::AnswerProgram(Ok(answer))]);
             effects
         }
@@ -32,7 +36,7 @@ pub fn give(state: &mut State, said: &ProgramLine) -> Effects {
 fn carry_out(
     state: &mut State,
     said: &ProgramLine,
-) -> Result<(ProgramAnswer, Effects), ProgramFault> {
+) -> Result<(Option<EntryId>, Effects), ProgramFault> {
     let line = said.line.as_str();
     permit(state, line)?;
     match order::read_for(state, line, &[])? {
@@ -43,7 +47,7 @@ fn carry_out(
                 asks(said, Diagnostic::new(first_word(line), reason))?;
             }
             let sent = order::send(state, order);
-            Ok((answer(Some(sent.entry)), Effects::from(sent.effect)))
+            Ok((Some(sent.entry), Effects::from(sent.effect)))
         }
         Given::Own(ConsoleLine::Macro(_)) => {
             let fault = Diagnostic::new(first_word(line), text!("api-no-macro"));
@@ -52,11 +56,11 @@ fn carry_out(
         Given::Own(own) => {
             let effects = console_line::carry_out(state, line, own)?;
             let Some(Overlay::Confirm(question)) = state.overlay.take() else {
-                return Ok((answer(None), effects));
+                return Ok((None, effects));
             };
             let fault = Diagnostic::new(first_word(line), question.question().clone());
             asks(said, fault.with_help(question.reason().clone()))?;
-            Ok((answer(None), order::carry_out(state, question.then)))
+            Ok((None, order::carry_out(state, question.then)))
         }
     }
 }
@@ -85,10 +89,6 @@ fn asks(said: &ProgramLine, fault: Diagnostic) -> Result<(), ProgramFault> {
         return Ok(());
     }
     Err(ProgramFault { fault, asks: true })
-}
-
-fn answer(entry: Option<EntryId>) -> ProgramAnswer {
-    ProgramAnswer { entry }
 }
 
 impl From<Diagnostic> for ProgramFault {

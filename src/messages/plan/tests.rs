@@ -109,6 +109,26 @@ fn the_end_of_a_plan_is_said_once() {
 }
 
 #[test]
+fn a_landing_that_begins_the_plan_anew_is_its_end() {
+    let mut bench = flying(&[22, 16, 21]);
+    at(&mut bench, 3);
+    bench.hear(MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        custom_mode: AUTO,
+        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        ..HEARTBEAT_DATA::DEFAULT
+    }));
+    bench.said();
+    at(&mut bench, 1);
+    assert_eq!(bench.said(), ["plan flown to its end"]);
+    // The motors may also still turn.
+    let mut bench = flying(&[22, 16, 21]);
+    at(&mut bench, 3);
+    at(&mut bench, 1);
+    assert_eq!(bench.said(), ["plan flown to its end"]);
+}
+
+#[test]
 fn remarks_of_the_vehicle_are_read() {
     let of = PlanRemark::of;
     let jumped = |item, times| Some(PlanRemark::Jumped { item, times });

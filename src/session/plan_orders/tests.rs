@@ -313,7 +313,7 @@ fn every_list_goes_up_is_held_comes_down_and_is_cleared() {
             rig.upload(kind, "a");
             assert_eq!(rig.ended(s(30)), RowState::Done);
             assert!(
-                rig.explanation().contains("were on board already"),
+                rig.explanation().contains("were already on board"),
                 "{}",
                 rig.explanation()
             );

@@ -117,11 +117,11 @@ fn a_pause_holds_in_auto_and_a_resumption_goes_on() {
     assert_eq!(vehicle.plan.phase, Some(PlanPhase::Paused));
     assert!(vehicle.flies_plan());
     assert!(vehicle.ground_speed_m_s().is_some_and(|speed| speed < 0.5));
-    rig.refuses("plan pause", "paused already");
+    rig.refuses("plan pause", "already paused");
     rig.works("plan resume", 5);
     assert_eq!(rig.current(), 2);
     rig.until(60, |vehicle| vehicle.plan.current == 3);
-    rig.refuses("plan resume", "already, at item 3");
+    rig.refuses("plan resume", "at item 3");
 }
 
 #[test]
