@@ -75,7 +75,7 @@ impl Draft {
         self.vehicle
     }
 
-    /// Its content now.
+    /// The document as the last edit has left it.
     pub fn document(&self) -> &Arc<Document> {
         &self.now
     }

@@ -354,7 +354,7 @@ pub enum PlansAction {
     CloserDraft,
     /// Zoom out from the map's cursor.
     WiderDraft,
-    /// Show all drafts.
+    /// Fit the map to all drafts, vehicles, task areas and named places.
     FitDrafts,
     /// Centre the map on its cursor.
     CentreDraft,

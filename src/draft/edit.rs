@@ -35,7 +35,7 @@ pub enum Spot {
     /// The cursor of the map.
     Cursor,
     At(LatLon),
-    /// Metres from home.
+    /// North and east of home, in metres.
     FromHome {
         north_m: f64,
         east_m: f64,
@@ -128,7 +128,7 @@ pub enum Edit {
         spot: Spot,
         height_m: Option<f32>,
     },
-    /// Moves home.
+    /// Moves the home of the draft.
     Home(Spot),
 }
 
@@ -161,7 +161,7 @@ pub enum PlanEdit {
 pub enum FenceEdit {
     /// Adds a corner to a polygon, after this item.
     Corner { spot: Spot, after: Option<usize> },
-    /// Begins a polygon.
+    /// Adds a fence polygon with these corners; `keeps_in` tells an inclusion from an exclusion.
     Polygon { keeps_in: bool, corners: Vec<Spot> },
     Circle {
         keeps_in: bool,
@@ -213,7 +213,7 @@ pub struct Surroundings {
     pub home: Option<Home>,
 }
 
-/// A changed document.
+/// The document after an edit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edited {
     pub document: Document,

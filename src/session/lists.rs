@@ -88,7 +88,7 @@ impl Lists {
         }
     }
 
-    /// Advances the orders.
+    /// Takes the steps of the orders that are due.
     pub fn poll(&mut self, desk: ListsDesk<'_>) {
         let (orders, mut desk) = self.desk(desk);
         orders.poll(&mut desk);

@@ -197,7 +197,7 @@ impl Programs {
 }
 
 impl Console {
-    /// Handles an arrival.
+    /// Registers or drops a connection, or answers a request.
     pub(super) async fn serve(&mut self, programs: &mut Programs, arrival: Arrival) {
         match arrival {
             Arrival::Opened(id, outbox) => programs.opened(id, outbox),

@@ -16,7 +16,7 @@ const STAYING_M_S: f32 = 1.0;
 /// The speed over ground of a vehicle between the corners and stops of its plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LegSpeed {
-    /// In m/s.
+    /// The mean speed over ground, in m/s.
     pub speed_m_s: f32,
     at: Duration,
 }

@@ -16,9 +16,9 @@ const VOID: i16 = -32_768;
 /// A square of one degree, by the whole degrees of its south-west corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Square {
-    /// Degrees north.
+    /// Latitude of the south edge, in degrees.
     pub lat: i16,
-    /// Degrees east.
+    /// Longitude of the west edge, in degrees.
     pub lon: i16,
 }
 

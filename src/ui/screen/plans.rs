@@ -114,7 +114,7 @@ fn lists(room: &Drawing, panel: Panel<'_>) -> Line<'static> {
     Line::from(spans)
 }
 
-/// How to begin.
+/// Shows how to begin a draft while none is open.
 fn draw_nothing(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let key = |action| state.key(Action::Plans(action));
     let text = text!(

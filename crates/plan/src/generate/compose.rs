@@ -65,7 +65,7 @@ fn turns(circle: Circle, pace: &Pace) -> Effort {
     Effort::level(way_m / speed_m_s, speed_m_s)
 }
 
-/// The plans.
+/// Writes the plan of each vehicle that has work, with the effort it takes.
 pub(super) fn compose(
     scene: &Scene,
     team: &[Home],

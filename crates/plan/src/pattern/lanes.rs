@@ -16,9 +16,9 @@ const SLACK: f64 = 1e-6;
 /// One line over an area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lane {
-    /// Its first end.
+    /// Where the lane begins: north and east of the origin, in metres.
     pub from: DVec2,
-    /// Its other end.
+    /// Where the lane ends: north and east of the origin, in metres.
     pub to: DVec2,
 }
 
@@ -88,7 +88,7 @@ impl Strips {
         })
     }
 
-    /// Their number.
+    /// The number of lanes.
     pub const fn count(&self) -> usize {
         self.count
     }

@@ -31,7 +31,7 @@ fn ending(path: &str) -> Option<FileFormat> {
     FileFormat::of_ending(ending)
 }
 
-/// Opens a file.
+/// Asks the shell to read a file; its content becomes a draft.
 pub(super) fn open(path: String) -> Effects {
     Effects::from(Effect::File(FileEffect::Read {
         kind: FileKind::Plan,

@@ -16,7 +16,7 @@ pub(super) struct Degrees {
     pub(super) amsl_m: Option<f64>,
 }
 
-/// Several places.
+/// The places of an option, in the order written.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Places(pub(super) Vec<Degrees>);
 
@@ -102,7 +102,7 @@ impl ShapeSource<'_> {
         Ok(line)
     }
 
-    /// A single place.
+    /// The place in `given`, otherwise the first of `--points`, otherwise the first in the file.
     pub(super) fn place(&self, given: Option<Degrees>, locale: &Locale) -> Result<LatLon, Failure> {
         let written = self.points.and_then(|points| points.0.first());
         if let Some(place) = given.as_ref().or(written) {

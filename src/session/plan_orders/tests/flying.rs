@@ -246,7 +246,7 @@ fn what_is_left_out_without_an_order_is_said() {
     let told = said(&mut rig);
     let unknown = "item 3 skipped: the vehicle does not know command 210 in a plan";
     assert!(told.iter().any(|text| text == unknown), "{told:?}");
-    // Another ground station goes on at the return.
+    // Another ground station makes the return, item 6, the current item.
     let mut other = Encoder::new(254, 190);
     let mut bytes = Vec::new();
     let set = COMMAND_LONG_DATA {
