@@ -224,6 +224,13 @@ impl Terminal {
         self.wait(&format!("{text:?}"), |screen| screen.contains(text))
     }
 
+    /// Waits until `text` was written, though it may have scrolled off the screen.
+    pub fn see_in_scrollback(&mut self, text: &str) -> &mut Self {
+        self.until(&format!("{text:?}"), |terminal| {
+            terminal.raw().contains(text)
+        })
+    }
+
     /// Waits until the screen no longer shows `text`.
     pub fn see_no_more(&mut self, text: &str) -> &mut Self {
         self.wait(&format!("the end of {text:?}"), |screen| {
