@@ -66,6 +66,14 @@ grammar-four-parameters = four parameters are required
 grammar-unknown-word = unknown
 
 grammar-mode = mode
+mode-guided = follow the commands of ground stations
+mode-auto = fly the plan on board
+mode-rtl = return to launch and land there
+mode-smart-rtl = return along the path flown and land
+mode-land = land where it is
+mode-brake = stop and hold the position
+mode-circle = circle a point
+mode-follow = follow another vehicle
 grammar-change-mode = change the mode to { $mode }
 grammar-stick-sinks = with the throttle stick down it sinks
 grammar-stick-falls = with the throttle stick down it falls

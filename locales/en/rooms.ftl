@@ -19,7 +19,7 @@ keys-prompt = command line
 keys-reader = help and lists
 keys-writes = write `{ $line }`; { $key } sends
 keys-gives = send `{ $line }`
-keys-types = list of vehicles, { $key } selects them
+keys-types = type a list such as 3-9 or 1,4; { $key } selects it
 
 action-home = go to the home screen
 action-fly = watch and command the swarm in flight

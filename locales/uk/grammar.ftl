@@ -66,6 +66,14 @@ grammar-four-parameters = треба чотири параметри
 grammar-unknown-word = невідоме слово
 
 grammar-mode = режим
+mode-guided = виконувати команди наземних станцій
+mode-auto = летіти за планом на борту
+mode-rtl = повернутися до місця старту й сісти
+mode-smart-rtl = повернутися пройденим шляхом і сісти
+mode-land = сісти на місці
+mode-brake = зупинитися й тримати позицію
+mode-circle = кружляти навколо точки
+mode-follow = слідувати за іншим апаратом
 grammar-change-mode = змінити режим на { $mode }
 grammar-stick-sinks = якщо важіль газу внизу, апарат знижується
 grammar-stick-falls = якщо важіль газу внизу, апарат падає

@@ -40,6 +40,24 @@ pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     }
 }
 
+/// What a mode does, or the warning before it, for the list of modes.
+pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
+    if let Some(warning) = mode_warning(name, context) {
+        return warning;
+    }
+    match name {
+        "GUIDED" => text!("mode-guided"),
+        "AUTO" => text!("mode-auto"),
+        "RTL" => text!("mode-rtl"),
+        "SMART_RTL" => text!("mode-smart-rtl"),
+        "LAND" => text!("mode-land"),
+        "BRAKE" | "HOLD" => text!("mode-brake"),
+        "CIRCLE" => text!("mode-circle"),
+        "FOLLOW" => text!("mode-follow"),
+        _ => text!("grammar-mode"),
+    }
+}
+
 /// The names of all modes, each once, common ones first.
 pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();

@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
-use super::modes::{mode_named, mode_names, mode_warning};
+use super::modes::{mode_named, mode_names, mode_summary};
 use super::targets::Targets;
 use super::{Context, VehicleChoice};
 use crate::commands::{command_by_name, command_names};
@@ -179,11 +179,7 @@ fn unexplained<'a>(words: &'a [&'a str]) -> impl Iterator<Item = (String, Text)>
 }
 
 fn modes(context: &Context) -> Vec<(String, Text)> {
-    let explained = |name: &'static str| {
-        let warning = mode_warning(name, context);
-        let hint = warning.unwrap_or_else(|| text!("grammar-mode"));
-        (name.to_owned(), hint)
-    };
+    let explained = |name: &'static str| (name.to_owned(), mode_summary(name, context));
     mode_names(context).into_iter().map(explained).collect()
 }
 

@@ -101,7 +101,7 @@ impl Press {
             Self::Plain(KeyCode::Right) => "→",
             Self::Plain(KeyCode::Up) => "↑",
             Self::Plain(KeyCode::Down) => "↓",
-            Self::Number => "3-9",
+            Self::Number => "0-9",
             Self::Plain(_) | Self::Control(_) | Self::With(..) => return self.label(),
         };
         arrow.to_owned()
@@ -111,7 +111,7 @@ impl Press {
     pub fn label(self) -> String {
         match self {
             Self::Control(letter) => format!("Ctrl-{}", letter.to_ascii_uppercase()),
-            Self::Number => "3-9 1,4".to_owned(),
+            Self::Number => "0-9 , -".to_owned(),
             Self::Plain(KeyCode::BackTab) => "Shift-Tab".to_owned(),
             Self::Plain(code) => printed(code),
             Self::With(modifiers, code) => {
