@@ -314,7 +314,9 @@ fn a_person_is_prompted_and_sees_no_escape_sequence() {
         .see("type 1")
         .press("2\r")
         .see("cancelled");
-    terminal.press("help\r").see_in_scrollback("objectives: show");
+    terminal
+        .press("help\r")
+        .see_in_scrollback("objectives: show");
     terminal.press("quit\r");
     assert_eq!(terminal.end(), 0);
     assert!(!terminal.raw().contains('\u{1b}'), "{:?}", terminal.raw());

@@ -100,6 +100,12 @@ impl Stored {
         self.is_altered
     }
 
+    /// Whether the end states a checksum, so that edits are noticed.
+    pub fn has_checksum(&self) -> bool {
+        let mut lines = self.lines.iter();
+        lines.any(|line| line.checksum().is_some())
+    }
+
     /// The recorded result, if the flight was flown to its end.
     pub fn end(&self) -> Option<&End> {
         self.lines.last().and_then(RecordLine::end)

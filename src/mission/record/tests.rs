@@ -84,19 +84,23 @@ fn a_journal_with_another_program_or_profile_is_named() {
     let (_, text) = eventful();
     let stored = Stored::read(&text).expect("a good record");
     let journal = || JournalHead::new(Subject::Mission(stored.head.mission.clone()), 0);
-    assert_eq!(stored.misstatement(None), None);
-    assert_eq!(stored.misstatement(Some(&journal())), None);
+    assert_eq!(stored.misstatement(None, None), None);
+    assert_eq!(stored.misstatement(Some(&journal()), None), None);
     let other = JournalHead {
         program: "9.9.9".to_owned(),
         ..journal()
     };
-    let said = stored.misstatement(Some(&other)).expect("another program");
+    let said = stored
+        .misstatement(Some(&other), None)
+        .expect("another program");
     assert!(said.to_string().contains("9.9.9"), "{said}");
     let other = JournalHead {
         profile: Some("Another".to_owned()),
         ..journal()
     };
-    let said = stored.misstatement(Some(&other)).expect("another profile");
+    let said = stored
+        .misstatement(Some(&other), None)
+        .expect("another profile");
     assert!(said.to_string().contains("profile"), "{said}");
 }
 
