@@ -37,6 +37,10 @@ record-full = the record of this flight ends here: it has reached { $mib } MiB (
 journal-damaged = line { $line } of the journal is damaged: commands and bookmarks are known up to there
 record-frames-dropped = the disk is too slow for this flight: frames are missing from its record
 
+# `sortie check`
+check-good = { $file }: good
+check-note = { $line } (a note, not a fault)
+
 # `sortie verify`
 verify-other-start = the input log begins with another seed or with other start positions
 verify-unfit-input = an impossible input

@@ -38,6 +38,10 @@ record-full = запис цього польоту закінчується ту
 journal-damaged = рядок { $line } журналу пошкоджено: команди й закладки відомі до цього місця
 record-frames-dropped = диск заповільний для цього польоту: у записі бракує кадрів
 
+# `sortie check`
+check-good = { $file }: без вад
+check-note = { $line } (примітка, не вада)
+
 # `sortie verify`
 verify-other-start = журнал вхідних даних починається з іншого варіанта або інших місць
 verify-unfit-input = неможливі вхідні дані

@@ -226,11 +226,15 @@ fn opened_parts(
         .collect()
 }
 
+/// The skills with evidence; none after a flight that does not count, which leaves them as they were.
 fn skill_changes(
     before: &CareerStanding,
     after: &CareerStanding,
     flight: &CareerFlight,
 ) -> Vec<SkillChange> {
+    if !before.counts(flight) {
+        return Vec::new();
+    }
     let percent = |standing: &CareerStanding, skill| {
         (standing.skill(skill).chance(flight.day) * 100.0).round() as u8
     };

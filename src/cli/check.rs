@@ -14,6 +14,7 @@ use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
 use crate::store::{self, Source};
+use crate::text;
 use crate::text::Locale;
 use crate::workshop::{Design, PartSlot};
 
@@ -86,12 +87,12 @@ pub(super) fn check(
     }
     let files = &unfolded(&options.files);
     let known = known_missions(files);
+    let locale = Locale::new(settings.language());
     let mut faulty = false;
     // A wrong name is a fault of usage, so no file is checked before all names are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
         if plan::is_plan_file(path) {
-            let locale = Locale::new(settings.language());
             faulty |= plan::report(path, &plan::Checking::default(), &locale)?;
             continue;
         }
@@ -104,14 +105,16 @@ pub(super) fn check(
                 let kind = kind(path, &source.text);
                 let (faults, notes) = examined(kind, path, &source, &others);
                 for fault in &faults {
-                    say!("{}", fault.one_line(&source.name, &source.text))?;
+                    let line = fault.text(&source.name, &source.text);
+                    say!("{}", locale.text(&line))?;
                 }
                 for note in &notes {
-                    let line = note.one_line(&source.name, &source.text);
-                    say!("{line} (a note, not a fault)")?;
+                    let line = note.text(&source.name, &source.text);
+                    say!("{}", locale.text(&text!("check-note", line = line)))?;
                 }
                 if faults.is_empty() {
-                    say!("{}: good", source.name)?;
+                    let good = text!("check-good", file = source.name.as_str());
+                    say!("{}", locale.text(&good))?;
                 }
                 faulty |= !faults.is_empty();
             }

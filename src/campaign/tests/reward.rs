@@ -94,6 +94,7 @@ fn what_does_not_count_is_not_paid_whatever_wear_takes() {
     for (stake, why) in lines {
         let reward = reward(stake);
         assert_eq!((reward.pay_credits, reward.wear_credits), (0, 60));
+        assert_eq!(reward.skills, []);
         let line = format!("no credits: {why}; -60 for wear of your drones, 0 now");
         assert_eq!(reward.lines()[0].to_string(), line);
     }

@@ -96,6 +96,16 @@ fn one_unreadable_file_does_not_hide_the_others() {
 }
 
 #[test]
+fn files_are_checked_in_the_language_of_the_user() {
+    let folder = folder_with(&[("bad.pilot", "all foo\n"), ("good.pilot", "all arm\n")]);
+    let path = folder.path().to_str().expect("plain");
+    let checked = sortie(&["check", path, "--lang", "uk"]);
+    let found = text(&checked.stdout);
+    assert!(found.contains("bad.pilot:1:5: невідома команда"), "{found}");
+    assert!(found.contains("good.pilot: без вад"), "{found}");
+}
+
+#[test]
 fn a_folder_does_not_hide_the_mission_of_the_same_name() {
     let folder = folder_with(&[("01/notes.txt", "mine")]);
     let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
