@@ -26,7 +26,9 @@ mod line;
 mod mission_clock;
 
 pub use flight_log::{FlightLog, push_frame};
-pub use inputs::{Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint};
+pub use inputs::{
+    Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
+};
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};
 pub use mission_clock::MissionClock;
 
@@ -138,7 +140,7 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Reads a journal. A damaged line, or one that goes back in time, ends it.
+    /// Reads a journal. A damaged line, or one with an impossible time, ends it.
     ///
     /// # Errors
     /// The text is not a journal, or comes from another version.
@@ -172,7 +174,7 @@ impl Journal {
                 journal.damage = Some(text!("journal-damaged", line = index + 2));
                 break;
             };
-            if line.at() < since {
+            if !line.can_follow(since) {
                 journal.damage = Some(text!("journal-damaged", line = index + 2));
                 break;
             }
@@ -180,6 +182,11 @@ impl Journal {
             journal.lines.push(line);
         }
         Ok(journal)
+    }
+
+    /// Whether the session was ended normally.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.lines.last(), Some(line) if line.what == Happening::End)
     }
 
     /// The bookmarks in the journal, oldest first.

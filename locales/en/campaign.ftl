@@ -74,6 +74,7 @@ practice-locked = the mission is locked ({ $why })
 practice-parts = { $design } has parts that you do not own ({ $parts })
 practice-airframes = the airframes are your own files
 practice-slow = time runs slower than real time
+practice-unconfirmed = its record does not follow from the files beside it (`sortie verify` gives the reason)
 exam-real-time = An exam runs in real time. Start sortie without --speedup
 exam-by-hand = An exam is flown by hand, not by a script. Start it from the home screen
 daily-by-hand = The seed of the day is flown by hand: a script would reveal the layout before the trainees have searched it. Use `--seed N`

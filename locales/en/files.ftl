@@ -55,7 +55,7 @@ verify-refusals = the vehicle refused { $refused } commands, the record shows { 
 verify-other-score = { $recorded } points are recorded, { $score } follow from the record
 verify-no-inputs = this record cannot be flown again: its vehicles' inputs were not recorded
 verify-verified = verified: { $mission } with seed { $seed }, flown again, matches the record; { $score } points (tlog and journal are not compared)
-verify-verified-flight = verified: the flight, flown again, matches the record for { $length }
+verify-verified-flight = verified: the flight, flown again, matches the record for { $length } (tlog and journal are not compared)
 verify-differs = differs at { $seconds } s ({ $what })
 verify-of-vehicle = vehicle { $vehicle }: { $what }
 verify-other-program = other program: { $program } flew it, and here it differs at { $seconds } s ({ $what })
@@ -75,10 +75,15 @@ verify-other-parameter = { $name } does not have the value that the mission requ
 verify-altered = the record was changed after the flight: its checksum does not match
 verify-programs = the files of the record name different programs, { $one } and { $other }
 verify-other-profile = the journal and the run name different profiles
+verify-no-state = the input log lacks the state of the vehicles, which is recorded every 10 s
+verify-no-states = the input log ends before the first state of the vehicles, which is recorded every 10 s: there is nothing to compare
+verify-verified-part = verified as far as the input log goes, { $length }: its end is missing (tlog and journal are not compared)
+verify-other-journal = the journal belongs to another flight
+verify-own-mission = the mission is not part of the course
 verify-other-backend = the run says that ArduPilot flew it, but it has an input log of the embedded simulator
 verify-no-checksum = the record has no checksum, so later edits of it cannot be noticed
-verify-stated = only stated in the record, not proved: program { $program }, profile { $profile }, date { $when }, what it was flown by and counted for
-verify-stated-guest = only stated in the record, not proved: program { $program }, no profile, date { $when }, what it was flown by and counted for
+verify-stated = only stated in the record, not proved: program { $program }, profile { $profile }, date { $when }, what it was flown by, the number of the try and what it counted for
+verify-stated-guest = only stated in the record, not proved: program { $program }, no profile, date { $when }, what it was flown by, the number of the try and what it counted for
 verify-stated-free = only stated in the record, not proved: program { $program }
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`

@@ -9,7 +9,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use crate::debrief;
 use crate::mission::record::Stored;
-use crate::store::{self, Runs};
+use crate::store::{self, RecordFiles, Runs};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -41,7 +41,10 @@ pub(super) fn debrief(
             let folder = runs.folder().display().to_string();
             invalid(&text!("record-no-runs", folder = folder), &locale)
         })?,
-        (path, _) if Path::new(path).is_file() => PathBuf::from(path),
+        (path, _) if Path::new(path).is_file() => {
+            let path = PathBuf::from(path);
+            RecordFiles::beside(&path).run.unwrap_or(path)
+        }
         (named, _) => {
             let files = settings.find_record(named)?;
             let none = || text!("ghost-no-run", file = files.stem.as_str());
@@ -68,6 +71,9 @@ pub(super) fn debrief(
     let again = stored.rescore().map_err(faulty)?;
     if let Some(damage) = &stored.damage {
         tell!("sortie: {name}: {}", locale.text(damage));
+    }
+    if stored.is_altered() {
+        tell!("sortie: {name}: {}", locale.text(&text!("verify-altered")));
     }
     let mut report = again.report;
     if let Some(before) = again.before.filter(|before| before.score != report.score) {

@@ -124,7 +124,8 @@ impl RecordFormat {
 /// A line of the list.
 #[derive(Debug, Serialize)]
 struct ListedRecord {
-    number: usize,
+    /// Its number in the list; `None` for a file from elsewhere.
+    number: Option<usize>,
     name: String,
     began: String,
     subject: String,
@@ -222,7 +223,8 @@ impl RecordsCommands {
         Records::find(Some(&self.records), named).map_err(|fault| self.invalid(&fault))
     }
 
-    fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
+    /// A record for the list, with its number there; `None` for a file from elsewhere.
+    fn listed(&self, number: Option<usize>, files: &RecordFiles) -> ListedRecord {
         // The first and the last frame give the duration: a list of 200 records must not read all frames.
         let span = files
             .frames
@@ -252,7 +254,7 @@ impl RecordsCommands {
     fn list(&self, json: bool) -> Result<(), Failure> {
         let all: Vec<ListedRecord> = self
             .numbered()
-            .map(|(number, files)| self.listed(number, &files))
+            .map(|(number, files)| self.listed(Some(number), &files))
             .collect();
         if json {
             say!("{}", serde_json::to_string_pretty(&all)?)?;
@@ -291,7 +293,7 @@ impl RecordsCommands {
                 None => String::new(),
             };
             table.push(vec![
-                record.number.to_string(),
+                record.number.map_or("-".to_owned(), |it| it.to_string()),
                 record.began.clone(),
                 record.subject.clone(),
                 length,
@@ -316,8 +318,9 @@ impl RecordsCommands {
         let replay = self.read(&files)?;
         let times = replay.film().clock();
         let moments = replay.moments().iter();
-        let number = self.numbered().find(|(_, it)| it.stem == files.stem);
-        let record = self.listed(number.map_or(0, |(number, _)| number), &files);
+        let place = |it: &RecordFiles| it.frames.as_deref()?.canonicalize().ok();
+        let number = self.numbered().find(|(_, it)| place(it) == place(&files));
+        let record = self.listed(number.map(|(number, _)| number), &files);
         if json {
             let shown = ShownRecord {
                 record,

@@ -11,7 +11,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use crate::mission::Mission;
 use crate::mission::record::{Divergence, Rescored, Stored, refly};
-use crate::record::{Head, StoredInputs, Subject};
+use crate::record::{Head, Journal, StoredInputs, Subject};
 use crate::scoring::{FlightBackend, MissionFile};
 use crate::store::{self, RecordFiles, RecordPublicKey, read_run};
 use crate::text;
@@ -67,10 +67,12 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
     let inputs = files.inputs.as_deref().map(read).transpose()?;
     let inputs = inputs.as_deref().map(StoredInputs::read).transpose()?;
-    let journal = files.head().ok();
     let Some(run) = files.run.as_deref() else {
+        let journal = files.journal.as_deref().map(read).transpose()?;
+        let journal = journal.and_then(|text| Journal::read(&text).ok());
         return judge_free(journal.as_ref(), inputs.as_ref());
     };
+    let journal = files.head().ok();
     let stored = Stored::read(&read(run)?)?;
     let head = &stored.head;
     let mission = head.flown()?;
@@ -85,20 +87,32 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
         when: Some(head.when.clone()),
         ..document
     };
-    Ok(document.stating(&["program", "profile", "when", "flown_by"]))
+    Ok(document.stating(&["program", "profile", "when", "flown_by", "attempt"]))
 }
 
 /// Compares a flight without a mission, of which only the flight itself can be repeated.
-fn judge_free(head: Option<&Head>, inputs: Option<&StoredInputs>) -> Result<VerifyDocument, Text> {
-    let is_free = head.is_none_or(|head| head.subject == Subject::Free);
+fn judge_free(
+    journal: Option<&Journal>,
+    inputs: Option<&StoredInputs>,
+) -> Result<VerifyDocument, Text> {
+    let is_free = journal.is_none_or(|it| it.head.subject == Subject::Free);
     let (Some(inputs), true) = (inputs, is_free) else {
         return Err(text!("verify-no-inputs"));
     };
+    if !inputs.has_fingerprints() {
+        return Err(text!("verify-no-states"));
+    }
     let difference = refly(&mut inputs.head.world(), inputs);
     let program = inputs.head.program.clone();
-    let document = match difference.or_else(|| contradiction(head?, inputs)) {
+    let length = clock(inputs.lasts());
+    let words = if inputs.is_whole() {
+        text!("verify-verified-flight", length = length)
+    } else {
+        text!("verify-verified-part", length = length)
+    };
+    let document = match difference.or_else(|| contradiction(journal?, inputs)) {
         None => VerifyDocument {
-            words: text!("verify-verified-flight", length = clock(inputs.lasts())),
+            words,
             is_good: true,
             ..VerifyDocument::new(Verdict::Verified, program)
         },
@@ -107,11 +121,22 @@ fn judge_free(head: Option<&Head>, inputs: Option<&StoredInputs>) -> Result<Veri
     Ok(document.stating(&["program"]))
 }
 
-/// The difference if the journal of a flight names another program than its input log.
-fn contradiction(head: &Head, inputs: &StoredInputs) -> Option<Divergence> {
-    let [one, other] = [&head.program, &inputs.head.program].map(String::as_str);
-    let what = || text!("verify-programs", one = one, other = other);
-    (one != other).then(|| at_the_start(what()))
+/// The difference if the journal of a flight names another program than its input log, or has an end that the log
+/// lacks.
+fn contradiction(journal: &Journal, inputs: &StoredInputs) -> Option<Divergence> {
+    let [one, other] = [&journal.head.program, &inputs.head.program].map(String::as_str);
+    if one != other {
+        return Some(at_the_start(text!(
+            "verify-programs",
+            one = one,
+            other = other
+        )));
+    }
+    (journal.is_whole() && !inputs.is_whole()).then(|| Divergence {
+        at: inputs.lasts(),
+        vehicle: None,
+        what: text!("verify-no-end"),
+    })
 }
 
 /// A difference that concerns the record as a whole.
@@ -148,17 +173,26 @@ fn judge_run(
     Ok(match (difference, verification) {
         (Some(difference), _) => VerifyDocument::differing(difference, program),
         (None, Some(verification)) => VerifyDocument {
-            words: text!(
-                "verify-verified",
-                mission = mission.id.as_str(),
-                seed = head.seed.to_string(),
-                score = verification.rescored.report.score
-            ),
+            words: verified(mission, head.seed, verification.rescored.report.score),
             is_good: true,
             ..VerifyDocument::new(Verdict::Verified, program)
         },
         (None, None) => rescored(stored, program)?,
     })
+}
+
+/// The words for a flight that matches its record.
+fn verified(mission: &Mission, seed: u64, score: u16) -> Text {
+    let mut words = vec![text!(
+        "verify-verified",
+        mission = mission.id.as_str(),
+        seed = seed.to_string(),
+        score = score
+    )];
+    if store::mission_file(mission) == MissionFile::Own {
+        words.push(text!("verify-own-mission"));
+    }
+    Text::joined("\n", words)
 }
 
 /// The result for a flight that cannot be repeated: of ArduPilot, or without its inputs.

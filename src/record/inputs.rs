@@ -146,7 +146,7 @@ impl InputLog {
     /// Records new inputs; must be called after each step.
     pub fn follow(&mut self, world: &mut World) {
         self.take_inputs(world);
-        if world.steps().is_multiple_of(FINGERPRINT_STEPS) {
+        if has_fingerprint(world.steps()) {
             self.note_state(world);
         }
     }
@@ -222,6 +222,11 @@ impl InputLog {
     }
 }
 
+/// Whether the fingerprints of all vehicles are recorded after this number of steps.
+pub fn has_fingerprint(step: u64) -> bool {
+    step > 0 && step.is_multiple_of(FINGERPRINT_STEPS)
+}
+
 /// The fingerprint of a vehicle in hexadecimal digits.
 pub fn fingerprint(world: &World, vehicle: usize) -> String {
     format!("{:016x}", world.fingerprint(vehicle))
@@ -292,6 +297,12 @@ impl StoredInputs {
     /// Whether it is intact but without its end.
     pub fn is_cut(&self) -> bool {
         !self.is_whole() && !self.is_damaged
+    }
+
+    /// Whether it has a fingerprint of the vehicles, with which a repeated flight can be compared.
+    pub fn has_fingerprints(&self) -> bool {
+        let mut lines = self.lines.iter();
+        lines.any(|line| matches!(line.what, Entered::State(_)))
     }
 
     /// The time that the log covers.

@@ -17,6 +17,9 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Verb;
 
+/// The maximum time between two lines of a journal, and the maximum length of a mission.
+const LONGEST_SILENCE: Duration = Duration::from_secs(24 * 3600);
+
 /// An event and its time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JournalLine {
@@ -43,6 +46,24 @@ impl JournalLine {
     /// The time of the event, from the beginning of the record.
     pub fn at(&self) -> Duration {
         Duration::from_micros(self.us)
+    }
+
+    /// Whether its time is possible after the line before it. Without a limit, one damaged digit would make a replay of
+    /// centuries.
+    pub(super) fn can_follow(&self, before: Duration) -> bool {
+        let is_short = match self.what {
+            Happening::Mission { ms } => Duration::from_millis(ms) <= LONGEST_SILENCE,
+            Happening::Entry(_)
+            | Happening::Row(_)
+            | Happening::Notice(_)
+            | Happening::Loss(_)
+            | Happening::Paths(_)
+            | Happening::Speedup { .. }
+            | Happening::Bookmark { .. }
+            | Happening::End => true,
+        };
+        let at = self.at();
+        is_short && (before..=before + LONGEST_SILENCE).contains(&at)
     }
 
     /// The event as a line, with its line end.

@@ -46,6 +46,28 @@ fn what_was_cut_off_or_goes_back_in_time_ends_a_journal() {
 }
 
 #[test]
+fn a_line_with_an_impossible_time_ends_a_journal() {
+    let day = 24 * 3600;
+    let mission = |ms| JournalLine::new(Duration::from_secs(2), Happening::Mission { ms });
+    let lines = [
+        bookmark(2 + day),
+        bookmark(u64::MAX / 1_000_000),
+        mission(u64::MAX),
+    ];
+    for line in lines {
+        let text = [
+            head().to_line(),
+            bookmark(1).to_line(),
+            line.to_line(),
+            bookmark(3).to_line(),
+        ];
+        let journal = Journal::read(&text.concat()).expect("a journal");
+        assert_eq!(journal.lines, [bookmark(1)], "{line:?}");
+        assert!(journal.damage.is_some());
+    }
+}
+
+#[test]
 fn what_is_no_journal_is_refused_with_the_reason() {
     for (text, reason) in [
         ("", "not the journal"),

@@ -231,9 +231,9 @@ impl RunningSession {
 
 impl Drop for RunningSession {
     fn drop(&mut self) {
+        self.cancel.cancel();
         if let Some(recorder) = &self.recorder {
             recorder.end();
         }
-        self.cancel.cancel();
     }
 }

@@ -6,19 +6,21 @@
 //! The record of an abandoned exam is stored too, and counts as ended there.
 //!
 //! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
-//! open to the trainee, and an exam has its seed. Anything else is practice.
+//! open to the trainee, an exam has its seed, and the flight, repeated from the record's inputs, matches. Anything else
+//! is practice.
 
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::append::is_written;
 use super::runs::{ENDING, outline, run_id};
-use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
+use super::{Profile, ProfileError, Profiles, RecordFiles, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
     AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight, Stake,
 };
 use crate::mission::Mission;
 use crate::mission::record::{Head, Stored};
+use crate::record::StoredInputs;
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
@@ -159,6 +161,8 @@ struct LeftRun<'a> {
     /// When its record was last written.
     when: SystemTime,
     is_left_exam: bool,
+    /// Whether the record follows from the files beside it. An exam that was left gains nothing, and is not repeated.
+    is_confirmed: bool,
 }
 
 impl<'a> LeftRun<'a> {
@@ -194,6 +198,7 @@ impl<'a> LeftRun<'a> {
             id: run_id(path).to_owned(),
             when,
             is_left_exam,
+            is_confirmed: is_left_exam || is_confirmed(path, &stored),
         })
     }
 
@@ -206,6 +211,7 @@ impl<'a> LeftRun<'a> {
             mission_file: Some(super::mission_file(&self.mission)),
             flown_by: self.head.flown_by,
             ended: day_of(self.when),
+            is_confirmed: self.is_confirmed,
         };
         claim.settle(AttemptTrainee {
             standing,
@@ -222,6 +228,16 @@ impl<'a> LeftRun<'a> {
         };
         RunEntry::of(&self.mission, &self.report, landing)
     }
+}
+
+/// Whether a run follows from the files beside it.
+fn is_confirmed(path: &Path, stored: &Stored) -> bool {
+    let files = RecordFiles::beside(path);
+    let inputs = files.inputs.as_deref().and_then(|inputs| {
+        let text = read_run(inputs).ok()?;
+        StoredInputs::read(&text).ok()
+    });
+    stored.is_confirmed(files.head().ok().as_ref(), inputs.as_ref())
 }
 
 #[cfg(test)]

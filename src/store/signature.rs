@@ -83,14 +83,14 @@ impl RecordKey {
     }
 
     /// Creates a key in a folder: the two files that `minisign -G` writes. Asks on the terminal for a password, unless
-    /// it should have none. Returns the key and the files.
+    /// it should have none. Returns the id of the key, as minisign shows it, and the files.
     ///
     /// # Errors
     /// A key exists already, the files cannot be written, or no password was given.
     pub fn create(
         folder: &Path,
         has_password: bool,
-    ) -> Result<(Self, [PathBuf; 2]), SignatureError> {
+    ) -> Result<(String, [PathBuf; 2]), SignatureError> {
         let files = [SECRET_KEY, PUBLIC_KEY].map(|name| folder.join(name));
         if let Some(path) = files.iter().find(|path| path.exists()) {
             return Err(SignatureError::Exists(path.clone()));
@@ -119,7 +119,8 @@ impl RecordKey {
             file.and_then(|mut file| file.write_all(text.as_bytes()))
                 .map_err(|error| unreadable(path, error))?;
         }
-        Ok((Self(pair.sk), files))
+        // Not that of the secret key, which is encrypted with its password.
+        Ok((id, files))
     }
 
     /// The id of the key in hexadecimal digits, as minisign shows it.

@@ -10,6 +10,8 @@ use sortie::link::TlogReader;
 
 use crate::terminal::program;
 
+mod free_flights;
+
 /// How long the console may take to record something.
 const PATIENCE: Duration = Duration::from_secs(60);
 

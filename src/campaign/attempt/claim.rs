@@ -18,6 +18,8 @@ pub struct FlightClaim<'a> {
     pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
     pub ended: i64,
+    /// Whether the record was repeated and matches; true for a report, which has none.
+    pub is_confirmed: bool,
 }
 
 /// The purpose for which a finished flight counts.
@@ -47,6 +49,7 @@ impl FlightClaim<'_> {
         let is_other_exam = self.stake == Stake::Exam && terms.layout() != Some(self.seed);
         let has_other_seed = is_other_exam || stake != self.stake;
         reduced.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
+        reduced.extend((!self.is_confirmed).then_some(PracticeReason::UnconfirmedRecord));
         let stake = if reduced.is_empty() {
             stake
         } else {

@@ -30,6 +30,8 @@ pub enum PracticeReason {
     OwnAirframes,
     /// Time runs slower than in reality.
     SlowMotion,
+    /// The record of the flight does not follow from the files beside it.
+    UnconfirmedRecord,
 }
 
 impl PracticeReason {
@@ -51,6 +53,7 @@ impl PracticeReason {
             }
             Self::OwnAirframes => text!("practice-airframes"),
             Self::SlowMotion => text!("practice-slow"),
+            Self::UnconfirmedRecord => text!("practice-unconfirmed"),
         }
     }
 

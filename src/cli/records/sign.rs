@@ -40,10 +40,10 @@ impl RecordsCommands {
     pub(super) fn make_key(&self, arguments: &KeyArguments) -> Result<(), Failure> {
         let folder = arguments.output.clone().map_or_else(key_folder, Ok)?;
         let made = RecordKey::create(&folder, !arguments.no_password);
-        let (key, [secret, public]) = made.map_err(|error| self.refused(&error))?;
+        let (id, [secret, public]) = made.map_err(|error| self.refused(&error))?;
         let text = text!(
             "sign-key-made",
-            key = key.id(),
+            key = id,
             secret = secret.display().to_string(),
             public = public.display().to_string()
         );

@@ -133,7 +133,8 @@ impl<'a> RunTrainee<'a> {
                 | PracticeReason::OwnMission
                 | PracticeReason::AlteredMission
                 | PracticeReason::OwnAirframes
-                | PracticeReason::SlowMotion => {}
+                | PracticeReason::SlowMotion
+                | PracticeReason::UnconfirmedRecord => {}
             }
         }
         Ok(())

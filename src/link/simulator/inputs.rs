@@ -1,7 +1,8 @@
 //! Recording of a running simulator's inputs, until a recorder fetches them.
 
 use std::fmt;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use crate::record::{InputLog, InputsHead};
 use crate::sim::World;
@@ -11,10 +12,19 @@ const MOST_WAITING: usize = 32 * 1024 * 1024;
 
 /// The waiting lines. All clones share them.
 #[derive(Clone, Default)]
-pub struct InputSink(Arc<Mutex<WaitingInputs>>);
+pub struct InputSink(Arc<SharedInputs>);
+
+#[derive(Default)]
+struct SharedInputs {
+    waiting: Mutex<WaitingInputs>,
+    /// Signals that no simulator adds lines any more.
+    ended: Condvar,
+}
 
 #[derive(Default)]
 struct WaitingInputs {
+    /// Whether a simulator is adding lines.
+    is_fed: bool,
     lines: String,
     /// The number of simulator steps.
     steps: u64,
@@ -38,6 +48,16 @@ impl InputSink {
         self.waiting().steps
     }
 
+    /// Waits until the simulator has added its last line, but no longer than `most`.
+    pub fn wait_for_end(&self, most: Duration) {
+        let is_fed = |waiting: &mut WaitingInputs| waiting.is_fed;
+        let waited = self
+            .0
+            .ended
+            .wait_timeout_while(self.waiting(), most, is_fed);
+        drop(waited);
+    }
+
     pub fn close(&self) {
         let mut waiting = self.waiting();
         waiting.is_closed = true;
@@ -54,7 +74,13 @@ impl InputSink {
     }
 
     fn waiting(&self) -> MutexGuard<'_, WaitingInputs> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        let waiting = self.0.waiting.lock();
+        waiting.unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn feed(&self, is_fed: bool) {
+        self.waiting().is_fed = is_fed;
+        self.0.ended.notify_all();
     }
 }
 
@@ -68,6 +94,7 @@ pub(super) struct WorldRecord {
 impl WorldRecord {
     pub(super) fn begin(head: &InputsHead, sink: InputSink, world: &mut World) -> Self {
         let log = InputLog::begin(head, world, &[]);
+        sink.feed(true);
         Self { log, sink }
     }
 
@@ -89,5 +116,11 @@ impl WorldRecord {
     pub(super) fn end(&mut self, world: &mut World) {
         self.log.end(world);
         self.publish(world);
+    }
+}
+
+impl Drop for WorldRecord {
+    fn drop(&mut self) {
+        self.sink.feed(false);
     }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::{Rescored, Stored};
 use crate::mission::Stake;
-use crate::record::{Head as JournalHead, StoredInputs};
+use crate::record::{Head as JournalHead, StoredInputs, Subject};
 use crate::scoring::FlightBackend;
 use crate::sim::WorldConfig;
 use crate::text;
@@ -47,10 +47,43 @@ impl Stored {
             return Some(text!("verify-other-backend"));
         }
         let journal = journal?;
+        if !self.is_of(journal) {
+            return Some(text!("verify-other-journal"));
+        }
         if journal.program != self.head.program {
             return Some(other_program(&self.head.program, &journal.program));
         }
         (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
+    }
+
+    /// Whether a journal is of the same mission.
+    fn is_of(&self, journal: &JournalHead) -> bool {
+        match &journal.subject {
+            Subject::Mission(id) => *id == self.head.mission,
+            Subject::Free | Subject::Connected(_) => false,
+        }
+    }
+
+    /// Whether the record follows from the files beside it: its checksum is right, they do not contradict it, and its
+    /// flight, if it can be repeated, matches it.
+    pub fn is_confirmed(
+        &self,
+        journal: Option<&JournalHead>,
+        inputs: Option<&StoredInputs>,
+    ) -> bool {
+        if !self.has_checksum() || self.misstatement(journal, inputs).is_some() {
+            return false;
+        }
+        match self.head.backend {
+            FlightBackend::Embedded => inputs.is_some_and(|inputs| {
+                let again = self.verify(inputs);
+                again.is_ok_and(|it| it.difference.is_none())
+            }),
+            FlightBackend::ArduPilot => self.rescore().is_ok_and(|again| {
+                let before = again.before.map(|end| end.score);
+                before == Some(again.report.score)
+            }),
+        }
     }
 
     /// Flies the record again from the inputs of its simulated vehicles.

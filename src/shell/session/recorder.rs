@@ -12,6 +12,9 @@ use crate::store::{Recording, Records, utc};
 use crate::text;
 use crate::text::Text;
 
+/// How long the end of a session may wait for the last inputs of the simulated vehicles.
+const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
+
 /// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
@@ -92,8 +95,9 @@ impl FlightRecorder {
         }
     }
 
-    /// Notes the regular end of the session.
+    /// Notes the regular end of the session, whose simulator was asked to end.
     pub fn end(&self) {
+        self.inputs.wait_for_end(LAST_INPUTS_WITHIN);
         self.pass_inputs();
         if let Some(recording) = &self.recording {
             recording.note_end();

@@ -10,6 +10,7 @@ use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::scoring::{FlightBackend, FlownBy};
 use crate::store::RunFile;
+use crate::store::runs::INPUTS;
 use crate::workshop::part;
 
 const BEGUN: &str = "2026-11-20T14:03:22Z";
@@ -30,6 +31,7 @@ fn recorded(
     let script = script.expect("two commands");
     let mut exercise = Exercise::new(Arc::clone(&mission), 1, script, Vec::new());
     let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
+    exercise.record_inputs();
     exercise.flight_mut().start_record(&Occasion {
         flown_by: FlownBy::Hand,
         when: BEGUN.to_owned(),
@@ -47,6 +49,9 @@ fn recorded(
         record += &exercise.flight_mut().take_record();
     }
     file.append(&record).expect("writable");
+    exercise.close_inputs();
+    let inputs = RecordFiles::beside(file.path()).stem + INPUTS;
+    fs::write(runs.folder().join(inputs), exercise.take_inputs()).expect("writable");
     (file.id().to_owned(), mission, report)
 }
 
@@ -125,6 +130,41 @@ fn a_record_that_was_cut_or_changed_harms_nobody() {
     }
     fs::write(&path, &whole).expect("writable");
     assert_eq!(recover(&mut profiles, &runs).expect("writable").len(), 1);
+}
+
+#[test]
+fn a_record_that_was_changed_or_lacks_its_inputs_is_practice() {
+    type Forge = fn(&Path, &str);
+    let forgeries: [Forge; 4] = [
+        |run, text| {
+            let other = text.replacen("\"profile\":\"Anna\"", "\"profile\":\"Borys\"", 1);
+            fs::write(run, other).expect("writable");
+        },
+        |run, text| {
+            let (before, after) = text.split_once(",\"checksum\":\"").expect("a checksum");
+            let (_, after) = after.split_once('"').expect("its end");
+            fs::write(run, format!("{before}{after}")).expect("writable");
+        },
+        |run, _| fs::remove_file(RecordFiles::beside(run).inputs.expect("inputs")).expect("there"),
+        |run, text| {
+            let other = text.replacen("\"embedded\"", "\"ardupilot\"", 1);
+            fs::write(run, other).expect("writable");
+        },
+    ];
+    for (index, forge) in forgeries.into_iter().enumerate() {
+        let data = tempfile::tempdir().expect("a folder");
+        let runs = Runs::within(data.path());
+        let mut profiles = profiles(data.path());
+        profiles.create("Anna", BEGUN).expect("new");
+        profiles.create("Borys", BEGUN).expect("new");
+        let (id, ..) = recorded(&runs, Some("Anna"), true);
+        let path = runs.folder().join(format!("{id}{ENDING}"));
+        forge(&path, &fs::read_to_string(&path).expect("just written"));
+        let recovered = recover(&mut profiles, &runs).expect("writable");
+        let reduced: Vec<_> = recovered.iter().map(|one| &one.reduced[..]).collect();
+        let expected: &[PracticeReason] = &[PracticeReason::UnconfirmedRecord];
+        assert_eq!(reduced, [expected], "forgery {index}");
+    }
 }
 
 #[test]
@@ -249,7 +289,10 @@ fn a_record_counts_for_no_more_than_the_career_allows() {
     let reduced: Vec<&[PracticeReason]> = recovered.iter().map(|one| &one.reduced[..]).collect();
     let expected: [&[PracticeReason]; 2] = [
         &[PracticeReason::ChosenSeed],
-        &[PracticeReason::AlteredMission],
+        &[
+            PracticeReason::AlteredMission,
+            PracticeReason::UnconfirmedRecord,
+        ],
     ];
     assert_eq!(reduced, expected);
     let stored = profiles.runs(&anna).expect("readable");

@@ -125,10 +125,10 @@ mod tests {
     }
 
     fn keys(folder: &Path, name: &str) -> (RecordKey, RecordPublicKey) {
-        let (key, files) = RecordKey::create(&folder.join(name), false).expect("a key");
+        let (id, files) = RecordKey::create(&folder.join(name), false).expect("a key");
         let public = RecordPublicKey::read(&files[1].to_string_lossy()).expect("its other half");
-        let read = RecordKey::read(&files[0]).expect("it was written");
-        assert_eq!(read.id(), key.id());
+        let key = RecordKey::read(&files[0]).expect("it was written");
+        assert_eq!(key.id(), id);
         (key, public)
     }
 

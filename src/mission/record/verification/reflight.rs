@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 use crate::mission::is_due;
 use crate::mission::record::observed::ObservedVehicle;
 use crate::mission::saying::TextListener;
-use crate::record::{Entered, InputLine, StoredInputs, fingerprint};
+use crate::record::{Entered, InputLine, StoredInputs, fingerprint, has_fingerprint};
 use crate::session::Session;
 use crate::sim::{Airframe, PortId, STEP, World, WorldConfig};
 use crate::text;
@@ -51,6 +51,8 @@ pub(super) struct Reflight {
     /// The speed-up of time over the wall clock.
     pub(super) pace: f64,
     next: usize,
+    /// The step of the last fingerprints that were compared.
+    compared: u64,
     connections: BTreeMap<u64, (PortId, Decoder)>,
     pub(super) witnesses: Vec<Witness>,
     bytes: Vec<u8>,
@@ -81,6 +83,7 @@ impl Reflight {
             is_cut: inputs.is_cut(),
             pace: 1.0,
             next: 0,
+            compared: 0,
             connections: BTreeMap::new(),
             bytes: Vec::new(),
         })
@@ -117,9 +120,15 @@ impl Reflight {
         while let Some(line) = self.lines.get(self.next)
             && line.s == self.world.steps()
         {
+            let is_unproved = line.what == Entered::End && self.compared != line.s;
             if let Entered::State(prints) = &line.what {
                 self.compare(prints)?;
+                self.compared = line.s;
             }
+            if is_unproved {
+                return Err(self.differs(None, text!("verify-no-state")));
+            }
+            let line = &self.lines[self.next];
             let unfit = || self.differs(None, text!("verify-unfit-input"));
             let inputs = line.inputs().ok_or_else(unfit)?;
             for input in inputs {
@@ -129,6 +138,16 @@ impl Reflight {
             }
             self.connect();
             self.next += 1;
+        }
+        self.require_state()
+    }
+
+    /// Finds fingerprints that the log should have at this step, but lacks.
+    fn require_state(&self) -> Result<(), Divergence> {
+        let step = self.world.steps();
+        let is_within = self.lines.last().is_some_and(|last| step < last.s);
+        if has_fingerprint(step) && is_within && self.compared != step {
+            return Err(self.differs(None, text!("verify-no-state")));
         }
         Ok(())
     }

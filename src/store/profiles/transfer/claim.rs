@@ -129,6 +129,7 @@ impl Claims<'_> {
             mission_file: report.mission_file,
             flown_by: report.flown_by,
             ended: day(run),
+            is_confirmed: true,
         };
         let settled = claim.settle(AttemptTrainee {
             standing: &self.standing,
