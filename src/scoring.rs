@@ -204,12 +204,12 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let earned = (f64::from(tenths) * hint_factor / 10.0).round();
     let points = (earned as u16).min(most_points(facts));
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
-    let gold_missing: Vec<Text> = rules
-        .gold_requires
-        .iter()
-        .filter(|gate| !gate.holds(facts, &components))
-        .map(Gate::text)
-        .collect();
+    let missing = rules.gold_requires.iter();
+    let missing = missing.filter(|gate| !gate.holds(facts, &components));
+    let mut gold_missing: Vec<Text> = missing.map(Gate::text).collect();
+    // Copied commands show no skill.
+    let is_copied = facts.hints.gave_commands();
+    gold_missing.extend(is_copied.then(|| text!("gold-without-commands")));
     let medal = rules.medals.won(points, gold_missing.is_empty());
     Score {
         components,

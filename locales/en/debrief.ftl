@@ -22,6 +22,7 @@ debrief-value = value
 debrief-moved = why
 # At most 8 columns.
 debrief-sum = score
+gold-without-commands = no hint that gives the commands
 debrief-gold-needs = gold needs { $gates }
 
 debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r rejected)

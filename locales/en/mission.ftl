@@ -170,6 +170,7 @@ speedup-done = { $verb } of { $vehicle } done
 speedup-row = { $verb } of { $vehicle }: { $state }
 speedup-alert = alert { $alert }, vehicle { $vehicle }
 speedup-same = already { $rate }x
+speedup-nothing-to-wait-for = no command is in progress: give one first, or write `speedup 2`
 speedup-limit = already { $most }x: faster is not allowed here
 speedup-nothing = nothing to speed up: no flight is under way
 speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup

@@ -3,7 +3,7 @@
 swarm-usual-spacing = line spacing { $metres } m (default)
 swarm-gaps = { $metres } m of the lines cross gaps in the area
 swarm-swath-spacing = line spacing { $metres } m: the width of the sensor's strip
-swarm-staggered = every second vehicle flies { $metres } m higher, because the lines are close together
+swarm-staggered = every second vehicle flies { $metres } m higher, because the lines are close together: check that its sensor works at that height
 swarm-no-line = no line left for it: { $lines ->
     [one] { $lines } line
    *[other] { $lines } lines

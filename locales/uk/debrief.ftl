@@ -22,6 +22,7 @@ debrief-value = знач.
 debrief-moved = що вплинуло
 # Щонайбільше 8 колонок.
 debrief-sum = разом
+gold-without-commands = без підказки з готовими командами
 debrief-gold-needs = для золота треба: { $gates }
 
 debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! тривога  x порушення  r відмова)

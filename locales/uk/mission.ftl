@@ -178,6 +178,7 @@ speedup-done = { $verb } апарата { $vehicle }: виконано
 speedup-row = { $verb } апарата { $vehicle }: { $state }
 speedup-alert = тривога { $alert }, апарат { $vehicle }
 speedup-same = уже { $rate }x
+speedup-nothing-to-wait-for = жодна команда не виконується: дайте команду або напишіть `speedup 2`
 speedup-limit = уже { $most }x: швидше тут не можна
 speedup-nothing = нема чого прискорювати: польоту немає
 speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через --speedup

@@ -3,7 +3,7 @@
 swarm-usual-spacing = { $metres } m між лініями (типово)
 swarm-gaps = { $metres } m ліній перетинають розриви ділянки
 swarm-swath-spacing = { $metres } m між лініями: ширина смуги датчика
-swarm-staggered = кожен другий апарат летить на { $metres } m вище, бо лінії надто близькі
+swarm-staggered = кожен другий апарат летить на { $metres } m вище, бо лінії близькі: перевірте, чи датчик працює на цій висоті
 swarm-no-line = йому не лишилося лінії: ліній { $lines }, апаратів { $vehicles }
 swarm-no-area = немає ділянки для обльоту
 swarm-too-many-lines = на це треба понад { $most } ліній: візьміть меншу площу або більший крок

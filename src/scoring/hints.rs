@@ -25,6 +25,12 @@ impl HintsUsed {
         (1.0 - taken).max(FLOOR)
     }
 
+    /// Whether a hint that gives the commands was requested, in a mission where it costs points.
+    pub fn gave_commands(&self) -> bool {
+        let level = self.levels.len();
+        self.levels[level - 1] > 0 && usize::from(self.free_level) < level
+    }
+
     /// The number of hints.
     pub fn count(&self) -> u32 {
         self.levels.iter().sum()
@@ -58,5 +64,18 @@ mod tests {
             assert!((factor - expected).abs() < 1e-9, "{levels:?}: {factor}");
         }
         assert!((HintsUsed::default().price(2) - 0.05).abs() < 1e-9);
+    }
+
+    #[test]
+    fn only_a_hint_that_costs_points_counts_as_given_commands() {
+        for (levels, free_level, expected) in [
+            ([9, 9, 0], 0, false),
+            ([0, 0, 1], 0, true),
+            ([0, 0, 1], 2, true),
+            ([0, 0, 1], 3, false),
+        ] {
+            let hints = HintsUsed { levels, free_level };
+            assert_eq!(hints.gave_commands(), expected, "{levels:?} {free_level}");
+        }
     }
 }

@@ -224,6 +224,15 @@ mod tests {
         let mut console = Box::pin(reading()).await;
         run(&mut console, 5).await;
         console.feed(key(KeyCode::Enter)).await;
+        console.feed(key(KeyCode::Char('>'))).await;
+        assert_eq!(pace(&console), "1");
+        assert_eq!(said(&console), Some(text!("speedup-nothing-to-wait-for")));
+        for line in ["1 guided", "1 arm"] {
+            say(&mut console, line).await;
+            run(&mut console, 5).await;
+        }
+        say(&mut console, "1 takeoff 20").await;
+        run(&mut console, 1).await;
         for expected in ["2", "4", "8", "8"] {
             console.feed(key(KeyCode::Char('>'))).await;
             assert_eq!(pace(&console), expected);

@@ -20,7 +20,7 @@ mod plans;
 /// The default spacing of lines.
 pub(super) const USUAL_SPACING_M: f64 = 20.0;
 /// Sensors with a narrower strip do not set the line spacing.
-const LEAST_SPACING_M: f64 = 1.0;
+const LEAST_SPACING_M: f64 = 0.3;
 /// The default distance between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
 pub(super) const SECTOR_RADIUS_M: f64 = 100.0;

@@ -18,6 +18,8 @@ const RESERVE_PERCENT: f64 = 20.0;
 
 /// `RTL_ALT`.
 const RETURN_HEIGHT_M: f64 = 15.0;
+/// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
+const CONE_SLOPE: f64 = 3.0;
 /// The time for acceleration and braking, `RTL_LOIT_TIME`, and the stop of the motors.
 const PAUSES_S: f64 = 12.0;
 /// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
@@ -108,13 +110,15 @@ impl Vehicle {
 /// What the way home takes.
 fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Effort {
     let pace = Pace::default();
-    let top_m = height_m.max(RETURN_HEIGHT_M);
+    let distance_m = from.distance_m(home);
+    let cone_m = (distance_m * CONE_SLOPE).max(height_m);
+    let top_m = height_m.max(RETURN_HEIGHT_M.min(cone_m));
     let headwind_m_s = wind.map_or(0.0, |wind| {
         let off = f64::from(wind.from_deg) - from.bearing_deg(home);
         f64::from(wind.speed_m_s) * maths::cos(off.to_radians())
     });
     let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, pace.speed_m_s);
-    let cruise_s = from.distance_m(home) / speed_m_s;
+    let cruise_s = distance_m / speed_m_s;
     pace.rise(top_m - height_m)
         + Effort::level(cruise_s, speed_m_s + headwind_m_s)
         + pace.landing(top_m)
@@ -150,6 +154,8 @@ mod tests {
         // 2 s up to 15 m, 100 s, 3.3 s down to 10 m, 20 s to the ground, and the pauses.
         assert!((way(1000.0, 10.0, None).time_s - 137.3).abs() < 0.5);
         assert!((way(0.0, 40.0, None).time_s - 52.0).abs() < 0.1);
+        // Near home, the cone keeps the vehicle low: 6 s to the ground, and the pauses.
+        assert!((way(0.5, 3.0, None).time_s - 18.1).abs() < 0.5);
     }
 
     #[test]

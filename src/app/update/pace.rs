@@ -21,10 +21,15 @@ const FREE_FLIGHT_MOST: f64 = 100.0;
 /// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
-/// Doubles the speed-up, up to the limit.
+/// Doubles the speed-up, up to the limit. In a mission, the key does so only while a command is under way: pressed once
+/// too often, it would spend the mission's time and the battery.
 pub fn faster(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, true);
+    }
+    let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
+    if is_mission && !is_anything_under_way(state) {
+        return refuse(state, text!("speedup-nothing-to-wait-for"));
     }
     let pace = state.session.timing.pace;
     let most = most(state).max(pace.usual);

@@ -15,7 +15,9 @@ pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD
 pub(super) const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 pub(super) const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
 pub(super) const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
-/// The gap between vehicles or lines.
+/// The gap between lines; that of a mine detector is below a metre.
+const LINE_GAP: Kind = Kind::Number(Unit::Metres, 0.3, 1000.0);
+/// The gap between vehicles.
 pub(super) const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
 pub(super) const RADIUS: Kind = Kind::Number(Unit::Metres, 1.0, 10_000.0);
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
@@ -24,7 +26,7 @@ pub(super) const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-
 pub(super) const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
 const UP: Argument = Argument::keyed("up", "up", HEIGHT, "argument-swarm-height").optional();
 pub(super) const LINES: Argument =
-    Argument::keyed("spacing", "spacing", GAP, "argument-line-spacing").optional();
+    Argument::keyed("spacing", "spacing", LINE_GAP, "argument-line-spacing").optional();
 pub(super) const COURSE: Argument =
     Argument::keyed("course", "course", HEADING, "argument-line-course").optional();
 pub(super) const AROUND: Argument = Argument::flag("around", "argument-around");
