@@ -11,6 +11,8 @@ use crate::vehicle::VehicleId;
 const STILL_WITHIN_M: f64 = 2.0;
 /// A stop of up to this length is part of a task: a turn, a look, a sample.
 const PAUSE: Duration = Duration::from_secs(10);
+/// How long a vehicle that hovered may take to move after a command.
+const START: Duration = Duration::from_secs(3);
 /// A vehicle without a task for longer than this idles.
 const IDLE_AFTER: Duration = Duration::from_secs(30);
 
@@ -101,12 +103,17 @@ impl VehicleUsage {
         self.keep_times(productive, look.commanded, times);
     }
 
+    /// Whether it has just got a command, and may not move yet.
+    fn is_starting(&self) -> bool {
+        self.neglected_for.is_some_and(|since| since < START)
+    }
+
     fn keep_times(&mut self, productive: bool, commanded: bool, times: &mut SwarmTimes) {
         if commanded {
             times.neglected.extend(self.neglected_for.take());
             times.waited.extend(self.waiting_for.take());
             self.neglected_for = Some(Duration::ZERO);
-        } else if productive {
+        } else if productive || self.is_starting() {
             self.waiting_for = None;
             if let Some(neglected_for) = &mut self.neglected_for {
                 *neglected_for += TICK;
@@ -154,6 +161,17 @@ mod tests {
         step(&mut usage, &mut times, 1, |_| 60.0);
         assert!(near(times.neglected[0], 20.0) && near(times.neglected[1], 10.0));
         assert!(near(times.waited[0], 50.0), "{times:?}");
+    }
+
+    #[test]
+    fn a_vehicle_that_hovered_works_on_its_own_after_its_next_command() {
+        let (mut usage, mut times) = (VehicleUsage::new(1), SwarmTimes::default());
+        step(&mut usage, &mut times, 40, |_| 0.0);
+        let before = usage.load().neglected;
+        // It needs a second to move.
+        step(&mut usage, &mut times, 31, |t| (t - 1.0).max(0.0) * 4.0);
+        let worked = usage.load().neglected.saturating_sub(before);
+        assert!(worked > Duration::from_secs(30), "{worked:?}");
     }
 
     #[test]
