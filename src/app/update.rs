@@ -8,13 +8,15 @@ use super::event::{
 };
 use super::room::{parameters, plans, workshop};
 use super::state::{Overlay, Room};
-use crate::ledger::Given;
+use crate::ledger::{Given, LedgerEntry, RowUpdate};
 
 mod act;
 mod alert_line;
 mod batch;
+mod consequence;
 mod console_line;
 mod drafts;
+mod ending;
 mod files;
 mod forget;
 mod forwards;
@@ -34,7 +36,10 @@ mod prompt;
 mod reader;
 mod replay;
 mod review;
+mod selection;
+mod show;
 mod telemetry;
+mod typing;
 
 /// Handles an event and returns the work for the shell.
 pub fn update(state: &mut State, event: Event) -> Effects {
@@ -140,13 +145,25 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
         }
         VehicleEvent::Row(row) => {
             state.touch();
-            return order::advanced(state, &row);
+            return order_advanced(state, &row);
         }
         VehicleEvent::Paths(paths) => state.session.paths = paths,
         VehicleEvent::Meetings(meetings) => state.session.meetings = meetings,
     }
     state.touch();
     Effects::none()
+}
+
+/// Updates the ledger with an order's progress; commands that waited for it may follow.
+fn order_advanced(state: &mut State, row: &RowUpdate) -> Effects {
+    let ledger = &mut state.session.commands.ledger;
+    let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);
+    ledger.apply(row);
+    state.rooms.ledger.spoil();
+    if !was_over {
+        parameters::tell(state, row.entry);
+    }
+    batch::advance(state)
 }
 
 fn link(state: &mut State, event: LinkEvent) {

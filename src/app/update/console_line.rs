@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use super::show::{brief, look_back, show};
 use super::{
-    act, alert_line, drafts, forget, forwards, ghost, macros, mission, pace, replay, review,
+    alert_line, drafts, ending, forget, forwards, ghost, macros, mission, pace, replay, review,
+    selection,
 };
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
@@ -38,10 +40,10 @@ pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effe
 /// Carries out a command that is not a macro.
 fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     match own {
-        ConsoleLine::Report(report) => show(state, &report),
+        ConsoleLine::Report(report) => inform(state, &report),
         ConsoleLine::Select(vehicles) => {
             let ids = state.chosen(&vehicles)?;
-            act::select(state, &ids);
+            selection::select(state, &ids);
         }
         ConsoleLine::Carried { kind, targets } => carried(state, kind, &targets)?,
         ConsoleLine::Group { name, vehicles } => {
@@ -55,15 +57,15 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Forget(vehicles) => return forget::forget(state, vehicles.as_ref()),
         ConsoleLine::Forward(line) => return forwards::carry_out(state, line),
         // The grammar accepts only names of rooms.
-        ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
+        ConsoleLine::Show(name) => show(state, Room::named(&name).unwrap_or_default()),
         ConsoleLine::Fly(id) => return Ok(mission::start(state, state.training().launch(&id))),
         ConsoleLine::FlyFree => {
             let effect = Effect::Session(SessionEffect::StartFree);
-            return Ok(act::guarded(state, text!("ask-start"), effect));
+            return Ok(ending::guarded(state, text!("ask-start"), effect));
         }
         ConsoleLine::Connect(addresses) => {
             let effect = Effect::Session(SessionEffect::Connect(addresses));
-            return Ok(act::guarded(state, text!("ask-start"), effect));
+            return Ok(ending::guarded(state, text!("ask-start"), effect));
         }
         ConsoleLine::Inject(_) if state.session.is_paused() => return Err(text!("pause-refuses")),
         ConsoleLine::Inject(name) => {
@@ -88,23 +90,23 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
-        ConsoleLine::Leave => return Ok(act::leave(state)),
-        ConsoleLine::Quit => return Ok(act::quit(state)),
+        ConsoleLine::Leave => return Ok(ending::leave(state)),
+        ConsoleLine::Quit => return Ok(ending::quit(state)),
     }
     Ok(Effects::none())
 }
 
 /// Shows a report in its room; the plain console prints it instead.
-fn show(state: &mut State, report: &Report) {
+fn inform(state: &mut State, report: &Report) {
     match report {
         Report::Help => state.overlay = Some(Overlay::Help(HelpPage::default())),
-        Report::Links => act::show(state, Room::Links),
-        Report::Ledger => act::show(state, Room::Ledger),
-        Report::Notices => act::look_back(state, Log::Notices),
-        Report::Hangar => act::show(state, Room::Hangar),
-        Report::Brief => act::brief(state),
-        Report::Objectives => act::show(state, Room::Mission),
-        Report::Status(_) | Report::Contacts => act::show(state, Room::Fly),
+        Report::Links => show(state, Room::Links),
+        Report::Ledger => show(state, Room::Ledger),
+        Report::Notices => look_back(state, Log::Notices),
+        Report::Hangar => show(state, Room::Hangar),
+        Report::Brief => brief(state),
+        Report::Objectives => show(state, Room::Mission),
+        Report::Status(_) | Report::Contacts => show(state, Room::Fly),
     }
 }
 
@@ -163,7 +165,7 @@ fn parameters(state: &mut State, line: ParametersLine) -> Result<Effects, Text> 
         ParametersLine::Fetch => parameters::fetch(state),
         ParametersLine::Show => {}
     }
-    act::show(state, Room::Parameters);
+    show(state, Room::Parameters);
     Ok(Effects::none())
 }
 

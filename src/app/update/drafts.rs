@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{act, order};
+use super::order;
+use super::show::show;
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::app::room::{Room, plans};
@@ -39,7 +40,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         }
         other => {
             if state.display.has_rooms {
-                act::show(state, Room::Plans);
+                show(state, Room::Plans);
             }
             plans::carry_out(state, other)
         }

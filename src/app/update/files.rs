@@ -1,6 +1,6 @@
 //! User files that were written, or exist already.
 
-use super::act;
+use super::ending;
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::room::plans;
@@ -22,5 +22,5 @@ pub fn exists(state: &mut State, kind: FileKind, path: String, text: String) -> 
         text,
         replace: true,
     };
-    act::ask(state, question, reason, Effect::File(effect))
+    ending::ask(state, question, reason, Effect::File(effect))
 }

@@ -3,9 +3,8 @@
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use tui_input::{Input, InputRequest};
 
-use super::{act, order, palette, profiles, prompt, reader};
+use super::{act, consequence, palette, profiles, prompt, reader, selection, typing};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -111,11 +110,11 @@ pub fn paste(state: &mut State, text: &str) {
     let text = sanitised(first_line);
     match state.overlay.take() {
         Some(Overlay::Palette(mut line)) => {
-            insert(&mut line.input, &text);
+            typing::insert(&mut line.input, &text);
             palette::edited(state, line);
         }
         Some(Overlay::Prompt(mut prompt)) => {
-            insert(&mut prompt.input, &text);
+            typing::insert(&mut prompt.input, &text);
             state.overlay = Some(Overlay::Prompt(prompt));
         }
         other @ (None
@@ -126,45 +125,6 @@ pub fn paste(state: &mut State, text: &str) {
             let key = state.keymap.key(Action::CommandLine, Place::Anywhere);
             state.say(Severity::Notice, text!("footer-paste-dropped", key = key));
         }
-    }
-}
-
-/// The maximum number of bytes of a line. A line is parsed after every key, and no command comes near this length.
-const LONGEST_LINE: usize = 400;
-
-/// Applies a key to a line of text; false if it is not an editing key.
-pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    let alt = key.modifiers.contains(KeyModifiers::ALT);
-    let request = match key.code {
-        KeyCode::Char('a') if control => InputRequest::GoToStart,
-        KeyCode::Char('e') if control => InputRequest::GoToEnd,
-        KeyCode::Char('u') if control => InputRequest::DeleteFromStart,
-        KeyCode::Char('k') if control => InputRequest::DeleteTillEnd,
-        KeyCode::Char('w') if control => InputRequest::DeletePrevWord,
-        KeyCode::Char(c) if !control && !alt && !c.is_control() => InputRequest::InsertChar(c),
-        KeyCode::Backspace if control || alt => InputRequest::DeletePrevWord,
-        KeyCode::Backspace => InputRequest::DeletePrevChar,
-        KeyCode::Delete => InputRequest::DeleteNextChar,
-        KeyCode::Left if control => InputRequest::GoToPrevWord,
-        KeyCode::Right if control => InputRequest::GoToNextWord,
-        KeyCode::Left => InputRequest::GoToPrevChar,
-        KeyCode::Right => InputRequest::GoToNextChar,
-        KeyCode::Home => InputRequest::GoToStart,
-        KeyCode::End => InputRequest::GoToEnd,
-        _ => return false,
-    };
-    let is_full = input.value().len() >= LONGEST_LINE;
-    if !(is_full && matches!(request, InputRequest::InsertChar(_))) {
-        input.handle(request);
-    }
-    true
-}
-
-fn insert(input: &mut Input, text: &str) {
-    let room = LONGEST_LINE.saturating_sub(input.value().len());
-    for c in text.chars().take(room) {
-        input.handle(InputRequest::InsertChar(c));
     }
 }
 
@@ -180,7 +140,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     match meaning.cloned() {
         Some(Meaning::Do(action)) => act::act(state, action),
         Some(Meaning::Write(words)) => {
-            act::open_palette(state, &words);
+            palette::write(state, &words);
             Effects::none()
         }
         Some(Meaning::Give(line)) => {
@@ -189,7 +149,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
         }
         Some(Meaning::Type) => {
             if let KeyCode::Char(c) = key.code {
-                act::type_ids(state, c);
+                selection::type_ids(state, c);
             }
             Effects::none()
         }
@@ -237,7 +197,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
                 if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
                     state.typing.answered_at = Some(state.wall);
                 }
-                let mut effects = order::carry_out(state, question.then);
+                let mut effects = consequence::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));
                 return effects;
             }

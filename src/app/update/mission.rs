@@ -1,6 +1,6 @@
 //! The course of a session: pause, end, restart.
 
-use super::act::{ask, guarded, leave, loss};
+use super::ending::{ask, guarded, leave, loss};
 use super::replay;
 use crate::app::State;
 use crate::app::action::Action;

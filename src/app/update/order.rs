@@ -1,20 +1,19 @@
 //! From a command to its vehicles: targets, the question before a dangerous one, the ledger.
 
-use super::{act, batch};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
-use crate::app::room::{Room, parameters, plans, workshop};
+use crate::app::room::{Room, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Meaning, Statement};
-use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
+use crate::ledger::EntryId;
 use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
 use crate::verb::{CountsAs, Danger};
 
@@ -127,7 +126,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 pub fn give(state: &mut State, order: Order) -> Effects {
     let hazard = order.hazard(state.session.vehicles());
     if order.verb.danger == Danger::None && hazard.is_none() {
-        return carry_out(state, Consequence::Order(order));
+        return Effects::from(send(state, order).effect);
     }
     let count = order.targets.len();
     let named = if count > NAMED_TARGETS {
@@ -158,69 +157,13 @@ pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
     let vehicles = state.session.vehicles();
     let is_dangerous = |order: &&Order| order.hazard(vehicles).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
-        return carry_out(state, Consequence::Uploads(orders));
+        return upload(state, orders);
     };
     let effects = give(state, worst);
     if let Some(Overlay::Confirm(question)) = &mut state.overlay {
         question.then = Consequence::Uploads(orders);
     }
     effects
-}
-
-/// Carries out what was confirmed, or needed no question.
-pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
-    match consequence {
-        Consequence::Order(order) => Effects::from(send(state, order).effect),
-        Consequence::Uploads(orders) => {
-            let mut sent = Vec::new();
-            for order in orders {
-                sent.push(send(state, order));
-            }
-            let entries = sent.iter().map(|sent| sent.entry).collect();
-            state.rooms.plans.note_uploads(entries);
-            sent.into_iter().map(|sent| sent.effect).collect()
-        }
-        Consequence::CloseDraft => {
-            plans::close(state);
-            Effects::none()
-        }
-        Consequence::Effect(effect) => {
-            if let Effect::Session(session) = &effect {
-                announce(state, session);
-            }
-            Effects::from(effect)
-        }
-        Consequence::Parameters(settings) => batch::begin(state, settings),
-        Consequence::Design(design) => {
-            workshop::lay(state, design);
-            Effects::none()
-        }
-    }
-}
-
-/// Changes of the session that take effect before the shell has done its part.
-fn announce(state: &mut State, effect: &SessionEffect) {
-    match effect {
-        SessionEffect::Leave => act::go_home(state),
-        SessionEffect::StartMission(_) => {
-            state.say(Severity::Info, text!("home-starting-mission"));
-        }
-        SessionEffect::StartFree => state.say(Severity::Info, text!("home-starting-simulator")),
-        SessionEffect::StartArduPilot
-        | SessionEffect::Connect(_)
-        | SessionEffect::Forward(_)
-        | SessionEffect::Forget(_)
-        | SessionEffect::Restart { .. }
-        | SessionEffect::Process(..)
-        | SessionEffect::Inject(_)
-        | SessionEffect::Pause
-        | SessionEffect::Continue
-        | SessionEffect::Speedup(_)
-        | SessionEffect::Replay { .. }
-        | SessionEffect::Bookmark(_)
-        | SessionEffect::Ghost(_)
-        | SessionEffect::Abandon => {}
-    }
 }
 
 /// An order entered in the ledger, and the effect that sends it.
@@ -248,14 +191,13 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
     }
 }
 
-/// Updates the ledger with an order's progress; commands that waited for it may follow.
-pub fn advanced(state: &mut State, row: &RowUpdate) -> Effects {
-    let ledger = &mut state.session.commands.ledger;
-    let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);
-    ledger.apply(row);
-    state.rooms.ledger.spoil();
-    if !was_over {
-        parameters::tell(state, row.entry);
+/// Sends the uploads of a draft's lists.
+pub fn upload(state: &mut State, orders: Vec<Order>) -> Effects {
+    let mut sent = Vec::new();
+    for order in orders {
+        sent.push(send(state, order));
     }
-    batch::advance(state)
+    let entries = sent.iter().map(|sent| sent.entry).collect();
+    state.rooms.plans.note_uploads(entries);
+    sent.into_iter().map(|sent| sent.effect).collect()
 }

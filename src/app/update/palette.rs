@@ -5,7 +5,7 @@ use tui_input::Input;
 
 use super::console_line;
 use super::order::Given;
-use super::{keys, offer, order};
+use super::{offer, order, typing};
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
 use crate::app::effect::Effects;
@@ -30,6 +30,17 @@ pub fn open(state: &mut State, line: String) {
     edited(state, palette);
 }
 
+/// Opens the command line. A vehicle list being typed becomes the targets.
+pub fn write(state: &mut State, words: &str) {
+    let targets = std::mem::take(&mut state.typing.targets);
+    let line = if targets.is_empty() {
+        words.to_owned()
+    } else {
+        format!("{targets} {words}")
+    };
+    open(state, line);
+}
+
 /// Handles a key while the command line is open.
 pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Prompt) {
@@ -40,7 +51,7 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
         Some(Action::Line(LineAction::Older)) => browse(state, palette, true),
         Some(Action::Line(LineAction::Newer)) => browse(state, palette, false),
         _ => {
-            if keys::edit(&mut palette.input, key) {
+            if typing::edit(&mut palette.input, key) {
                 palette.history_at = None;
                 edited(state, palette);
             } else {

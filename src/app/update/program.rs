@@ -1,7 +1,7 @@
 //! Lines of programs: carried out like the user's, without touching what the user types and is asked.
 
-use super::console_line;
 use super::order::{self, Given};
+use super::{consequence, console_line};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, ProgramAnswer, ProgramFault};
 use crate::app::event::ProgramLine;
@@ -60,7 +60,7 @@ fn carry_out(
             };
             let fault = Diagnostic::new(first_word(line), question.question().clone());
             asks(said, fault.with_help(question.reason().clone()))?;
-            Ok((None, order::carry_out(state, question.then)))
+            Ok((None, consequence::carry_out(state, question.then)))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{batch, keys, mission, profiles};
+use super::{batch, mission, profiles, typing};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::Effects;
@@ -47,7 +47,7 @@ fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
     if std::mem::take(&mut prompt.is_proposal) && is_letter {
         prompt.input.reset();
     }
-    keys::edit(&mut prompt.input, key)
+    typing::edit(&mut prompt.input, key)
 }
 
 /// Carries out the purpose of a prompt with the line entered.

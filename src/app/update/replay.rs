@@ -1,6 +1,7 @@
 //! The course of a replay, and its control.
 
-use super::{act, telemetry};
+use super::show::{look_back, show};
+use super::{ending, telemetry};
 use crate::app::action::ReplayAction;
 use crate::app::effect::{Effect, Effects, ReplayEffect, SessionEffect};
 use crate::app::event::ReplayEvent;
@@ -58,17 +59,17 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     let effect = match action {
         // In a replay, both mean the flight that is shown.
         ReplayAction::ReplayNewest if replay.is_some() => {
-            act::show(state, Room::Fly);
+            show(state, Room::Fly);
             ReplayEffect::Seek(SeekTarget::At(Duration::ZERO))
         }
         ReplayAction::ReviewNewest if replay.is_some() => {
-            act::show(state, Room::Review);
+            show(state, Room::Review);
             return Effects::none();
         }
         ReplayAction::ReplayNewest => return open(state, None, false),
         ReplayAction::ReviewNewest => return open(state, None, true),
         ReplayAction::ShowMoments if replay.is_some() => {
-            act::look_back(state, Log::Moments);
+            look_back(state, Log::Moments);
             return Effects::none();
         }
         ReplayAction::ShowMoments => return refuse(state),
@@ -90,7 +91,7 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
 /// Replays a file, or the newest record; asks first if something would be lost.
 pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
     let effect = Effect::Session(SessionEffect::Replay { path, review });
-    act::guarded(state, text!("ask-start"), effect)
+    ending::guarded(state, text!("ask-start"), effect)
 }
 
 /// Goes to a moment of the list; `None` for the last.

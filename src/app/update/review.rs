@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use super::{act, replay};
+use super::replay;
+use super::show::show;
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::room::Room;
@@ -46,7 +47,7 @@ fn open(state: &mut State) -> Effects {
     if state.replay.is_none() {
         return replay::open(state, None, true);
     }
-    act::show(state, Room::Review);
+    show(state, Room::Review);
     Effects::none()
 }
 

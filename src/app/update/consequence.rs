@@ -1,0 +1,69 @@
+//! What follows a confirmation, or needs none.
+
+use super::{batch, order};
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::room::{Room, plans, workshop};
+use crate::app::state::{Consequence, FlightView};
+use crate::text;
+use crate::vehicle::Severity;
+
+/// Carries out what was confirmed, or needed no question.
+pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
+    match consequence {
+        Consequence::Order(order) => Effects::from(order::send(state, order).effect),
+        Consequence::Uploads(orders) => order::upload(state, orders),
+        Consequence::CloseDraft => {
+            plans::close(state);
+            Effects::none()
+        }
+        Consequence::Effect(effect) => {
+            if let Effect::Session(session) = &effect {
+                announce(state, session);
+            }
+            Effects::from(effect)
+        }
+        Consequence::Parameters(settings) => batch::begin(state, settings),
+        Consequence::Design(design) => {
+            workshop::lay(state, design);
+            Effects::none()
+        }
+    }
+}
+
+/// Changes of the session that take effect before the shell has done its part.
+fn announce(state: &mut State, effect: &SessionEffect) {
+    match effect {
+        SessionEffect::Leave => go_home(state),
+        SessionEffect::StartMission(_) => {
+            state.say(Severity::Info, text!("home-starting-mission"));
+        }
+        SessionEffect::StartFree => state.say(Severity::Info, text!("home-starting-simulator")),
+        SessionEffect::StartArduPilot
+        | SessionEffect::Connect(_)
+        | SessionEffect::Forward(_)
+        | SessionEffect::Forget(_)
+        | SessionEffect::Restart { .. }
+        | SessionEffect::Process(..)
+        | SessionEffect::Inject(_)
+        | SessionEffect::Pause
+        | SessionEffect::Continue
+        | SessionEffect::Speedup(_)
+        | SessionEffect::Replay { .. }
+        | SessionEffect::Bookmark(_)
+        | SessionEffect::Ghost(_)
+        | SessionEffect::Abandon => {}
+    }
+}
+
+/// Drops the session and shows the home screen. The debrief stays until another session starts.
+fn go_home(state: &mut State) {
+    state.session = FlightView::default();
+    state.replay = None;
+    state.ghost = None;
+    let debrief = state.rooms.debrief.take();
+    state.rooms.forget_session();
+    state.rooms.debrief = debrief;
+    state.typing.targets.clear();
+    state.room = Room::Home;
+}
