@@ -1,5 +1,7 @@
 //! The list of rooms. A new room needs a line here, a module in `app::room`, and one in `ui::screen`.
 
+use strum::EnumIter;
+
 use crate::language::{Listed, Named};
 use crate::text::Text;
 
@@ -41,7 +43,7 @@ pub(crate) use for_each_room;
 
 macro_rules! declare_rooms {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumIter)]
         pub enum Room {
             $($(#[$about])* $Room,)+
         }
@@ -68,6 +70,12 @@ macro_rules! declare_rooms {
 }
 
 for_each_room!(declare_rooms);
+
+impl From<Room> for &'static str {
+    fn from(room: Room) -> Self {
+        room.name()
+    }
+}
 
 impl Default for Room {
     fn default() -> Self {
