@@ -1,0 +1,197 @@
+//! The values of a line's arguments.
+
+use std::ops::Range;
+use std::str::FromStr;
+
+use super::kind::Switch;
+use crate::draft::Items;
+use crate::geo::{LatLon, Outline};
+use crate::language::VehicleChoice;
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::language) enum Value {
+    Flag,
+    Number(f64),
+    Word(String),
+    Vehicles(VehicleChoice),
+    Point(LatLon),
+    Area(Outline),
+    Items(Items),
+}
+
+/// A fault in the combination of arguments.
+pub(in crate::language) struct Problem {
+    /// The argument that the fault points at.
+    pub argument: &'static str,
+    pub message: Text,
+}
+
+impl Problem {
+    pub fn new(argument: &'static str, message: Text) -> Self {
+        Self { argument, message }
+    }
+
+    fn missing(argument: &'static str) -> Self {
+        Self::new(argument, text!("grammar-is-missing", argument = argument))
+    }
+}
+
+/// The arguments of one line by name.
+#[derive(Debug, Clone, Default)]
+pub(in crate::language) struct Arguments {
+    values: Vec<(&'static str, Value, Range<usize>)>,
+}
+
+impl Arguments {
+    pub fn insert(&mut self, name: &'static str, value: Value, span: Range<usize>) {
+        self.values.push((name, value, span));
+    }
+
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.values
+            .iter()
+            .find(|(known, _, _)| *known == name)
+            .map(|(_, value, _)| value)
+    }
+
+    /// The position of an argument.
+    pub fn span(&self, name: &str) -> Option<Range<usize>> {
+        self.values
+            .iter()
+            .find(|(known, _, _)| *known == name)
+            .map(|(_, _, span)| span.clone())
+    }
+
+    pub fn flag(&self, name: &str) -> bool {
+        self.get(name).is_some()
+    }
+
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name)? {
+            Value::Number(number) => Some(*number),
+            Value::Flag
+            | Value::Word(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
+        }
+    }
+
+    pub fn word(&self, name: &str) -> Option<&str> {
+        match self.get(name)? {
+            Value::Word(word) => Some(word),
+            Value::Flag
+            | Value::Number(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
+        }
+    }
+
+    /// All values of a repeatable argument.
+    pub fn words(&self, name: &str) -> Vec<&str> {
+        let named = self.values.iter().filter(|(known, _, _)| *known == name);
+        let words = named.filter_map(|(_, value, _)| match value {
+            Value::Word(word) => Some(word.as_str()),
+            Value::Flag
+            | Value::Number(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
+        });
+        words.collect()
+    }
+
+    pub fn point(&self, name: &str) -> Option<LatLon> {
+        match self.get(name)? {
+            Value::Point(point) => Some(*point),
+            Value::Flag
+            | Value::Number(_)
+            | Value::Word(_)
+            | Value::Vehicles(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
+        }
+    }
+
+    /// Vehicles that the form requires.
+    pub fn required_vehicles(&self, name: &'static str) -> Result<VehicleChoice, Problem> {
+        self.vehicles(name).ok_or_else(|| Problem::missing(name))
+    }
+
+    pub fn vehicles(&self, name: &str) -> Option<VehicleChoice> {
+        match self.get(name)? {
+            Value::Vehicles(choice) => Some(choice.clone()),
+            Value::Flag
+            | Value::Number(_)
+            | Value::Word(_)
+            | Value::Point(_)
+            | Value::Area(_)
+            | Value::Items(_) => None,
+        }
+    }
+
+    /// An area that the form requires.
+    pub fn required_area(&self, name: &'static str) -> Result<&Outline, Problem> {
+        match self.get(name) {
+            Some(Value::Area(outline)) => Ok(outline),
+            _ => Err(Problem::missing(name)),
+        }
+    }
+
+    /// Items that the form requires.
+    pub fn required_items(&self, name: &'static str) -> Result<Items, Problem> {
+        match self.get(name) {
+            Some(Value::Items(items)) => Ok(*items),
+            _ => Err(Problem::missing(name)),
+        }
+    }
+
+    /// A number that the form requires.
+    pub fn required(&self, name: &'static str) -> Result<f64, Problem> {
+        self.number(name).ok_or_else(|| Problem::missing(name))
+    }
+
+    /// The meaning of a word of a [`Kind::Choice`](super::Kind::Choice).
+    ///
+    /// # Errors
+    /// The word has none.
+    pub fn choice<T: FromStr>(&self, name: &'static str) -> Result<Option<T>, Problem> {
+        let word = self.word(name).map(str::parse).transpose();
+        word.map_err(|_| Problem::new(name, text!("grammar-unknown-word")))
+    }
+
+    /// The meaning of a word of a [`Kind::Choice`](super::Kind::Choice) that the form requires.
+    ///
+    /// # Errors
+    /// There is no word, or it has no meaning.
+    pub fn required_choice<T: FromStr>(&self, name: &'static str) -> Result<T, Problem> {
+        self.choice(name)?.ok_or_else(|| Problem::missing(name))
+    }
+
+    /// Whether a [`Switch`] that the form requires is on.
+    ///
+    /// # Errors
+    /// There is no such word.
+    pub fn required_switch(&self, name: &'static str) -> Result<bool, Problem> {
+        Ok(match self.required_choice(name)? {
+            Switch::On => true,
+            Switch::Off => false,
+        })
+    }
+
+    /// A word that the form requires.
+    pub fn required_word(&self, name: &'static str) -> Result<&str, Problem> {
+        self.word(name).ok_or_else(|| Problem::missing(name))
+    }
+
+    /// A point that the form requires.
+    pub fn required_point(&self, name: &'static str) -> Result<LatLon, Problem> {
+        self.point(name).ok_or_else(|| Problem::missing(name))
+    }
+}
