@@ -19,6 +19,7 @@ use crate::scoring::ScoreRules;
 mod action;
 mod advice;
 mod career;
+mod condition;
 mod events;
 mod fleet;
 mod head;

@@ -7,6 +7,7 @@
 //!
 //! A section refers to earlier ones through the [`Draft`], which also collects the faults.
 
+mod collection;
 mod description;
 mod draft;
 mod faults;
@@ -17,18 +18,19 @@ mod table;
 mod value;
 mod written;
 
+pub(super) use collection::{ListValue, list, map, table, tables};
+pub(super) use description::FileShape;
 #[cfg(test)]
 pub(super) use description::FileTableDescription;
-pub(super) use description::{FileShape, describe};
 pub(super) use draft::{Draft, NamedPlace};
 pub(super) use faults::FileFaults;
 pub(super) use reference::reference;
 pub(super) use schema::schema;
 pub(super) use shared::{BetterMeasure, CountTarget, ObjectiveTarget};
-pub(super) use table::{FileTable, KindOf};
+pub(super) use table::{FileTable, KindOf, describe};
 pub(super) use value::{
-    FileValue, ListValue, NamedValue, TextValue, area, flag, gate, heights, list, map, named,
-    number, point, rising, seconds, spread, table, tables, text, text_by, time, whole, word,
+    FileValue, NamedValue, TextValue, area, flag, gate, heights, named, number, point, rising,
+    seconds, spread, text, text_by, time, whole, word,
 };
 pub(super) use written::WrittenValue;
 

@@ -15,6 +15,7 @@ use super::weather::Weather;
 mod dispersion;
 mod fire;
 mod flood;
+mod gaussian;
 mod line;
 mod minefield;
 mod people;

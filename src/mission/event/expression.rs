@@ -18,15 +18,16 @@ mod argument;
 mod ask;
 mod field;
 mod parse;
+mod reader;
 #[cfg(test)]
 mod tests;
 mod token;
 
-pub(in crate::mission) use argument::ExpressionNames;
 #[cfg(test)]
 pub(in crate::mission) use ask::FUNCTIONS;
 #[cfg(test)]
 pub(in crate::mission) use field::field_names;
+pub(in crate::mission) use reader::ExpressionNames;
 pub(in crate::mission) use token::LONGEST;
 
 /// A condition: true or false at any moment.

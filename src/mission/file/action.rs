@@ -5,7 +5,7 @@ use std::time::Duration;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::events::{condition, known_event};
+use super::condition::{condition, known_event};
 use crate::mission::event::Action;
 use crate::mission::event::fault::{Fault, FaultKind, Victim};
 use crate::mission::event::mover::{MoverKind, Spawn};

@@ -1,6 +1,6 @@
 //! `[[hints]]`: advice shown automatically, or on request.
 
-use super::events::condition;
+use super::condition::condition;
 use crate::mission::format::{FileTable, text, whole, word};
 use crate::mission::{Clue, Hint, MissionAdvice, NEXT_CELL, Phase};
 

@@ -3,14 +3,12 @@
 use std::time::Duration;
 
 use toml::Spanned;
-use toml::de::DeValue;
 
 use super::action;
-use crate::mission::event::expression::{Expression, ExpressionNames, LONGEST};
+use super::condition::{condition, known_event};
+use crate::mission::event::expression::Expression;
 use crate::mission::event::{Event, Trigger};
-use crate::mission::format::{
-    Draft, FileShape, FileTable, FileValue, flag, list, number, table as table_of, text, time, word,
-};
+use crate::mission::format::{FileTable, flag, list, number, table as table_of, text, time, word};
 use crate::text::Text;
 
 /// The maximum number of actions of one event.
@@ -113,63 +111,6 @@ impl WrittenTrigger {
             Self { by: Some(()), .. } => Some(Trigger::Instructor),
             // Invalid; the fault is already reported.
             Self { .. } => None,
-        }
-    }
-}
-
-/// The index of an event in the file, by its id.
-pub(super) fn known_event(draft: &mut Draft, name: &Spanned<String>) -> Option<usize> {
-    let events = &draft.declared.events;
-    let found = events.iter().position(|id| id == name.get_ref());
-    if found.is_none() {
-        let known: Vec<&str> = events.iter().map(String::as_str).collect();
-        draft.faults.unknown("event", name, &known);
-    }
-    found
-}
-
-pub(super) fn condition() -> ConditionValue {
-    ConditionValue
-}
-
-pub(super) struct ConditionValue;
-
-impl FileValue for ConditionValue {
-    type Out = Expression;
-
-    fn shape(&self) -> FileShape {
-        FileShape::Text("an expression", Some(LONGEST))
-    }
-
-    /// Places a fault within its string.
-    fn read(
-        &self,
-        _: &str,
-        written: Spanned<DeValue<'_>>,
-        draft: &mut Draft,
-    ) -> Option<Expression> {
-        let place = written.span();
-        let source: String = draft.faults.read(written)?;
-        if source.len() > LONGEST {
-            let fault = format!("a condition has at most {LONGEST} characters");
-            draft.faults.add(place, fault);
-            return None;
-        }
-        let names = ExpressionNames {
-            zones: &draft.zones,
-            objectives: draft.ids("objectives"),
-            hazards: draft.ids("hazards"),
-            events: &draft.declared.events,
-            movers: &draft.declared.movers,
-            sensors: &draft.sensors,
-            vehicles: draft.pads.len(),
-        };
-        match Expression::parse(&source, &names) {
-            Ok(expression) => Some(expression),
-            Err(fault) => {
-                draft.faults.push(fault.in_string(place, source.len()));
-                None
-            }
         }
     }
 }

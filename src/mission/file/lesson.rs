@@ -1,6 +1,6 @@
 //! `[[lesson]]`: the steps of a guided lesson.
 
-use super::events::condition;
+use super::condition::condition;
 use crate::mission::format::{FileTable, text};
 use crate::mission::{LessonStep, STEP_KEY};
 

@@ -1,8 +1,5 @@
 //! The content of a mission file's table, as its reader requests it.
 
-use super::draft::Draft;
-use super::table::{AskedKey, FileTable, Reader};
-
 /// The keys of a table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::mission) struct FileTableDescription {
@@ -15,7 +12,7 @@ pub(in crate::mission) struct FileTableDescription {
 
 impl FileTableDescription {
     /// Whether it contains every requested key, as a common key or as one of a kind.
-    pub(super) fn has_all(&self, asked: &[AskedKey]) -> bool {
+    pub(super) fn has_all<'a>(&self, mut asked: impl Iterator<Item = &'a str>) -> bool {
         let of_kinds = self.kinds.iter().flat_map(|kind| &kind.own.keys);
         let known: Vec<&str> = self
             .keys
@@ -23,8 +20,7 @@ impl FileTableDescription {
             .chain(of_kinds)
             .map(|key| key.name.as_str())
             .collect();
-        let mut names = asked.iter().map(|asked| asked.name.as_str());
-        names.all(|name| known.contains(&name) || (self.by_kind_key && name == "kind"))
+        asked.all(|name| known.contains(&name) || (self.by_kind_key && name == "kind"))
     }
 }
 
@@ -82,9 +78,4 @@ pub(in crate::mission) enum FileShape {
     /// Values by names that the author chooses, with the meaning of the names.
     Map(&'static str, Box<FileShape>),
     Table(FileTableDescription),
-}
-
-/// The description of a reader's table.
-pub(in crate::mission) fn describe<T>(reader: Reader<T>) -> FileTableDescription {
-    FileTable::describe(reader, &mut Draft::default())
 }

@@ -2,6 +2,7 @@
 
 use toml::Spanned;
 
+use super::collection::list;
 use super::table::FileTable;
 use super::value;
 use crate::mission::sensor::Sensor;
@@ -50,7 +51,7 @@ impl FileTable<'_> {
 
     /// Sensors that the fleet carries, by the key `sensors`, each with its position in the file.
     pub fn need_sensors(&mut self, about: &'static str) -> Option<Vec<Spanned<&'static Sensor>>> {
-        let ids = self.need("sensors", value::list(value::sensor_id(), 1, 100), about)?;
+        let ids = self.need("sensors", list(value::sensor_id(), 1, 100), about)?;
         let fitted = ids.iter().filter_map(|id| {
             let sensor = self.draft().fitted_sensor(id)?;
             Some(Spanned::new(id.span(), sensor))

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::description::{FileKey, FileTableDescription, KindDescription, Presence, describe};
+use super::description::{FileKey, FileTableDescription, KindDescription, Presence};
 use super::draft::Draft;
 use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -22,6 +22,11 @@ pub(in crate::mission) struct KindOf<T> {
     pub about: &'static str,
     /// Reads the keys of this kind.
     pub read: Reader<T>,
+}
+
+/// The description of a reader's table.
+pub(in crate::mission) fn describe<T>(reader: Reader<T>) -> FileTableDescription {
+    FileTable::describe(reader, &mut Draft::default())
 }
 
 /// A table that is being read, or described.
@@ -94,7 +99,10 @@ impl FileTable<'_> {
         table.is_root = is_root;
         let value = reader(&mut table);
         // Only keys that are requested in every case can be described.
-        debug_assert!(value.is_none() || describe(reader).has_all(&table.asked));
+        debug_assert!(
+            value.is_none()
+                || describe(reader).has_all(table.asked.iter().map(|key| key.name.as_str()))
+        );
         table.finish();
         value
     }

@@ -7,12 +7,10 @@ use super::description::FileShape;
 use super::draft::Draft;
 
 mod axis;
-mod collection;
 mod figure;
 mod word;
 
 pub(in crate::mission) use axis::{area, gate, heights, point, rising, spread};
-pub(in crate::mission) use collection::{ListValue, list, map, table, tables};
 pub(super) use figure::spaced;
 pub(in crate::mission) use figure::{flag, number, seconds, time, whole};
 pub(in crate::mission) use word::{NamedValue, TextValue, named, text, text_by, word};

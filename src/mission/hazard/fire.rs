@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{Stability, Terrain};
-use super::plume::Plume;
+use super::gaussian::Plume;
 use super::{
     Field, Hazard, Load, LoadEffect, Object, ObjectClass, Quantity, TruthPiece, TruthShape,
 };

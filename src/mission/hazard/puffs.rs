@@ -8,8 +8,8 @@ use std::time::Duration;
 use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{CALM_BELOW_M_S, calm_growth_m_s, spreads_m};
-use super::plume::Plume;
-use super::source::{Leak, LeakPlan, UG_PER_G};
+use super::gaussian::{Plume, UG_PER_G};
+use super::source::{Leak, LeakPlan};
 use super::{Field, Hazard, Object, Quantity, TruthPiece};
 use crate::geo::maths;
 use crate::mission::format::{FileTable, KindOf, number};

@@ -6,11 +6,9 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{Stability, Terrain};
-use super::plume::Plume;
+use super::gaussian::Plume;
 use super::{Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::format::{FileTable, POINT_RANGE, number, point, table as table_of, word};
-
-pub(super) const UG_PER_G: f64 = 1e6;
 
 /// The substance that a source emits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

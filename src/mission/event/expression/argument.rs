@@ -2,12 +2,10 @@
 
 use std::ops::Range;
 
-use super::parse::Reader;
+use super::reader::{ExpressionNames, Reader};
 use super::token::ExpressionToken;
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::Spot;
-use crate::mission::sensor::Sensor;
-use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
 use crate::vehicle::VehicleClass;
 
@@ -16,19 +14,6 @@ const LEVELS: [(&str, AlertLevel); 3] = [
     ("warning", AlertLevel::Warning),
     ("critical", AlertLevel::Critical),
 ];
-
-/// The names that an expression may use.
-#[derive(Debug, Clone, Copy, Default)]
-pub(in crate::mission) struct ExpressionNames<'a> {
-    pub zones: &'a [Zone],
-    /// The ids of objectives; then those of hazards, events and movers.
-    pub objectives: &'a [String],
-    pub hazards: &'a [String],
-    pub events: &'a [String],
-    pub movers: &'a [String],
-    pub sensors: &'a [&'static Sensor],
-    pub vehicles: usize,
-}
 
 /// A kind of argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

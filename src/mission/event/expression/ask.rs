@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::argument::{Argument, Given};
 use super::field::{FIELDS, Field};
-use super::parse::Reader;
+use super::reader::Reader;
 use super::token::ExpressionToken;
 use super::{PartValue, Type};
 use crate::diagnostic::Diagnostic;

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::argument::ExpressionNames;
 use super::ask::{self, Question};
-use super::token::{ExpressionToken, Placed, tokens};
+use super::reader::{ExpressionNames, Reader};
+use super::token::{ExpressionToken, tokens};
 use super::{ExpressionNode, ExpressionOperator, Type};
 use crate::diagnostic::Diagnostic;
 
@@ -19,6 +19,30 @@ pub(super) struct Part {
 }
 
 type Read = Result<Part, Diagnostic>;
+
+impl Part {
+    /// The part with a sign before it, which begins at `start` and takes and gives values of one type.
+    fn under(
+        self,
+        sign: fn(Box<ExpressionNode>) -> ExpressionNode,
+        is: Type,
+        start: usize,
+    ) -> Read {
+        need(&self, is)?;
+        Ok(Self {
+            node: sign(Box::new(self.node)),
+            span: start..self.span.end,
+            is,
+        })
+    }
+}
+
+/// What may stand before a value.
+enum OperandPrefix {
+    Bracket,
+    Not,
+    Minus,
+}
 
 /// Operators of equal precedence, the type of their operands, and that of the result.
 type Level = (&'static [(&'static str, ExpressionOperator)], Type, Type);
@@ -64,18 +88,12 @@ pub(super) fn condition(
     names: &ExpressionNames<'_>,
 ) -> Result<ExpressionNode, Diagnostic> {
     let tokens = tokens(source)?;
-    let mut reader = Reader {
-        tokens: &tokens,
-        at: 0,
-        end: source.len(),
+    let mut parser = ConditionParser {
+        reader: Reader::new(&tokens, source.len(), names),
         depth: 0,
-        names,
     };
-    let part = reader.level(0)?;
-    if let Some((token, span)) = reader.tokens.get(reader.at) {
-        let message = format!("{} was not expected here", named(token));
-        return Err(Diagnostic::new(span.clone(), message));
-    }
+    let part = parser.level(0)?;
+    parser.reader.finish()?;
     need(&part, Type::Bool)?;
     Ok(part.node)
 }
@@ -89,32 +107,20 @@ fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(part.span.clone(), message))
 }
 
-fn named(token: &ExpressionToken) -> String {
-    match token {
-        ExpressionToken::Number(number) => format!("`{number}`"),
-        ExpressionToken::Text(text) => format!("`'{text}'`"),
-        ExpressionToken::Name(name) => format!("`{name}`"),
-        ExpressionToken::Sign(sign) => format!("`{sign}`"),
-    }
-}
-
-/// The tokens not read yet.
-pub(super) struct Reader<'a> {
-    tokens: &'a [Placed],
-    at: usize,
-    end: usize,
+/// The parts read from the tokens.
+struct ConditionParser<'a> {
+    reader: Reader<'a>,
     depth: usize,
-    pub names: &'a ExpressionNames<'a>,
 }
 
-impl Reader<'_> {
+impl ConditionParser<'_> {
     /// Reads a part whose operators bind at least as tightly as `level`.
     fn level(&mut self, level: usize) -> Read {
         let Some(&(operators, operand, result)) = LEVELS.get(level) else {
             return self.unary();
         };
         let mut left = self.level(level + 1)?;
-        while let Some(operator) = self.operator(operators) {
+        while let Some(operator) = self.reader.one_of(operators) {
             let right = self.level(level + 1)?;
             // Texts and conditions can be compared for equality only.
             let same = matches!(
@@ -136,56 +142,38 @@ impl Reader<'_> {
         Ok(left)
     }
 
-    fn operator(&mut self, among: &[(&str, ExpressionOperator)]) -> Option<ExpressionOperator> {
-        let (token, _) = self.tokens.get(self.at)?;
-        let written = match token {
-            ExpressionToken::Sign(sign) => *sign,
-            ExpressionToken::Name(name) => name.as_str(),
-            ExpressionToken::Number(_) | ExpressionToken::Text(_) => return None,
-        };
-        let (_, operator) = among.iter().find(|(sign, _)| *sign == written)?;
-        self.at += 1;
-        Some(*operator)
-    }
-
     fn unary(&mut self) -> Read {
-        let Some((token, span)) = self.tokens.get(self.at) else {
-            return Err(self.missing("a value"));
+        let (token, span) = self.reader.peek("a value")?;
+        let (prefix, span) = match token {
+            ExpressionToken::Sign("(") => (OperandPrefix::Bracket, span.clone()),
+            ExpressionToken::Sign("-") => (OperandPrefix::Minus, span.clone()),
+            ExpressionToken::Name(name) if name == "not" => (OperandPrefix::Not, span.clone()),
+            ExpressionToken::Sign(_)
+            | ExpressionToken::Name(_)
+            | ExpressionToken::Number(_)
+            | ExpressionToken::Text(_) => return self.primary(),
         };
-        let start = span.start;
-        let not = *token == ExpressionToken::Name("not".into());
-        let negative = *token == ExpressionToken::Sign("-");
-        let bracket = *token == ExpressionToken::Sign("(");
-        if !(not || negative || bracket) {
-            return self.primary();
-        }
         self.depth += 1;
         if self.depth > DEEPEST {
             let message =
                 format!("brackets and signs are nested too deeply: at most {DEEPEST} levels");
-            return Err(Diagnostic::new(span.clone(), message));
+            return Err(Diagnostic::new(span, message));
         }
-        self.at += 1;
-        let part = if bracket {
-            let part = self.level(0)?;
-            self.sign(")")?;
-            part
-        } else if not {
-            // `not` binds more loosely than a comparison: `not t > 3`.
-            let part = self.level(COMPARISONS)?;
-            need(&part, Type::Bool)?;
-            Part {
-                node: ExpressionNode::Not(Box::new(part.node)),
-                span: start..part.span.end,
-                is: Type::Bool,
+        self.reader.next("a value")?;
+        let part = match prefix {
+            OperandPrefix::Bracket => {
+                let part = self.level(0)?;
+                self.reader.sign(")")?;
+                part
             }
-        } else {
-            let part = self.unary()?;
-            need(&part, Type::Number)?;
-            Part {
-                node: ExpressionNode::Negative(Box::new(part.node)),
-                span: start..part.span.end,
-                is: Type::Number,
+            // It binds more loosely than a comparison: `not t > 3`.
+            OperandPrefix::Not => {
+                let operand = self.level(COMPARISONS)?;
+                operand.under(ExpressionNode::Not, Type::Bool, span.start)?
+            }
+            OperandPrefix::Minus => {
+                let operand = self.unary()?;
+                operand.under(ExpressionNode::Negative, Type::Number, span.start)?
             }
         };
         self.depth -= 1;
@@ -193,7 +181,7 @@ impl Reader<'_> {
     }
 
     fn primary(&mut self) -> Read {
-        let (token, span) = self.next("a value")?;
+        let (token, span) = self.reader.next("a value")?;
         let (node, is) = match token {
             ExpressionToken::Number(number) => (ExpressionNode::Number(number), Type::Number),
             ExpressionToken::Text(text) => (ExpressionNode::Text(text), Type::Text),
@@ -213,45 +201,11 @@ impl Reader<'_> {
     }
 
     fn question(&mut self, name: &str, span: Range<usize>) -> Read {
-        let (question, is): (Question, Type) = ask::read(self, name, &span)?;
-        let end = self.tokens[self.at - 1].1.end;
+        let (question, is): (Question, Type) = ask::read(&mut self.reader, name, &span)?;
         Ok(Part {
             node: ExpressionNode::Ask(question),
             is,
-            span: span.start..end,
+            span: span.start..self.reader.last_end(),
         })
-    }
-
-    /// Consumes the next token of any kind.
-    pub fn next(&mut self, wanted: &str) -> Result<Placed, Diagnostic> {
-        let found = self.tokens.get(self.at).cloned();
-        self.at += 1;
-        found.ok_or_else(|| self.missing(wanted))
-    }
-
-    /// Whether this sign is next; if so, consumes it.
-    pub fn takes(&mut self, sign: &str) -> bool {
-        let is = matches!(self.tokens.get(self.at), Some((ExpressionToken::Sign(next), _)) if *next == sign);
-        self.at += usize::from(is);
-        is
-    }
-
-    /// Consumes this sign; a fault if it is not next.
-    pub fn sign(&mut self, sign: &str) -> Result<(), Diagnostic> {
-        if self.takes(sign) {
-            return Ok(());
-        }
-        match self.tokens.get(self.at) {
-            None => Err(self.missing(&format!("`{sign}`"))),
-            Some((token, span)) => {
-                let message = format!("`{sign}` is needed here, not {}", named(token));
-                Err(Diagnostic::new(span.clone(), message))
-            }
-        }
-    }
-
-    fn missing(&self, wanted: &str) -> Diagnostic {
-        let message = format!("{wanted} is missing at the end");
-        Diagnostic::new(self.end.saturating_sub(1)..self.end, message)
     }
 }

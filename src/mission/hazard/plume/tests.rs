@@ -3,6 +3,8 @@ use rand::SeedableRng;
 
 use super::*;
 use crate::geo::maths;
+use crate::mission::hazard::dispersion::{Stability, Terrain};
+use crate::mission::hazard::gaussian::{Plume, UG_PER_G};
 
 const WEST_WIND: Wind = Wind {
     speed_m_s: 4.0,

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::FileValue;
-use crate::mission::format::description::{FileShape, describe};
-use crate::mission::format::draft::Draft;
-use crate::mission::format::table::{FileTable, Reader};
+use super::description::FileShape;
+use super::draft::Draft;
+use super::table::{FileTable, Reader, describe};
+use super::value::FileValue;
 
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct ListValue<V> {
