@@ -215,7 +215,7 @@ fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<ServiceState>>)
         ("/vehicles/{id}/mavlink", acts(get(tunnel::open))),
         ("/events", get(events::follow)),
         ("/status", get(about::status)),
-        ("/openapi.json", get(about::openapi)),
+        ("/openapi.json", get(openapi::openapi)),
         ("/start/{id}", acts(get(paper::start))),
         ("/stop/{id}", acts(get(paper::stop))),
         ("/ready/{id}", get(paper::ready)),

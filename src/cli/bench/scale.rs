@@ -16,7 +16,7 @@ use super::super::settings::CliSettings;
 use crate::terminal::Environment;
 use instances::SitlBench;
 use progress::ScaleProgress;
-use sample::ScaleRow;
+use row::ScaleRow;
 use trial::{TrialPlan, trial};
 
 mod chart;
@@ -24,6 +24,7 @@ mod cost;
 mod figure;
 mod instances;
 mod progress;
+mod row;
 mod sample;
 mod strain;
 mod svg;

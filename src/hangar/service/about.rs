@@ -1,4 +1,4 @@
-//! The service's status and description.
+//! The service's status.
 
 use std::sync::Arc;
 
@@ -24,11 +24,4 @@ pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Statu
         restart: state.setup.restart,
         leftovers: leftovers.iter().map(ToString::to_string).collect(),
     })
-}
-
-#[utoipa::path(get, path = "/openapi.json", responses(
-    (status = 200, description = "The description of the service in OpenAPI 3.1", body = serde_json::Value),
-))]
-pub(super) async fn openapi() -> Json<utoipa::openapi::OpenApi> {
-    Json(super::openapi::document())
 }

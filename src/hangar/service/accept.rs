@@ -45,8 +45,8 @@ pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> Jo
             accepted = listener.accept() => match accepted {
                 Ok((stream, peer)) => {
                     let ends = ends_of(&stream, peer);
-                    let permit = Arc::clone(&room).try_acquire_owned().ok();
-                    let permit = permit.filter(|_| may_enter(&room, ends.as_ref(), state));
+                    let free = Arc::clone(&room).try_acquire_owned().ok();
+                    let permit = free.filter(|_| may_enter(&room, ends.as_ref(), state));
                     if let Some((permit, ends)) = permit.zip(ends) {
                         let (router, state) = (router.clone(), Arc::clone(state));
                         tasks.spawn(async move {

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use axum::Json;
 use strum::VariantNames;
 use utoipa::openapi::schema::{ObjectBuilder, Schema, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
@@ -31,7 +32,7 @@ const SCHEME: &str = "token";
         tunnel::open,
         events::follow,
         about::status,
-        about::openapi,
+        openapi,
         paper::start,
         paper::stop,
         paper::ready,
@@ -39,6 +40,13 @@ const SCHEME: &str = "token";
     )
 )]
 struct Description;
+
+#[utoipa::path(get, path = "/openapi.json", responses(
+    (status = 200, description = "The description of the service in OpenAPI 3.1", body = serde_json::Value),
+))]
+pub(super) async fn openapi() -> Json<OpenApi> {
+    Json(document())
+}
 
 pub(super) fn document() -> OpenApi {
     let mut document = Description::openapi();

@@ -1,6 +1,6 @@
 //! Designs by name, and in files.
 
-use super::shelf;
+use super::shelf::{self, ListedDesign};
 use crate::app::State;
 use crate::app::action::{Action, WorkshopAction};
 use crate::app::effect::{CareerEffect, Effect, Effects, FileEffect, FileKind};
@@ -37,6 +37,25 @@ pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
     state.prompt(Purpose::RenameDesign(name.clone()), name);
+}
+
+/// Asks for the name of a copy of the design under the cursor of the list.
+pub(super) fn ask_copy_listed(state: &mut State) {
+    if let Some(listed) = shelf::under_cursor(state) {
+        ask_copy(state, Some(listed.design));
+    }
+}
+
+/// Asks for another name of the design under the cursor of the list.
+pub(super) fn ask_rename_listed(state: &mut State) {
+    match shelf::under_cursor(state) {
+        Some(ListedDesign {
+            design,
+            is_own: true,
+        }) => ask_rename(state, Some(design)),
+        Some(_) => shelf::refuse(state),
+        None => {}
+    }
 }
 
 /// Asks for the file to write the design to.

@@ -105,12 +105,13 @@ pub(super) fn compare_or_choose(state: &mut State) {
 }
 
 /// A design of the list.
-struct ListedDesign {
-    design: Design,
-    is_own: bool,
+pub(super) struct ListedDesign {
+    pub design: Design,
+    /// Whether it is the trainee's own.
+    pub is_own: bool,
 }
 
-fn under_cursor(state: &State) -> Option<ListedDesign> {
+pub(super) fn under_cursor(state: &State) -> Option<ListedDesign> {
     let all = stored(state);
     let at = state.rooms.workshop.shelf.min(all.len().saturating_sub(1));
     all.get(at).map(|it| ListedDesign {
@@ -132,23 +133,6 @@ pub(super) fn open_listed(state: &mut State) {
     }
 }
 
-pub(super) fn ask_copy(state: &mut State) {
-    if let Some(listed) = under_cursor(state) {
-        super::files::ask_copy(state, Some(listed.design));
-    }
-}
-
-pub(super) fn ask_rename(state: &mut State) {
-    match under_cursor(state) {
-        Some(ListedDesign {
-            design,
-            is_own: true,
-        }) => super::files::ask_rename(state, Some(design)),
-        Some(_) => refuse(state),
-        None => {}
-    }
-}
-
 pub(super) fn ask_take_out(state: &mut State) {
     match under_cursor(state) {
         Some(ListedDesign {
@@ -161,7 +145,7 @@ pub(super) fn ask_take_out(state: &mut State) {
 }
 
 /// Built-in designs cannot be changed.
-fn refuse(state: &mut State) {
+pub(super) fn refuse(state: &mut State) {
     state.say(Severity::Notice, text!("bench-not-own"));
 }
 

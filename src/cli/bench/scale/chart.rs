@@ -6,7 +6,7 @@ use ratatui::symbols::Marker;
 use ratatui::widgets::{Axis, Block, Chart, Dataset, GraphType, Widget as _};
 
 use super::figure::{Figure, figures, label};
-use super::sample::ScaleRow;
+use super::row::ScaleRow;
 use crate::ui::ascii;
 
 /// Two figures beside each other fit an ordinary terminal.

@@ -1,7 +1,7 @@
 //! The four figures: the simulator's and the model update's processor time, in total and per vehicle, each against the
 //! number of vehicles and beside the paper's figures. [`super::chart`] and [`super::svg`] draw them.
 
-use super::sample::ScaleRow;
+use super::row::ScaleRow;
 use crate::geo::maths;
 
 /// The paper's figures for a vehicle, in percent of a core: least and most.

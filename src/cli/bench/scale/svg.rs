@@ -1,7 +1,7 @@
 //! The figures as a drawing.
 
 use super::figure::{Figure, figures, label, rounded_up};
-use super::sample::ScaleRow;
+use super::row::ScaleRow;
 
 /// Pixels of the drawing's heading, and of each of the four panels below it.
 const HEADING: usize = 40;

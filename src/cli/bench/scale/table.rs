@@ -1,7 +1,7 @@
 //! The figures as tables, beside the paper's.
 
 use super::figure::{PAPER_MODEL, PAPER_SIM, PAPER_US_PER_MESSAGE};
-use super::sample::ScaleRow;
+use super::row::ScaleRow;
 
 /// The subject of the tables.
 pub(super) struct ScaleHeading<'a> {

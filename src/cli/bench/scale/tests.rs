@@ -1,7 +1,8 @@
 use std::time::{Duration, Instant};
 
 use super::cost::Machine;
-use super::sample::{ScaleMark, ScaleRow, ScaleSample};
+use super::row::ScaleRow;
+use super::sample::{ScaleMark, ScaleSample};
 use super::{chart, svg, table};
 
 fn sample(vehicles: u16, slowness: f64) -> ScaleSample {
