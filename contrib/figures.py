@@ -345,14 +345,12 @@ def measure(root, files):
     in_cycles = 0
     for parent, graph in sorted(edges(root, files).items()):
         for group_ in components(graph):
-            # A top-level module, and what it consists of: two levels.
-            if parent.count("::") <= 1:
-                in_cycles += len(group_)
-                lists["cycles"].append(f"{parent}: {', '.join(group_)}")
-                for user in group_:
-                    used = sorted(set(graph[user]) & set(group_))
-                    lists["cycles"].append(f"    {user} -> {', '.join(used)}")
-    figures["modules in a cycle (two levels)"] = in_cycles
+            in_cycles += len(group_)
+            lists["cycles"].append(f"{parent}: {', '.join(group_)}")
+            for user in group_:
+                used = sorted(set(graph[user]) & set(group_))
+                lists["cycles"].append(f"    {user} -> {', '.join(used)}")
+    figures["modules in a cycle"] = in_cycles
     return figures, lists
 
 

@@ -1,9 +1,9 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only, and the parts of a module depend on each other in one direction only:
-//! `tests/it/layering.rs` reads the sources and enforces both, for modules and their direct parts. What other
-//! programs could use as well is in libraries of the workspace, below everything else.
+//! Dependencies point down only, and the parts of a module depend on each other in one direction only, at every depth:
+//! `tests/it/layering.rs` reads the sources and enforces both. What other programs could use as well is in libraries of
+//! the workspace, below everything else.
 //!
 //! | layer | module | contents |
 //! | --- | --- | --- |
