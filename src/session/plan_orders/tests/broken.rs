@@ -1,5 +1,6 @@
 //! Transfers that end with the console.
 
+use super::rig::kept_name;
 use super::*;
 
 #[test]

@@ -1,0 +1,157 @@
+//! Settings of the administrator.
+
+use super::*;
+
+#[test]
+fn the_administrator_sets_for_everybody_what_a_user_may_change() {
+    let home = home(&[("config.toml", "fps = 20\n")]);
+    let write = |name: &str, content: &str| {
+        let path = home.path().join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+        fs::write(path, content).expect("written");
+    };
+    write(
+        "etc/sortie/config.toml",
+        "lang = \"uk\"\nfps = 5\n[hangar]\narducopter = \"bin/arducopter\"\n",
+    );
+    write("share/sortie/themes/lab.toml", "inherits = \"dark\"\n");
+    let mission = fs::read_to_string("missions/00-first-flight.toml").expect("it ships");
+    let own = mission.replace("00-first-flight", "lab-one");
+    write("share/sortie/missions/lab-one.toml", &own);
+
+    let config = sortie(home.path(), &[], &["config"]);
+    let printed = text(&config.stdout);
+    assert!(
+        printed.starts_with(
+            "# Precedence: flag, environment, file, the administrator's file, default."
+        ),
+        "{printed}"
+    );
+    assert_eq!(config.status.code(), Some(0), "{}", text(&config.stderr));
+    let base = home.path().to_str().expect("plain");
+    assert_eq!(
+        line_of(&printed, "lang"),
+        format!("lang = \"uk\" # {base}/etc/sortie/config.toml:1")
+    );
+    assert_eq!(
+        line_of(&printed, "fps"),
+        format!("fps = 20 # {base}/config/sortie/config.toml:1"),
+        "the user's counts"
+    );
+    let copter = line_of(&printed, "arducopter");
+    assert!(
+        copter.starts_with("arducopter = \"bin/arducopter\" # ")
+            && copter.ends_with("etc/sortie/config.toml:4"),
+        "{printed}"
+    );
+    let paths = text(&sortie(home.path(), &[], &["config", "--paths"]).stdout);
+    let paths: toml::Table = toml::from_str(&paths).expect("it is TOML");
+    let system = toml::Value::from(vec![format!("{base}/etc/sortie")]);
+    assert_eq!(paths["system_config"], system);
+    let shared = toml::Value::from(vec![format!("{base}/share/sortie")]);
+    assert_eq!(paths["system_data"], shared);
+
+    let themed = sortie(home.path(), &[("SORTIE_THEME", "lab")], &["config"]);
+    assert_eq!(themed.status.code(), Some(0), "{}", text(&themed.stderr));
+    let printed = text(&themed.stdout);
+    assert_eq!(
+        line_of(&printed, "theme"),
+        "theme = \"lab\" # environment SORTIE_THEME"
+    );
+    let arguments = ["run", "lab-one", "--pilot", "00-first-flight", "--json"];
+    let flown = sortie(home.path(), &[], &arguments);
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("it is JSON");
+    assert_eq!(report["mission"], "lab-one");
+}
+
+#[test]
+fn a_fault_of_the_administrators_file_is_told_and_keeps_nobody_from_flying() {
+    let home = home(&[]);
+    let path = home.path().join("etc/sortie/config.toml");
+    fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+    fs::write(path, "fps = \"many\"\ntheme = \"light\"\n").expect("written");
+    let output = sortie(home.path(), &[], &["config"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = text(&output.stderr);
+    assert!(told.contains("etc/sortie/config.toml:1:7"), "{told}");
+    let printed = text(&output.stdout);
+    assert!(line_of(&printed, "theme").starts_with("theme = \"light\" # "));
+    assert_eq!(line_of(&printed, "fps"), "fps = 10 # default");
+    let paths = ["config", "--theme", "dark", "--paths"];
+    let printed = text(&sortie(home.path(), &[], &paths).stdout);
+    assert!(printed.contains("system_config = ["), "{printed}");
+}
+
+#[test]
+fn what_the_administrator_names_may_be_missing_or_wrong() {
+    let home = home(&[
+        ("mine.toml", "fps = 20\n"),
+        ("named.toml", "keymap = \"nowhere.toml\"\n"),
+    ]);
+    let system = home.path().join("etc/sortie");
+    fs::create_dir_all(system.join("themes")).expect("created");
+    let theme = "inherits = \"dark\"\n[roles]\nwarnin = { fg = \"red\" }\n";
+    fs::write(system.join("themes/lab.toml"), theme).expect("written");
+    let mine = file(home.path(), "mine.toml");
+    let arguments = ["run", "01", "--pilot", "01-naive", "--config"];
+    let arguments = [&arguments[..], &[mine.to_str().expect("plain")]].concat();
+    for (setting, expected) in [
+        ("keymap = \"nowhere.toml\"\n", "nowhere.toml"),
+        ("theme = \"lab\"\n", "unknown role `warnin`"),
+    ] {
+        fs::write(system.join("config.toml"), setting).expect("written");
+        let output = sortie(home.path(), &[], &arguments);
+        let said = text(&output.stderr);
+        assert!(said.contains(expected), "{said}");
+        assert_eq!(output.status.code(), Some(1), "flown, not passed: {said}");
+    }
+    let named = file(home.path(), "named.toml");
+    let arguments = ["config", "--config", named.to_str().expect("plain")];
+    let refused = sortie(home.path(), &[], &arguments);
+    assert!(text(&refused.stderr).contains("nowhere.toml"));
+    assert!(refused.stdout.is_empty(), "what is named has to be right");
+}
+
+#[test]
+fn results_are_for_their_trainee_unless_the_administrator_lets_a_group_read_them() {
+    for (setting, expected) in [("", [0o700, 0o600]), ("group", [0o2750, 0o640])] {
+        let home = home(&[]);
+        let system = home.path().join("etc/sortie");
+        fs::create_dir_all(&system).expect("created");
+        if !setting.is_empty() {
+            let text = format!("[results]\nreaders = \"{setting}\"\n");
+            fs::write(system.join("config.toml"), text).expect("written");
+        }
+        let data = home.path().join("class/anna");
+        let variables = [("SORTIE_DATA", data.to_str().expect("plain"))];
+        let run = |arguments: &[&str]| {
+            let output = sortie(home.path(), &variables, arguments);
+            assert_ne!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        };
+        run(&["profile", "create", "anna"]);
+        run(&[
+            "run",
+            "00",
+            "--pilot",
+            "00-first-flight",
+            "--profile",
+            "anna",
+        ]);
+        let report = home.path().join("report.md");
+        let output = report.to_str().expect("plain");
+        run(&["report", "--profile", "anna", "--output", output]);
+        let mode = |path: &Path| {
+            let facts = fs::metadata(path).expect("it is there");
+            facts.permissions().mode() & 0o7777
+        };
+        let runs = fs::read_dir(data.join("runs")).expect("recorded");
+        let record = runs.flatten().next().expect("one").path();
+        for folder in [&data, &data.join("runs")] {
+            assert_eq!(mode(folder), expected[0], "{setting}");
+        }
+        for file in [&data.join("profiles.sqlite"), &record, &report] {
+            assert_eq!(mode(file), expected[1], "{setting}: {}", file.display());
+        }
+    }
+}
