@@ -1,28 +1,28 @@
 //! `sortie records`: the recorded flights.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use serde::Serialize;
 
 use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
-use crate::moment::Moment;
-use crate::record::MissionClock;
-use crate::replay::{ExportFormat, Replay, TlogSpan, export};
-use crate::review::{ReviewedFlight, markdown};
-use crate::store::{RecordFiles, Records, write};
+use crate::replay::{Replay, TlogSpan};
+use crate::store::{RecordFiles, Records};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, utc_of};
-use crate::vehicle_id::{parse_ranges, ranges};
+use crate::vehicle_id::parse_ranges;
 
+mod export;
 mod join;
+mod show;
 mod sign;
 
+use export::RecordFormat;
 use join::JoinArguments;
 use sign::{KeyArguments, SignArguments};
 
@@ -97,30 +97,6 @@ enum RecordsCommand {
     },
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum RecordFormat {
-    Csv,
-    Kml,
-    Gpx,
-    Geojson,
-    Mcap,
-    Md,
-}
-
-impl RecordFormat {
-    /// The export format; `None` for the review.
-    fn of_recording(self) -> Option<ExportFormat> {
-        match self {
-            Self::Csv => Some(ExportFormat::Csv),
-            Self::Kml => Some(ExportFormat::Kml),
-            Self::Gpx => Some(ExportFormat::Gpx),
-            Self::Geojson => Some(ExportFormat::GeoJson),
-            Self::Mcap => Some(ExportFormat::Mcap),
-            Self::Md => None,
-        }
-    }
-}
-
 /// A line of the list.
 #[derive(Debug, Serialize)]
 struct ListedRecord {
@@ -135,41 +111,6 @@ struct ListedRecord {
     duration_s: Option<f64>,
     bytes: u64,
     being_recorded: bool,
-}
-
-/// A record as a document.
-#[derive(Debug, Serialize)]
-struct ShownRecord {
-    #[serde(flatten)]
-    record: ListedRecord,
-    frames: Option<PathBuf>,
-    journal: Option<PathBuf>,
-    run: Option<PathBuf>,
-    moments: Vec<ShownMoment>,
-}
-
-#[derive(Debug, Serialize)]
-struct ShownMoment {
-    at_s: f64,
-    /// The mission's clock; absent without a mission.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mission_s: Option<f64>,
-    kind: &'static str,
-    vehicles: Vec<u16>,
-    text: String,
-}
-
-impl ShownMoment {
-    fn new(moment: &Moment, clock: &MissionClock) -> Self {
-        let mission = clock.mission_time(moment.at);
-        Self {
-            at_s: moment.at.as_secs_f64(),
-            mission_s: mission.map(|it| it.as_secs_f64()),
-            kind: moment.kind.name(),
-            vehicles: moment.vehicles.clone(),
-            text: moment.text.to_string(),
-        }
-    }
 }
 
 /// Carries out the command.
@@ -231,8 +172,8 @@ impl RecordsCommands {
             .as_deref()
             .and_then(|path| TlogSpan::read(path).ok());
         let head = files.head().ok();
-        let began = head.as_ref().map(|it| it.began_unix_us);
-        let began = began.or(span.map(|it| it.first_unix_us));
+        let journalled = head.as_ref().map(|it| it.began_unix_us);
+        let began = journalled.or(span.map(|it| it.first_unix_us));
         ListedRecord {
             number,
             name: files.stem.clone(),
@@ -313,119 +254,19 @@ impl RecordsCommands {
         Replay::read_through(frames, &self.config).map_err(|fault| self.invalid(&fault))
     }
 
-    fn show(&self, named: &str, json: bool) -> Result<(), Failure> {
-        let files = self.find(named)?;
-        let replay = self.read(&files)?;
-        let times = replay.film().clock();
-        let moments = replay.moments().iter();
-        let place = |it: &RecordFiles| it.frames.as_deref()?.canonicalize().ok();
-        let number = self.numbered().find(|(_, it)| place(it) == place(&files));
-        let record = self.listed(number.map(|(number, _)| number), &files);
-        if json {
-            let shown = ShownRecord {
-                record,
-                frames: files.frames,
-                journal: files.journal,
-                run: files.run,
-                moments: moments.map(|it| ShownMoment::new(it, times)).collect(),
-            };
-            say!("{}", serde_json::to_string_pretty(&shown)?)?;
-            return Ok(());
-        }
-        say!("{}", self.table(&[record]).plain().trim_end())?;
-        for fault in replay.damage() {
-            say!("{}", self.locale.text(&fault))?;
-        }
-        let review = files.review.is_file().then_some(&files.review);
-        let parts = [&files.frames, &files.journal, &files.run, &files.inputs];
-        for path in parts
-            .into_iter()
-            .flatten()
-            .chain(review)
-            .chain(&files.joined_paths())
-        {
-            say!("  {}", path.display())?;
-        }
-        say!("")?;
-        self.say_moments(replay.moments(), times)
-    }
-
-    fn say_moments(&self, moments: &[Moment], times: &MissionClock) -> Result<(), Failure> {
-        let columns = [
-            (text!("records-at"), Side::Right),
-            (text!("records-mission-time"), Side::Right),
-            (text!("records-kind"), Side::Left),
-            (text!("records-vehicles"), Side::Left),
-            (text!("records-what"), Side::Left),
-        ];
-        let mut table = TextTable::new(&self.locale, &columns);
-        for moment in moments {
-            table.push(vec![
-                clock(moment.at),
-                times
-                    .mission_time(moment.at)
-                    .map_or_else(String::new, clock),
-                self.locale.text(&moment.kind.text()),
-                ranges(moment.vehicles.iter().copied()),
-                self.locale.text(&moment.text),
-            ]);
-        }
-        say!("{}", table.plain().trim_end())?;
-        Ok(())
-    }
-
-    fn export(&self, named: &str, format: RecordFormat, output: &Path) -> Result<(), Failure> {
-        let files = self.find(named)?;
-        let replay = self.read(&files)?;
-        let written = match format.of_recording() {
-            Some(format) => export(replay.film(), replay.moments(), format, output),
-            None => write(output, &self.review(&replay), false)
-                .map(|()| None)
-                .map_err(|error| (&error).into()),
-        };
-        let warning =
-            written.map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
-        let text = text!("export-done", path = output.display().to_string());
-        say!("{}", self.locale.text(&text))?;
-        if let Some(warning) = warning {
-            tell!("{}", self.locale.text(&warning));
-        }
-        Ok(())
-    }
-
-    /// The review of a recording, as Markdown.
-    fn review(&self, replay: &Replay) -> String {
-        let film = replay.film();
-        let flown = film.run().and_then(|run| run.head.flown().ok());
-        let title = match &flown {
-            Some(mission) => self.locale.text(&mission.title),
-            None => film.name(),
-        };
-        let report = replay.report();
-        let flight = ReviewedFlight {
-            title: &title,
-            began: &utc_of(film.began_unix_us()),
-            report: report.as_deref(),
-            moments: replay.moments(),
-            clock: film.clock(),
-        };
-        markdown(replay.reviewed(), flight, &self.locale)
-    }
-
     fn delete(&self, listed: &[String], yes: bool) -> Result<(), Failure> {
         let mut numbers = BTreeSet::new();
         for ranges in listed {
             let wrong = |_| self.invalid(&text!("records-not-numbers", word = ranges.as_str()));
             numbers.extend(parse_ranges(ranges).map_err(wrong)?);
         }
-        let found: Result<Vec<RecordFiles>, Failure> = numbers
+        let found = numbers
             .into_iter()
             .map(|number| {
                 let found = self.records.numbered(usize::from(number));
                 found.map_err(|fault| self.invalid(&fault))
             })
-            .collect();
-        let found = found?;
+            .collect::<Result<Vec<RecordFiles>, Failure>>()?;
         for files in &found {
             if files.is_written() {
                 let text = text!("records-in-use", name = files.stem.as_str());

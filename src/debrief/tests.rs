@@ -1,3 +1,4 @@
+use super::layout::right;
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};

@@ -63,8 +63,9 @@ impl RecordsCommands {
         }
         let about = about(&files).map_err(|fault| self.invalid(&fault))?;
         let key = RecordKey::read(&path).map_err(|error| self.refused(&error))?;
-        let signatures = files.sign(&key, &about);
-        let signatures = signatures.map_err(|error| self.refused(&error))?;
+        let signatures = files
+            .sign(&key, &about)
+            .map_err(|error| self.refused(&error))?;
         if signatures.is_empty() {
             let text = text!("replay-no-frames", file = files.stem.as_str());
             return Err(self.invalid(&text));
