@@ -97,11 +97,16 @@ impl Evidence {
         if report.ledger.is_empty() {
             return Vec::new();
         }
-        let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
         let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
-        let mut parts = report.components.iter();
-        let reached = parts.find(|it| it.component == Component::Objective);
-        let reached = reached.map_or(0.0, |it| it.value);
+        let mut found = Self::of_objectives(report, mission, has_flown);
+        found.extend(Self::of_components(report, has_flown));
+        found.extend(Self::of_prediction(report));
+        found.retain(|shown| report.passed || shown.outcome < FAULT);
+        found
+    }
+
+    fn of_objectives(report: &Report, mission: &Mission, has_flown: bool) -> Vec<Self> {
+        let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
         let objectives = report.objectives.iter().filter_map(|objective| {
             let skill = skills.get(objective.id.as_str()).copied().flatten()?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
@@ -116,6 +121,13 @@ impl Evidence {
             let basis = EvidenceBasis::Objective(objective.id.clone());
             Some(Self::new(skill, share, basis, objective.title.clone()))
         });
+        objectives.collect()
+    }
+
+    fn of_components(report: &Report, has_flown: bool) -> Vec<Self> {
+        let mut parts = report.components.iter();
+        let objective = parts.find(|it| it.component == Component::Objective);
+        let reached = objective.map_or(0.0, |it| it.value);
         let components = report.components.iter().filter_map(|shown| {
             let component = shown.component;
             let skill = shown_by(component)?;
@@ -135,14 +147,19 @@ impl Evidence {
             (is_shown && shown.weight > 0.0)
                 .then(|| Self::new(skill, shown.value, basis, component.title()))
         });
-        let prediction = report.prediction.iter().map(|prediction| {
-            let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
-            let basis = EvidenceBasis::Prediction;
-            Self::new(Skill::K12, 1.0 - off, basis, text!("skill-prediction"))
-        });
-        let all = objectives.chain(components).chain(prediction);
-        all.filter(|shown| report.passed || shown.outcome < FAULT)
-            .collect()
+        components.collect()
+    }
+
+    fn of_prediction(report: &Report) -> Option<Self> {
+        let prediction = report.prediction.as_ref()?;
+        let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
+        let basis = EvidenceBasis::Prediction;
+        Some(Self::new(
+            Skill::K12,
+            1.0 - off,
+            basis,
+            text!("skill-prediction"),
+        ))
     }
 }
 

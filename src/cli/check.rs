@@ -96,35 +96,39 @@ pub(super) fn check(
             faulty |= plan::report(path, &plan::Checking::default(), &locale)?;
             continue;
         }
-        match store::read(path, "file-any") {
-            Ok(source) => {
-                let others = OtherFiles {
-                    missions: &known,
-                    named: &options.files,
-                };
-                let kind = kind(path, &source.text);
-                let (faults, notes) = examined(kind, path, &source, &others);
-                for fault in &faults {
-                    let line = fault.text(&source.name, &source.text);
-                    say!("{}", locale.text(&line))?;
-                }
-                for note in &notes {
-                    let line = note.text(&source.name, &source.text);
-                    say!("{}", locale.text(&text!("check-note", line = line)))?;
-                }
-                if faults.is_empty() {
-                    let good = text!("check-good", file = source.name.as_str());
-                    say!("{}", locale.text(&good))?;
-                }
-                faulty |= !faults.is_empty();
-            }
-            Err(error) => {
-                tell!("sortie: {error}");
-                faulty = true;
-            }
-        }
+        let others = OtherFiles {
+            missions: &known,
+            named: &options.files,
+        };
+        faulty |= report(path, &others, &locale)?;
     }
     Ok(ExitCode::from(u8::from(faulty)))
+}
+
+/// Prints the faults and notes of a file; whether it has a fault.
+fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool, Failure> {
+    let source = match store::read(path, "file-any") {
+        Ok(source) => source,
+        Err(error) => {
+            tell!("sortie: {error}");
+            return Ok(true);
+        }
+    };
+    let kind = kind(path, &source.text);
+    let (faults, notes) = examined(kind, path, &source, others);
+    for fault in &faults {
+        let line = fault.text(&source.name, &source.text);
+        say!("{}", locale.text(&line))?;
+    }
+    for note in &notes {
+        let line = note.text(&source.name, &source.text);
+        say!("{}", locale.text(&text!("check-note", line = line)))?;
+    }
+    if faults.is_empty() {
+        let good = text!("check-good", file = source.name.as_str());
+        say!("{}", locale.text(&good))?;
+    }
+    Ok(!faults.is_empty())
 }
 
 /// The files, with folders replaced by their content.

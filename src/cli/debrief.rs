@@ -36,21 +36,7 @@ pub(super) fn debrief(
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
     let runs = settings.data.as_deref().map(Runs::within);
-    let path = match (options.run.as_str(), &runs) {
-        ("last", Some(runs)) => runs.newest().ok_or_else(|| {
-            let folder = runs.folder().display().to_string();
-            invalid(&text!("record-no-runs", folder = folder), &locale)
-        })?,
-        (path, _) if Path::new(path).is_file() => {
-            let path = PathBuf::from(path);
-            RecordFiles::beside(&path).run.unwrap_or(path)
-        }
-        (named, _) => {
-            let files = settings.find_record(named)?;
-            let none = || text!("ghost-no-run", file = files.stem.as_str());
-            files.run.clone().ok_or_else(|| invalid(&none(), &locale))?
-        }
-    };
+    let path = file_of_run(&options.run, runs.as_ref(), settings)?;
     let name = path.display().to_string();
     let faulty = |fault: Text| {
         invalid(
@@ -96,6 +82,26 @@ pub(super) fn debrief(
         say!("{}", debrief::text(&report, &locale).trim_end())?;
     }
     Ok(ExitCode::from(u8::from(!report.passed)))
+}
+
+/// The file of a run: the newest, a file by its path, or that of a record.
+fn file_of_run(run: &str, runs: Option<&Runs>, settings: &CliSettings) -> Result<PathBuf, Failure> {
+    let locale = Locale::new(settings.language());
+    match (run, runs) {
+        ("last", Some(runs)) => runs.newest().ok_or_else(|| {
+            let folder = runs.folder().display().to_string();
+            invalid(&text!("record-no-runs", folder = folder), &locale)
+        }),
+        (path, _) if Path::new(path).is_file() => {
+            let path = PathBuf::from(path);
+            Ok(RecordFiles::beside(&path).run.unwrap_or(path))
+        }
+        (named, _) => {
+            let files = settings.find_record(named)?;
+            let none = || text!("ghost-no-run", file = files.stem.as_str());
+            files.run.clone().ok_or_else(|| invalid(&none(), &locale))
+        }
+    }
 }
 
 fn invalid(text: &Text, locale: &Locale) -> Failure {

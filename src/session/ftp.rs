@@ -21,6 +21,7 @@ mod packet;
 pub(super) mod server;
 #[cfg(test)]
 mod tests;
+mod work;
 mod writing;
 
 pub use checksum::FtpChecksum;
@@ -29,10 +30,8 @@ pub use listing::FtpEntry;
 pub use packet::FtpPayload;
 
 use exchange::Exchange;
-use file::{FileNews, FileReading};
-use listing::{FolderListing, Listed};
 use packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
-use writing::{FileWriting, WritingNews};
+use work::{FtpDue, FtpNews, FtpWork};
 
 use super::gaps::{FileBytes, GapMap};
 use crate::hash::fnv1a;
@@ -41,8 +40,6 @@ use crate::hash::fnv1a;
 const PATIENCE: Duration = Duration::from_secs(10);
 /// How long to try to close a session; after that, it is left to the server's own time limit.
 const CLOSING: Duration = Duration::from_secs(3);
-/// The minimum speed at which a server reads its own file for the checksum, in bytes per second.
-const SLOWEST_CHECKSUM: u32 = 200_000;
 /// The maximum length of a path in bytes: `ArduPilot` needs the last byte of a packet for itself.
 const LONGEST_PATH: usize = MOST_DATA - 1;
 /// Sessions are numbered from 1 to this.
@@ -109,20 +106,6 @@ struct FtpJob {
     work: FtpWork,
 }
 
-#[derive(Debug, Clone)]
-enum FtpWork {
-    Listing {
-        folder: String,
-        listing: FolderListing,
-        exchange: Exchange,
-    },
-    Checking(Exchange),
-    Reading(Box<FileReading>),
-    Writing(Box<FileWriting>),
-    /// The task is over; its session is closed.
-    Closing(Exchange),
-}
-
 impl FtpClient {
     /// Queues a task; it begins with the next step, after all earlier tasks.
     pub fn ask(&mut self, task: FtpTask) -> FtpTicket {
@@ -184,91 +167,25 @@ impl FtpClient {
                 step.events.push((ticket, fault));
                 continue;
             }
-            let work = self.work(task, session_at(now));
+            let work = FtpWork::new(task, session_at(now), &mut self.sequence);
             self.job = Some(FtpJob { ticket, work });
         }
         true
-    }
-
-    fn work(&mut self, task: FtpTask, session: u8) -> FtpWork {
-        let sequence = &mut self.sequence;
-        match task {
-            FtpTask::List { folder } => FtpWork::Listing {
-                exchange: Exchange::new(
-                    FtpRequest::about(&folder, FtpOpcode::List, session, sequence),
-                    PATIENCE,
-                ),
-                folder,
-                listing: FolderListing::default(),
-            },
-            FtpTask::Checksum { path, size } => {
-                let request = FtpRequest::about(&path, FtpOpcode::Checksum, session, sequence);
-                let reading = Duration::from_secs(u64::from(size / SLOWEST_CHECKSUM));
-                FtpWork::Checking(Exchange::new(request, PATIENCE + reading))
-            }
-            FtpTask::Read { path, gaps } => {
-                let reading = FileReading::new(path, session, gaps, sequence);
-                FtpWork::Reading(Box::new(reading))
-            }
-            FtpTask::Write { path, bytes } => {
-                let writing = FileWriting::new(path, session, bytes, sequence);
-                FtpWork::Writing(Box::new(writing))
-            }
-        }
     }
 
     fn receive(&mut self, answer: &FtpAnswer, now: Duration, step: &mut FtpStep) {
         let Some(job) = &mut self.job else {
             return;
         };
-        let ticket = job.ticket;
-        let ending = match &mut job.work {
-            FtpWork::Listing {
-                folder,
-                listing,
-                exchange,
-            } if exchange.is_answered_by(answer) => match listing.receive(answer) {
-                Listed::More(offset) => {
-                    let session = exchange.request().session;
-                    let request =
-                        FtpRequest::about(folder, FtpOpcode::List, session, &mut self.sequence);
-                    *exchange = Exchange::new(FtpRequest { offset, ..request }, PATIENCE);
-                    None
-                }
-                Listed::All(entries) => Some(FtpEvent::Listed(entries)),
-                Listed::Fault(fault) => Some(FtpEvent::Failed(fault)),
-            },
-            FtpWork::Checking(exchange) if exchange.is_answered_by(answer) => {
-                Some(checksum_of(answer))
-            }
-            FtpWork::Reading(reading) => match reading.receive(answer, &mut self.sequence, now) {
-                FileNews::Nothing => None,
-                FileNews::Bytes(bytes) => {
-                    step.events.push((ticket, FtpEvent::Bytes(bytes)));
-                    None
-                }
-                FileNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
-            },
-            FtpWork::Writing(writing) => match writing.receive(answer, &mut self.sequence, now) {
-                WritingNews::Nothing => None,
-                WritingNews::Wrote(bytes) => {
-                    step.events.push((ticket, FtpEvent::Wrote(bytes)));
-                    None
-                }
-                WritingNews::Written => {
-                    step.events.push((ticket, FtpEvent::Written));
-                    self.job = None;
-                    return;
-                }
-                WritingNews::Fault(fault) => Some(FtpEvent::Failed(fault)),
-            },
-            FtpWork::Closing(exchange) if exchange.is_answered_by(answer) => {
+        match job.work.receive(answer, &mut self.sequence, now) {
+            FtpNews::Nothing => {}
+            FtpNews::Progress(event) => step.events.push((job.ticket, event)),
+            FtpNews::End(event) => self.end_with(event, step),
+            FtpNews::Closed(event) => {
+                step.events.extend(event.map(|event| (job.ticket, event)));
                 self.job = None;
-                return;
             }
-            FtpWork::Listing { .. } | FtpWork::Checking(_) | FtpWork::Closing(_) => None,
-        };
-        self.end_with(ending, step);
+        }
     }
 
     /// Sends the requests that are due; `false` if the task has ended.
@@ -276,48 +193,20 @@ impl FtpClient {
         let Some(job) = &mut self.job else {
             return false;
         };
-        let due = match &mut job.work {
-            FtpWork::Listing { exchange, .. } | FtpWork::Checking(exchange) => {
-                let request = exchange.poll(round_trip, now);
-                request.map(|it| it.cloned().into_iter().collect())
-            }
-            FtpWork::Closing(exchange) => {
-                let Ok(request) = exchange.poll(round_trip, now) else {
-                    self.job = None;
-                    return false;
-                };
-                Ok(request.cloned().into_iter().collect())
-            }
-            FtpWork::Reading(reading) => {
-                if let Some(size) = reading.complete() {
-                    self.end_with(Some(FtpEvent::Complete(size)), step);
-                    return false;
-                }
-                reading.poll(&mut self.sequence, round_trip, now)
-            }
-            FtpWork::Writing(writing) => {
-                let request = writing.poll(&mut self.sequence, round_trip, now);
-                request.map(|it| it.into_iter().collect())
-            }
-        };
-        match due {
-            Ok(requests) => {
-                let requests: Vec<FtpRequest> = requests;
+        match job.work.poll(&mut self.sequence, round_trip, now) {
+            FtpDue::Requests(requests) => {
                 step.requests
                     .extend(requests.iter().map(FtpRequest::payload));
-                true
+                return true;
             }
-            Err(fault) => {
-                self.end_with(Some(FtpEvent::Failed(fault)), step);
-                false
-            }
+            FtpDue::End(event) => self.end_with(event, step),
+            FtpDue::GivenUp => self.job = None,
         }
+        false
     }
 
-    fn end_with(&mut self, ending: Option<FtpEvent>, step: &mut FtpStep) {
-        if let Some(event) = ending
-            && let Some(job) = self.job.take()
-        {
+    fn end_with(&mut self, event: FtpEvent, step: &mut FtpStep) {
+        if let Some(job) = self.job.take() {
             step.events.push((job.ticket, event));
             self.close(job);
         }
@@ -367,14 +256,4 @@ impl FtpTask {
 fn session_at(now: Duration) -> u8 {
     let hash = fnv1a(&now.as_nanos().to_le_bytes());
     (hash % MOST_SESSIONS) as u8 + 1
-}
-
-fn checksum_of(answer: &FtpAnswer) -> FtpEvent {
-    match &answer.result {
-        Ok(data) => match data.first_chunk().copied() {
-            Some(sum) => FtpEvent::Checksum(u32::from_le_bytes(sum)),
-            None => FtpEvent::Failed(FtpFault::Malformed),
-        },
-        Err(nak) => FtpEvent::Failed(FtpFault::Refused(*nak)),
-    }
 }

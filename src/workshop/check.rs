@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use super::figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST};
-use super::part::{PartSlot, Spec};
+use super::part::{Esc, Motor, PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
 
@@ -164,37 +164,14 @@ impl PackFindings {
             Some(Spec::Esc(esc)) => Some(esc),
             _ => None,
         };
-        if let (Some(motor), Some(cells)) = (motor, design.cells())
-            && !(motor.fewest_cells..=motor.most_cells).contains(&cells)
-        {
-            let text = text!(
-                "finding-motor-cells",
-                cells = u32::from(cells),
-                fewest = u32::from(motor.fewest_cells),
-                most = u32::from(motor.most_cells)
-            );
-            self.add(FindingKind::MotorCells, PartSlot::Battery, text);
+        if let (Some(motor), Some(cells)) = (motor, design.cells()) {
+            self.motor_cells(motor, cells);
         }
-        if let (Some(esc), Some(cells)) = (esc, design.cells())
-            && cells > esc.max_cells
-        {
-            let text = text!(
-                "finding-esc-cells",
-                cells = u32::from(cells),
-                most = u32::from(esc.max_cells)
-            );
-            self.add(FindingKind::EscCells, PartSlot::Esc, text);
+        if let (Some(esc), Some(cells)) = (esc, design.cells()) {
+            self.esc_cells(esc, cells);
         }
-        if let (Some(motor), Some(esc)) = (motor, esc)
-            && esc.max_current_a < motor.max_current_a
-        {
-            let text = text!(
-                "finding-esc-current",
-                current = tenths(esc.max_current_a),
-                peak = tenths(motor.max_current_a),
-                wanted = tenths(ESC_ROOM * motor.max_current_a)
-            );
-            self.add(FindingKind::EscCurrent, PartSlot::Esc, text);
+        if let (Some(motor), Some(esc)) = (motor, esc) {
+            self.esc_current(motor, esc);
         }
         if let (Some(Spec::PowerModule(module)), Some(cells)) =
             (design.spec(PartSlot::Power), design.cells())
@@ -209,8 +186,58 @@ impl PackFindings {
         }
     }
 
+    fn motor_cells(&mut self, motor: &Motor, cells: u8) {
+        if !(motor.fewest_cells..=motor.most_cells).contains(&cells) {
+            let text = text!(
+                "finding-motor-cells",
+                cells = u32::from(cells),
+                fewest = u32::from(motor.fewest_cells),
+                most = u32::from(motor.most_cells)
+            );
+            self.add(FindingKind::MotorCells, PartSlot::Battery, text);
+        }
+    }
+
+    fn esc_cells(&mut self, esc: &Esc, cells: u8) {
+        if cells > esc.max_cells {
+            let text = text!(
+                "finding-esc-cells",
+                cells = u32::from(cells),
+                most = u32::from(esc.max_cells)
+            );
+            self.add(FindingKind::EscCells, PartSlot::Esc, text);
+        }
+    }
+
+    fn esc_current(&mut self, motor: &Motor, esc: &Esc) {
+        if esc.max_current_a < motor.max_current_a {
+            let text = text!(
+                "finding-esc-current",
+                current = tenths(esc.max_current_a),
+                peak = tenths(motor.max_current_a),
+                wanted = tenths(ESC_ROOM * motor.max_current_a)
+            );
+            self.add(FindingKind::EscCurrent, PartSlot::Esc, text);
+        }
+    }
+
     /// Checks that the thrust carries the drone, and the battery lasts.
     fn flies(&mut self, figures: &Figures) {
+        self.thrust(figures);
+        self.hover_current(figures);
+        if let Some(charge) = figures.sags_at
+            && figures.thrust_to_weight >= LEAST_THRUST
+        {
+            let text = text!(
+                "finding-sag",
+                charge = charge.round() as i64,
+                land = charge.round() as i64 + 5
+            );
+            self.add(FindingKind::Sag, PartSlot::Battery, text);
+        }
+    }
+
+    fn thrust(&mut self, figures: &Figures) {
         let ratio = figures.thrust_to_weight;
         let mass = format!("{:.2}", figures.mass_kg);
         if ratio < LEAST_THRUST {
@@ -236,6 +263,9 @@ impl PackFindings {
                 ),
             );
         }
+    }
+
+    fn hover_current(&mut self, figures: &Figures) {
         let most_a = figures.max_current_a;
         if !figures.hover_current_a.is_finite() {
             self.add(
@@ -257,16 +287,6 @@ impl PackFindings {
                 most = tenths(most_a)
             );
             self.add(FindingKind::HoverShare, PartSlot::Battery, text);
-        }
-        if let Some(charge) = figures.sags_at
-            && ratio >= LEAST_THRUST
-        {
-            let text = text!(
-                "finding-sag",
-                charge = charge.round() as i64,
-                land = charge.round() as i64 + 5
-            );
-            self.add(FindingKind::Sag, PartSlot::Battery, text);
         }
     }
 

@@ -9,6 +9,7 @@ use crate::cli::Failure;
 use crate::cli::table::{Side, TextTable};
 use crate::moment::Moment;
 use crate::record::MissionClock;
+use crate::store::RecordFiles;
 use crate::text;
 use crate::text::clock;
 use crate::vehicle_id::ranges;

@@ -13,7 +13,7 @@ use super::fault::Breakdowns;
 use super::mover::Mover;
 use super::scope::{Scope, Sight};
 use super::standard::Standard;
-use super::weather::Drift;
+use super::weather::{Change, Drift};
 use super::{Action, expression};
 use crate::mission::craft::Breach;
 use crate::mission::weather::Weather;
@@ -109,35 +109,15 @@ impl Engine {
         let mut news = Vec::new();
         self.movers.retain_mut(|mover| mover.step(sight.now));
         self.breakdowns.mend(sight.now);
-        let drifts = std::mem::take(&mut self.drifts);
-        let steps = drifts.into_iter();
-        self.drifts = steps
+        let drifts = std::mem::take(&mut self.drifts).into_iter();
+        self.drifts = drifts
             .filter_map(|drift| drift.step(weather, sight.now))
             .collect();
         if is_due(sight.now, expression::EVERY) {
-            self.margins_db = mission
-                .site
-                .radio
-                .as_ref()
-                .map_or_else(BTreeMap::new, |radio| {
-                    let own = |seat: usize| mission.seats.fits.get(seat)?.radio;
-                    radio.margins_db(self.zones_now(), sight.crafts, own)
-                });
+            self.measure_links(mission, sight);
             self.ask(mission, weather, sight, &mut news);
         }
-        for (index, event) in mission.events.iter().enumerate() {
-            let random = &mut self.random;
-            if self.schedule.happens(index, mission, sight.now, random) {
-                for action in &event.actions {
-                    self.act(action, weather, sight, &mut news);
-                }
-            }
-        }
-        for standard in std::mem::take(&mut self.injected) {
-            for action in standard.actions(mission) {
-                self.act(&action, weather, sight, &mut news);
-            }
-        }
+        self.act_as_due(mission, weather, sight, &mut news);
         let mut airspace = std::mem::take(&mut self.airspace);
         let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m());
         self.airspace = airspace;
@@ -150,6 +130,37 @@ impl Engine {
             self.demand(mission, weather, sight);
         }
         news
+    }
+
+    fn measure_links(&mut self, mission: &Mission, sight: &Sight<'_>) {
+        let radio = mission.site.radio.as_ref();
+        self.margins_db = radio.map_or_else(BTreeMap::new, |radio| {
+            let own = |seat: usize| mission.seats.fits.get(seat)?.radio;
+            radio.margins_db(self.zones_now(), sight.crafts, own)
+        });
+    }
+
+    /// Carries out the events that happen now, and the standard injects.
+    fn act_as_due(
+        &mut self,
+        mission: &Mission,
+        weather: &Weather,
+        sight: &Sight<'_>,
+        news: &mut Vec<EngineNews>,
+    ) {
+        for (index, event) in mission.events.iter().enumerate() {
+            let random = &mut self.random;
+            if self.schedule.happens(index, mission, sight.now, random) {
+                for action in &event.actions {
+                    self.act(action, weather, sight, news);
+                }
+            }
+        }
+        for standard in std::mem::take(&mut self.injected) {
+            for action in standard.actions(mission) {
+                self.act(&action, weather, sight, news);
+            }
+        }
     }
 
     /// Evaluates all conditions: those of events, and those of unanswered alerts.
@@ -201,17 +212,7 @@ impl Engine {
                     fact: raised,
                 });
             }
-            Action::Weather(change) => {
-                // A newer change of the same element continues from the value that the older one has reached.
-                let same = |drift: &Drift| drift.element() == change.element;
-                let replaced = self
-                    .drifts
-                    .iter()
-                    .position(same)
-                    .map(|index| self.drifts.remove(index));
-                let drift = Drift::new(*change, weather, sight.now, replaced.as_ref());
-                self.drifts.push(drift);
-            }
+            Action::Weather(change) => self.change_weather(*change, weather, sight.now),
             Action::Zone(zone, on) => self.active[*zone] = *on,
             Action::Spawn(spawn) => {
                 let mover = Mover::new(spawn, sight.now, &mut self.random);
@@ -221,6 +222,18 @@ impl Engine {
             Action::Fail(text) => news.push(EngineNews::Failed(text.clone())),
             Action::Event(other) => self.schedule.put(*other, sight.now + TICK),
         }
+    }
+
+    /// Begins a change; it continues from the value that an older one of the same element has reached.
+    fn change_weather(&mut self, change: Change, weather: &Weather, now: Duration) {
+        let same = |drift: &Drift| drift.element() == change.element;
+        let replaced = self
+            .drifts
+            .iter()
+            .position(same)
+            .map(|index| self.drifts.remove(index));
+        let drift = Drift::new(change, weather, now, replaced.as_ref());
+        self.drifts.push(drift);
     }
 
     /// The state that conditions can see now.
