@@ -144,8 +144,8 @@ impl LedgerRow {
 
     /// A remark in addition to the state: the explanation, and what ended the effect.
     pub fn remark(&self) -> Option<Text> {
-        let ended = self.ended_by.as_ref();
-        let ended = ended.map(|by| text!("outcome-ended", by = by.clone()));
+        let by = self.ended_by.as_ref();
+        let ended = by.map(|by| text!("outcome-ended", by = by.clone()));
         let remarks: Vec<Text> = self.explanation.iter().cloned().chain(ended).collect();
         (!remarks.is_empty()).then(|| Text::joined(", ", remarks))
     }

@@ -189,8 +189,10 @@ impl Review {
     /// # Errors
     /// The review has no point with this number.
     pub fn remove(&mut self, number: usize) -> Result<(), Text> {
-        let at = number.checked_sub(1).filter(|&at| at < self.points.len());
-        let at = at.ok_or_else(|| text!("review-no-point", number = number))?;
+        let at = number
+            .checked_sub(1)
+            .filter(|&at| at < self.points.len())
+            .ok_or_else(|| text!("review-no-point", number = number))?;
         self.points.remove(at);
         Ok(())
     }

@@ -235,7 +235,10 @@ pub fn present(
             let vehicle = named(state, id, vehicle)?.id;
             let known = state.rooms().parameters().lists().get(&vehicle);
             let list = known.iter().flat_map(|known| known.list.iter());
-            Message::Parameters(StateList::new(id, list.map(ParameterView::from)))
+            Message::Parameters(StateList::new(
+                id,
+                list.map(|(name, parameter)| ParameterView::new(name, parameter)),
+            ))
         }
         Subject::Plan => Message::Plan(PlanView::new(id, named(state, id, vehicle)?)),
         Subject::Records => Message::Records(StateList::new(id, records())),

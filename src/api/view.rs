@@ -279,15 +279,17 @@ impl MissionView {
             readings: readings.collect(),
             contacts: contacts.collect(),
             alerts: alerts.map(|it| locale.text(&it.text)).collect(),
-            places: places.map(NamedPlaceView::from).collect(),
+            places: places
+                .map(|(name, at)| NamedPlaceView::new(name, *at))
+                .collect(),
         }
     }
 }
 
-impl From<(&String, &LatLon)> for NamedPlaceView {
-    fn from((name, at): (&String, &LatLon)) -> Self {
+impl NamedPlaceView {
+    fn new(name: &str, at: LatLon) -> Self {
         Self {
-            name: name.clone(),
+            name: name.to_owned(),
             lat_deg: at.lat_deg,
             lon_deg: at.lon_deg,
         }
@@ -341,8 +343,8 @@ pub struct ParameterView {
     pub value: f32,
 }
 
-impl From<(&str, &ListedParameter)> for ParameterView {
-    fn from((name, parameter): (&str, &ListedParameter)) -> Self {
+impl ParameterView {
+    pub(super) fn new(name: &str, parameter: &ListedParameter) -> Self {
         Self {
             name: name.to_owned(),
             value: parameter.value,

@@ -124,8 +124,7 @@ fn print(row: &ReadRow) -> std::io::Result<()> {
     let percent = row
         .percent
         .map_or_else(String::new, |it| format!(" {it} %"));
-    let remark = row.remark.iter().map(|it| format!(": {it}"));
-    let remark: String = remark.collect();
+    let remark: String = row.remark.iter().map(|it| format!(": {it}")).collect();
     say!(
         "vehicle {}: {}{percent}{remark}",
         row.vehicle,

@@ -50,8 +50,10 @@ pub(super) fn verify(
         Failure::Invalid(format!("sortie: {}", locale.text(&named)))
     };
     let mut document = judge(&files).map_err(invalid)?;
-    let key = options.public_key.as_deref().map(RecordPublicKey::read);
-    let key = key
+    let key = options
+        .public_key
+        .as_deref()
+        .map(RecordPublicKey::read)
         .transpose()
         .map_err(|error| invalid(Text::from(&error)))?;
     document.add_signature(files.signature(key.as_ref()), key.is_some());
@@ -65,18 +67,18 @@ pub(super) fn verify(
 
 fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
-    let inputs = files.inputs.as_deref().map(read).transpose()?;
-    let inputs = inputs.as_deref().map(StoredInputs::read).transpose()?;
+    let text = files.inputs.as_deref().map(read).transpose()?;
+    let inputs = text.as_deref().map(StoredInputs::read).transpose()?;
     let Some(run) = files.run.as_deref() else {
-        let journal = files.journal.as_deref().map(read).transpose()?;
-        let journal = journal.and_then(|text| Journal::read(&text).ok());
+        let written = files.journal.as_deref().map(read).transpose()?;
+        let journal = written.and_then(|lines| Journal::read(&lines).ok());
         return judge_free(journal.as_ref(), inputs.as_ref());
     };
     let journal = files.head().ok();
     let stored = Stored::read(&read(run)?)?;
     let head = &stored.head;
     let mission = head.flown()?;
-    let document = judge_run(&stored, &mission, inputs.as_ref(), journal.as_ref())?;
+    let judged = judge_run(&stored, &mission, inputs.as_ref(), journal.as_ref())?;
     let document = VerifyDocument {
         mission: Some(mission.id),
         seed: Some(head.seed),
@@ -85,7 +87,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
         flown_by: head.flown_by.map(FlyingHand::from),
         profile: head.profile.clone(),
         when: Some(head.when.clone()),
-        ..document
+        ..judged
     };
     Ok(document.stating(&["program", "profile", "when", "flown_by", "attempt"]))
 }

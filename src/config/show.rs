@@ -74,7 +74,7 @@ pub fn setting_reference() -> String {
             | SettingKind::AlertKinds
             | SettingKind::Vehicles => defaults.value(setting.name),
         };
-        let default = default.map(|it| format!("`{it}`")).unwrap_or_default();
+        let shown = default.map(|it| format!("`{it}`")).unwrap_or_default();
         let variable = setting
             .variable
             .map(|it| format!("`{it}`"))
@@ -82,7 +82,7 @@ pub fn setting_reference() -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "| `{}` | {default} | {variable} | {} |",
+            "| `{}` | {shown} | {variable} | {} |",
             setting.name, setting.about
         );
     }

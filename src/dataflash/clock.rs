@@ -193,8 +193,9 @@ impl VehicleClock {
     fn fit(&self, boot: &AutopilotStart, flight: &LoggedFlight) -> Result<BootFit, Misfit> {
         let mut alignment = boot.align(flight).ok_or(Misfit::NoCommonTime)?;
         let common_us = alignment.common_us(flight).ok_or(Misfit::NoCommonTime)?;
-        let armed = self.armed_together(&alignment, flight);
-        let armed = armed.ok_or(Misfit::OtherArming)?;
+        let armed = self
+            .armed_together(&alignment, flight)
+            .ok_or(Misfit::OtherArming)?;
         if alignment.by == AlignedBy::BootTime {
             if let Some(disagreement) = flight.course.disagreement(&boot.course) {
                 return Err(Misfit::OtherCourse(disagreement));

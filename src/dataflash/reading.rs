@@ -83,8 +83,10 @@ impl LoggedFlight {
 /// The median of the first times of a log, because a damaged record may have any time.
 fn reference_us(bytes: &[u8]) -> u64 {
     let records = Records::new(bytes).filter(|it| KNOWN.contains(&it.format.name.as_str()));
-    let times = records.filter_map(|record| record.time_us());
-    let mut times: Vec<u64> = times.take(TIMED).collect();
+    let mut times: Vec<u64> = records
+        .filter_map(|record| record.time_us())
+        .take(TIMED)
+        .collect();
     times.sort_unstable();
     times.get(times.len() / 2).copied().unwrap_or_default()
 }
@@ -172,8 +174,13 @@ impl LogReading {
         let class = self.class.unwrap_or(VehicleClass::Copter);
         let name = Mode { class, number }.to_string();
         let reason = record.byte("Rsn").and_then(names::reason);
-        let reason = reason.map(str::to_owned);
-        self.add(now, LoggedEvent::Mode { name, reason });
+        self.add(
+            now,
+            LoggedEvent::Mode {
+                name,
+                reason: reason.map(str::to_owned),
+            },
+        );
         Some(())
     }
 
@@ -246,8 +253,8 @@ impl LogReading {
     }
 
     fn battery(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
-        let instance = record.byte("Inst").or_else(|| record.byte("Instance"));
-        let instance = instance.unwrap_or(0);
+        let named = record.byte("Inst").or_else(|| record.byte("Instance"));
+        let instance = named.unwrap_or(0);
         let volt = record.number("Volt").filter(|volt| *volt > 0.5)?;
         let ampere = record.number("Curr").unwrap_or(0.0);
         if instance == 0 {

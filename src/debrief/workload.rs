@@ -31,10 +31,10 @@ impl WorkloadStrips<'_> {
     /// One line per curve, one for the answers if there are any, and the times below.
     pub fn lines(&self) -> Vec<String> {
         let workload = self.workload;
-        let busy = |share: &f64| digit((share * TENTHS).min(9.0) as u32);
-        let busy: Vec<char> = workload.utilisation.iter().map(busy).collect();
-        let waiting = workload.waiting.iter();
-        let waiting: Vec<char> = waiting.map(|count| digit(u32::from(*count))).collect();
+        let tenths = |share: &f64| digit((share * TENTHS).min(9.0) as u32);
+        let busy: Vec<char> = workload.utilisation.iter().map(tenths).collect();
+        let counts = workload.waiting.iter();
+        let waiting: Vec<char> = counts.map(|count| digit(u32::from(*count))).collect();
         let mut lines = vec![
             self.line("workload-busy", &self.spread(&busy)),
             self.line("workload-alone", &self.spread(&self.alone())),
@@ -136,8 +136,9 @@ pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
         wait = last(&workload.wait_s)
     )];
     if !workload.overloaded.is_empty() {
-        let stretches = workload.overloaded.iter();
-        let stretches: Vec<String> = stretches
+        let stretches: Vec<String> = workload
+            .overloaded
+            .iter()
             .map(|it| format!("{}-{}", clock(it.from_s), clock(it.to_s)))
             .collect();
         words.push(text!(

@@ -14,9 +14,9 @@ use crate::vehicle::{GlobalPosition, LegSpeed, LocalPosition, Place, Vehicle};
 /// at an end of the range.
 pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DATA, now: Duration) {
     let is_height = |height_mm| !matches!(height_mm, i32::MIN | i32::MAX);
-    let at_point = point(data.lat, data.lon);
-    let at_point = at_point.filter(|_| is_height(data.alt) && is_height(data.relative_alt));
-    let position = at_point.map(|at_point| GlobalPosition {
+    let has_heights = is_height(data.alt) && is_height(data.relative_alt);
+    let place = point(data.lat, data.lon).filter(|_| has_heights);
+    let position = place.map(|at_point| GlobalPosition {
         at_point,
         altitude_amsl_m: f64::from(data.alt) * 1e-3,
         altitude_m: f64::from(data.relative_alt) * 1e-3,

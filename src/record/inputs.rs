@@ -271,11 +271,11 @@ impl StoredInputs {
         };
         let mut since = 0;
         for (index, line) in all.enumerate() {
-            let line = serde_json::from_str(line).ok();
-            let line = line.filter(|line: &InputLine| {
+            let parsed = serde_json::from_str(line).ok();
+            let in_order = parsed.filter(|line: &InputLine| {
                 (since..=LONGEST_STEPS).contains(&line.s) && !stored.is_whole()
             });
-            let Some(line) = line else {
+            let Some(line) = in_order else {
                 stored.damage = Some(text!("verify-damaged", line = index + 2));
                 stored.is_damaged = true;
                 break;
@@ -361,11 +361,10 @@ fn push_hex(hex: &mut String, bytes: &[u8]) {
 }
 
 fn from_hex(hex: &str) -> Option<Vec<u8>> {
-    let digits: Option<Vec<u8>> = hex
+    let digits = hex
         .chars()
         .map(|digit| Some(digit.to_digit(16)? as u8))
-        .collect();
-    let digits = digits?;
+        .collect::<Option<Vec<u8>>>()?;
     let is_even = digits.len().is_multiple_of(2);
     is_even.then(|| {
         digits

@@ -67,8 +67,10 @@ impl Contents {
         let bookmarks = self.review.bookmarks(&self.film.bookmarks());
         // The file may have been changed by hand.
         let length = self.film.length();
-        let logged = self.film.logs().iter().flat_map(JoinedLog::moments);
-        let logged = logged.filter(|it| it.at <= length);
+        let logs = self.film.logs().iter();
+        let logged = logs
+            .flat_map(JoinedLog::moments)
+            .filter(|it| it.at <= length);
         let indexed = found.iter().cloned();
         let mut all: Vec<Moment> = indexed.chain(bookmarks).chain(logged).collect();
         all.sort_by_key(|it| it.at);

@@ -57,14 +57,14 @@ pub fn export(
         }
         ExportFormat::Kml | ExportFormat::Gpx | ExportFormat::GeoJson => {
             let tracks = track::tracks(film)?;
-            let text = match format {
+            let written = match format {
                 ExportFormat::Kml => tracks::kml(film, &tracks, moments),
                 ExportFormat::Gpx => tracks::gpx(film, &tracks, moments),
                 ExportFormat::GeoJson | ExportFormat::Csv | ExportFormat::Mcap => {
                     Ok(tracks::geo_json(film, &tracks, moments))
                 }
             };
-            let text = text.map_err(|error| unwritable(&error))?;
+            let text = written.map_err(|error| unwritable(&error))?;
             crate::store::write(to, &text, false).map_err(|error| Text::from(&error))?;
             if tracks.is_empty() {
                 return Ok(Some(text!("export-no-positions")));
@@ -76,8 +76,8 @@ pub fn export(
 
 /// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete.
 fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
-    let name = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let name = name.to_string_lossy();
+    let last = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    let name = last.to_string_lossy();
     let part = to.with_file_name(format!(".{name}.{}.part", std::process::id()));
     let written = write(&part).and_then(|()| fs::rename(&part, to));
     if written.is_err() {

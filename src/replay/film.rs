@@ -62,13 +62,11 @@ impl Film {
         let span = TlogSpan::read(&frames)?;
         // The frames of a flight can be replayed without its journal and its score.
         let mut faults = Vec::new();
-        let journal = files.journal.as_deref().map(read_journal);
-        let journal = journal.and_then(|read| {
+        let journal = files.journal.as_deref().map(read_journal).and_then(|read| {
             let unreadable = |fault| text!("replay-without-journal", fault = fault);
             read.map_err(|fault| faults.push(unreadable(fault))).ok()
         });
-        let run = files.run.as_deref().map(read_stored);
-        let run = run.and_then(|read| {
+        let run = files.run.as_deref().map(read_stored).and_then(|read| {
             let unreadable = |fault| text!("replay-without-run", fault = fault);
             read.map_err(|fault| faults.push(unreadable(fault))).ok()
         });

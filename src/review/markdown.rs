@@ -108,8 +108,8 @@ impl MarkdownPage<'_> {
         }
         for moment in flight.moments.iter().filter(|it| it.kind.is_reviewed()) {
             let vehicles = ranges(moment.vehicles.iter().copied());
-            let words = [moment.kind.text(), vehicles.into(), moment.text.clone()];
-            let words = words.into_iter().filter(|it| !it.is_empty()).collect();
+            let parts = [moment.kind.text(), vehicles.into(), moment.text.clone()];
+            let words = parts.into_iter().filter(|it| !it.is_empty()).collect();
             let what = self.locale.text(&Text::joined(": ", words));
             self.item(&format!(
                 "{} {what}",

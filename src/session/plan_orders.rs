@@ -224,7 +224,7 @@ fn checked(document: &Document, kind: ListKind) -> Result<Vec<Item>, Text> {
 /// A list as a vehicle carries it: with home as item 0 of a plan, which the vehicle replaces by its own.
 fn whole(document: &Document, kind: ListKind) -> Vec<Item> {
     let home = document.home.unwrap_or(Home { x: 0, y: 0, z: 0.0 });
-    let home = Item {
+    let first = Item {
         command: command::WAYPOINT,
         frame: 0,
         auto_continue: true,
@@ -233,8 +233,9 @@ fn whole(document: &Document, kind: ListKind) -> Vec<Item> {
         y: home.y,
         z: home.z,
     };
-    let home = (kind == ListKind::Plan).then_some(home);
-    home.into_iter()
+    let of_plan = (kind == ListKind::Plan).then_some(first);
+    of_plan
+        .into_iter()
         .chain(document.list(kind).iter().copied())
         .collect()
 }
@@ -337,29 +338,18 @@ impl Job {
         desk: &mut Desk<'_>,
     ) -> Ending {
         let kind = self.command.kind;
+        let told = |state, id, items: Vec<Item>| {
+            let ending = (state, counted(id, kind, &items));
+            (Some(items), ending)
+        };
         let (held, ending) = match outcome {
             Outcome::Read(items) => {
                 let ending = self.was_read(&items, shelf, desk.vehicle);
                 (Some(items), ending)
             }
-            Outcome::Written(items) => {
-                let ending = (
-                    RowState::Done,
-                    counted("outcome-plan-written", kind, &items),
-                );
-                (Some(items), ending)
-            }
-            Outcome::Same(items) => {
-                let ending = (RowState::Done, counted("outcome-plan-same", kind, &items));
-                (Some(items), ending)
-            }
-            Outcome::Changed(items) => {
-                let ending = (
-                    RowState::Refused,
-                    counted("refused-plan-changed", kind, &items),
-                );
-                (Some(items), ending)
-            }
+            Outcome::Written(items) => told(RowState::Done, "outcome-plan-written", items),
+            Outcome::Same(items) => told(RowState::Done, "outcome-plan-same", items),
+            Outcome::Changed(items) => told(RowState::Refused, "refused-plan-changed", items),
             Outcome::Kept(items, reason) => {
                 let text = text!("outcome-plan-kept", reason = reason);
                 (Some(items), (RowState::Refused, text))

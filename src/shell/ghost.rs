@@ -70,10 +70,11 @@ impl Console {
                 let other = other.report.mission;
                 return Err(text!("ghost-other-mission", other = other, mission = id));
             }
-            let own = own.map(|own| ComparedFlight::of_record(&own, text!("compare-own")));
-            let own = own.transpose()?;
-            let own = own.map(|own| Arc::new(own.with_bookmarks(own_bookmarks)));
-            Ok(Ghost::new(Arc::new(other), own))
+            let compared = own
+                .map(|own| ComparedFlight::of_record(&own, text!("compare-own")))
+                .transpose()?
+                .map(|own| Arc::new(own.with_bookmarks(own_bookmarks)));
+            Ok(Ghost::new(Arc::new(other), compared))
         };
         let thread = std::thread::Builder::new().name("ghost".to_owned());
         if self.ghost.as_ref().is_some_and(|it| !it.is_finished()) {
@@ -138,8 +139,8 @@ fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> 
 fn bookmarks_beside(run: &Path) -> Vec<FlightBookmark> {
     let files = RecordFiles::beside(run);
     let read = |path: &Path| std::fs::read_to_string(path).ok();
-    let journal = files.journal.as_deref().and_then(read);
-    let journal = journal.and_then(|text| Journal::read(&text).ok());
+    let text = files.journal.as_deref().and_then(read);
+    let journal = text.and_then(|text| Journal::read(&text).ok());
     let review = read(&files.review).and_then(|text| Review::read(&text).ok());
     bookmarks(journal.as_ref(), &review.unwrap_or_default())
 }
@@ -161,8 +162,7 @@ impl GhostPlan {
                 let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
                 let whose = stored.head.profile.clone();
                 let name = whose.unwrap_or_else(|| minute(&stored.head.when));
-                let name = Text::verbatim(name);
-                let flight = ComparedFlight::of_record(&stored, name)?;
+                let flight = ComparedFlight::of_record(&stored, Text::verbatim(name))?;
                 Ok(flight.with_bookmarks(bookmarks_beside(&path)))
             }
             Self::Reference(shown) => {

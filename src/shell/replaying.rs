@@ -26,11 +26,11 @@ impl Console {
             let files = Records::find(records, path)?;
             return self.open_replay(files.frames()?, review);
         }
-        let path = match &self.running {
+        let newest = match &self.running {
             Some(running) => running.record().map(Path::to_owned),
             None => self.newest_record(),
         };
-        let path = path.ok_or_else(|| text!("records-none"))?;
+        let path = newest.ok_or_else(|| text!("records-none"))?;
         // A recording under way ends first.
         self.end_session();
         self.open_replay(&path, review)

@@ -77,8 +77,8 @@ impl RecordKey {
         };
         let stored = || SecretKeyBox::from_string(&text);
         // A key without a password must not prompt for one.
-        let key = stored().and_then(SecretKeyBox::into_unencrypted_secret_key);
-        let key = key.or_else(|_| stored().and_then(|it| it.into_secret_key(None)));
+        let open = stored().and_then(SecretKeyBox::into_unencrypted_secret_key);
+        let key = open.or_else(|_| stored().and_then(|it| it.into_secret_key(None)));
         key.map(Self).map_err(invalid)
     }
 
@@ -159,8 +159,8 @@ impl RecordPublicKey {
 pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf, SignatureError> {
     let file = fs::File::open(path).map_err(|error| unreadable(path, error))?;
     let comment = format!("{}{about}", mark(path));
-    let signed = minisign::sign(None, &key.0, BufReader::new(file), Some(&comment), None);
-    let signed = signed.map_err(|error| SignatureError::Password(error.to_string()))?;
+    let signed = minisign::sign(None, &key.0, BufReader::new(file), Some(&comment), None)
+        .map_err(|error| SignatureError::Password(error.to_string()))?;
     let into = signature_of(path);
     super::write(&into, &signed.to_string(), true).map_err(|error| {
         let error = io::Error::other(error.to_string());
@@ -242,8 +242,9 @@ pub(super) fn check(
                 .map_err(|_| SignatureFault::Changed)?;
         }
         // A signature names its file, so that the signed files of a record cannot be swapped.
-        let comment = signature.trusted_comment();
-        let comment = comment.map_err(|_| SignatureFault::Damaged)?;
+        let comment = signature
+            .trusted_comment()
+            .map_err(|_| SignatureFault::Damaged)?;
         let about = comment.strip_prefix(&mark(path));
         Ok(FileSignature {
             key: by,

@@ -47,8 +47,8 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
 
 /// A time of day, given in microseconds since 1970 (UTC): `2026-11-20 14:03:22`.
 pub fn utc_of(unix_us: u64) -> String {
-    let time = i64::try_from(unix_us).ok();
-    let time = time.and_then(DateTime::from_timestamp_micros);
+    let signed_us = i64::try_from(unix_us).ok();
+    let time = signed_us.and_then(DateTime::from_timestamp_micros);
     time.unwrap_or_default()
         .format("%Y-%m-%d %H:%M:%S")
         .to_string()

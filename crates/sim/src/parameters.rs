@@ -123,8 +123,8 @@ impl Parameters {
     }
 
     fn value_in_place(&self, place: u16) -> f32 {
-        let changed = self.changed_place(place).ok();
-        let changed = changed.and_then(|at| self.changed.get(at));
+        let at = self.changed_place(place).ok();
+        let changed = at.and_then(|at| self.changed.get(at));
         let first = || {
             TABLE
                 .rows

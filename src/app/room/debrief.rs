@@ -79,8 +79,8 @@ impl Debrief {
 
     /// The summary above the text, on a screen of this height.
     pub fn summary(&self, height: u16) -> Summary {
-        let components = self.report.components.iter().filter(|it| it.weight > 0.0);
-        let components = components.count() as u16;
+        let weighted = self.report.components.iter().filter(|it| it.weight > 0.0);
+        let components = weighted.count() as u16;
         let is_tall = height >= TALL;
         let rows = if is_tall {
             SUMMARY_HEAD + components.clamp(SUMMARY_LEAST, SUMMARY_MOST)

@@ -55,8 +55,8 @@ const SEEK: VerbRow = said(
     &[Form::new(
         &[Argument::value("time", Kind::Rest, "argument-seek")],
         |given| {
-            let target = seek_target(given.required_word("time")?);
-            let target = target.ok_or_else(|| Problem::new("time", text!("seek-unreadable")))?;
+            let target = seek_target(given.required_word("time")?)
+                .ok_or_else(|| Problem::new("time", text!("seek-unreadable")))?;
             console(ConsoleLine::Replay(ReplayLine::Seek(target)))
         },
     )],
@@ -97,8 +97,8 @@ const STOP_AT: VerbRow = said(
         Form::new(
             &[Argument::value("kind", Kind::Choice(MomentKind::NAMES), "").repeated()],
             |given| {
-                let kinds = given.words("kind").into_iter();
-                let kinds = kinds.filter_map(MomentKind::named).collect();
+                let words = given.words("kind").into_iter();
+                let kinds = words.filter_map(MomentKind::named).collect();
                 console(ConsoleLine::Replay(ReplayLine::StopAt(kinds)))
             },
         ),
@@ -124,8 +124,8 @@ const BOOKMARK: VerbRow = said(
 );
 
 fn built_loop(given: &Arguments) -> Built {
-    let target = loop_target(given.required_word("times")?);
-    let target = target.ok_or_else(|| Problem::new("times", text!("loop-unreadable")))?;
+    let target = loop_target(given.required_word("times")?)
+        .ok_or_else(|| Problem::new("times", text!("loop-unreadable")))?;
     console(ConsoleLine::Replay(ReplayLine::Loop(Some(target))))
 }
 

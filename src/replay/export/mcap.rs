@@ -77,8 +77,8 @@ impl<W: io::Write + io::Seek> McapFile<W> {
             self.channels.insert(key, channel);
             channel
         };
-        let fields = reading.values.iter();
-        let fields = fields.map(|field| (field.name.to_owned(), value(field)));
+        let values = reading.values.iter();
+        let fields = values.map(|field| (field.name.to_owned(), value(field)));
         let object = Value::Object(fields.collect::<Map<String, Value>>());
         self.put(channel, unix_us, &object)?;
         self.add_place(unix_us, bytes)

@@ -159,8 +159,8 @@ fn gpx_point(xml: &mut Xml, tag: &str, at: TrackPoint, name: Option<&str>) -> io
 /// A line per vehicle with its times, and a point per moment.
 pub(super) fn geo_json(film: &Film, tracks: &Tracks, moments: &[Moment]) -> String {
     // A line needs at least two points.
-    let lines = tracks.iter().filter(|(_, track)| track.len() > 1);
-    let lines = lines.map(|(system, track)| {
+    let drawn = tracks.iter().filter(|(_, track)| track.len() > 1);
+    let lines = drawn.map(|(system, track)| {
         let times: Vec<String> = track.iter().map(TrackPoint::time).collect();
         let coordinates: Vec<Value> = track.iter().map(position).collect();
         json!({

@@ -94,8 +94,10 @@ impl RunningSession {
     /// # Errors
     /// The address is none, or the fleet has ended.
     pub fn forward(&self, spec: ForwardSpec) -> Result<(), Text> {
-        let address = spec.address.parse();
-        let address = address.map_err(|error: AddressError| Text::from(&error))?;
+        let address = spec
+            .address
+            .parse()
+            .map_err(|error: AddressError| Text::from(&error))?;
         Ok(self.fleet.forward(spec, address)?)
     }
 }

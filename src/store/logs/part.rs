@@ -95,15 +95,15 @@ impl LogPart {
     }
 
     fn write_gaps(&self, gaps: &GapMap) -> io::Result<()> {
-        let lines = gaps.missing().iter();
-        let lines: Vec<String> = lines
+        let missing = gaps.missing().iter();
+        let lines: Vec<String> = missing
             .map(|gap| format!("{}-{}\n", gap.start, gap.end))
             .collect();
         let text = format!("bytes {}\n{}", gaps.size(), lines.concat());
         let part = self.gaps.with_extension("gaps.new");
         let mut options = OpenOptions::new();
-        let options = options.create(true).truncate(true).write(true);
-        sharing::open(options, &part)?.write_all(text.as_bytes())?;
+        options.create(true).truncate(true).write(true);
+        sharing::open(&mut options, &part)?.write_all(text.as_bytes())?;
         fs::rename(&part, &self.gaps)
     }
 
@@ -149,8 +149,8 @@ impl LogPart {
 
     fn open(&self) -> io::Result<File> {
         let mut options = OpenOptions::new();
-        let options = options.create(true).truncate(false).write(true);
-        sharing::open(options, &self.bytes)
+        options.create(true).truncate(false).write(true);
+        sharing::open(&mut options, &self.bytes)
     }
 }
 
@@ -159,8 +159,8 @@ impl LogPart {
 pub(super) fn samples(path: &Path, gaps: &GapMap) -> Vec<FileBytes> {
     let ends = gaps.missing().iter().map(|gap| gap.start);
     let starts = iter::once(0).chain(gaps.missing().iter().map(|gap| gap.end));
-    let kept = starts.zip(ends.chain([gaps.size()]));
-    let kept: Vec<_> = kept.filter(|(start, end)| start < end).collect();
+    let between = starts.zip(ends.chain([gaps.size()]));
+    let kept: Vec<_> = between.filter(|(start, end)| start < end).collect();
     let Ok(mut file) = File::open(path) else {
         return Vec::new();
     };

@@ -210,8 +210,8 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
         text!("links-rates", bytes = bytes, messages = messages)
     };
-    let round_trip = link.round_trip;
-    let round_trip = round_trip.map_or_else(unknown, |trip| format!("{} ms", trip.as_millis()));
+    let trip = link.round_trip;
+    let round_trip = trip.map_or_else(unknown, |trip| format!("{} ms", trip.as_millis()));
     let received = traffic(link.bytes_in_per_s, link.messages_in_per_s);
     let sent = traffic(link.bytes_out_per_s, link.messages_out_per_s);
     let counted = |figures: fn(&LinkCounters) -> Text| {

@@ -130,16 +130,16 @@ fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Bu
         improve = review::key_of(state, "review improve")
     );
     let points = state.replay().map(|it| it.review.points());
-    let tied = points
+    let at_moment = points
         .unwrap_or_default()
         .iter()
         .filter(|point| point.is_at(moment.at));
-    let tied = tied.map(|point| {
+    let tied = at_moment.map(|point| {
         let line = format!("{} {}", point.kind.sign(), point.text);
         Line::styled(line, inner.style(Role::Accent))
     });
-    let told = wrap(&moment_text(moment, inner.look), inner.width());
-    let told = told.into_iter().map(Line::from);
+    let words = wrap(&moment_text(moment, inner.look), inner.width());
+    let told = words.into_iter().map(Line::from);
     let how = Line::styled(inner.text(&how), inner.style(Role::Muted));
     let lines: Vec<Line<'_>> = told.chain(tied).chain([how]).collect();
     for (row, line) in lines.iter().enumerate() {

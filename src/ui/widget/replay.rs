@@ -56,8 +56,8 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
 /// The last line of the screen: the position in the recording, its moments, and the keys.
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
     let hints = hints(state, panel.width() / 2, panel.look);
-    let cells = room_beside(view, &hints, panel);
-    let cells = cells.filter(|it| *it >= SHORTEST).unwrap_or_default();
+    let room = room_beside(view, &hints, panel);
+    let cells = room.filter(|it| *it >= SHORTEST).unwrap_or_default();
     timeline(view, cells, hints, panel.look)
 }
 
@@ -98,18 +98,20 @@ fn position(view: &ReplayView, look: &Look) -> String {
         (false, _) => "■",
     };
     let at = clock(position.at);
-    let mission = view.clock.mission_time(position.at);
-    let mission = mission.map(|elapsed| text!("replay-mission-time", time = clock(elapsed)));
-    let mission = mission.map_or_else(String::new, |it| format!(" {}", look.text(&it)));
-    let goal = position
-        .goal
-        .map(|goal| text!("replay-going-to", time = clock(goal)));
-    let goal = goal.map_or_else(String::new, |goal| format!(" {}", look.text(&goal)));
-    let gap = position
-        .gap
-        .map(|gap| text!("replay-gap", time = clock(gap)));
-    let gap = gap.map_or_else(String::new, |gap| format!(" {}", look.text(&gap)));
-    format!(" {sign} {at}{mission}{goal}{gap} ")
+    let elapsed = view.clock.mission_time(position.at);
+    let remarks = [
+        elapsed.map(|it| text!("replay-mission-time", time = clock(it))),
+        position
+            .goal
+            .map(|it| text!("replay-going-to", time = clock(it))),
+        position.gap.map(|it| text!("replay-gap", time = clock(it))),
+    ];
+    let mut shown = format!(" {sign} {at} ");
+    for remark in remarks.iter().flatten() {
+        shown.push_str(&look.text(remark));
+        shown.push(' ');
+    }
+    shown
 }
 
 /// The keys, as many as fit.

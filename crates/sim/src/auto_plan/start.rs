@@ -260,12 +260,8 @@ pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     // The unit above the first one given comes round.
     let round_s = [86_400.0, 3600.0, 60.0][first];
     let left_s = wanted_s - now_s % round_s;
-    let left_s = if left_s < 0.0 {
-        left_s + round_s
-    } else {
-        left_s
-    };
-    left_s.max(0.0)
+    let rounds_s = if left_s < 0.0 { round_s } else { 0.0 };
+    (left_s + rounds_s).max(0.0)
 }
 
 /// A point as the vehicle stores places: in 1e-7 degrees and centimetres. Therefore even a stay in place begins with a

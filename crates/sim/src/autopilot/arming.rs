@@ -23,8 +23,9 @@ impl Autopilot {
             refuse(&mut self.vehicle, "Arm", &mandatory);
             let mut reasons = self.arming_checks().obstacles();
             if reasons.is_empty() {
-                let last = self.mode_obstacle();
-                let last = last.or_else(|| self.arming_checks().last_obstacle(method));
+                let last = self
+                    .mode_obstacle()
+                    .or_else(|| self.arming_checks().last_obstacle(method));
                 reasons.extend(last);
             }
             if reasons.is_empty() {

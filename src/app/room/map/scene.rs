@@ -98,18 +98,16 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
             .iter()
             .filter_map(|path| course(state, path)),
     );
-    let meetings = state.session.meetings.iter().map(|meeting| {
-        let [a, b] = meeting.vehicles;
-        Sketch::point(SketchKind::Meeting, format!("{a}/{b}"), meeting.at_point)
-    });
-    let meetings: Vec<Sketch> = meetings.collect();
     for sketch in shown(state).flat_map(on_board) {
         let is_border = matches!(sketch.kind, SketchKind::Fence | SketchKind::KeepOut);
         if !is_border || !sketches.contains(&sketch) {
             sketches.push(sketch);
         }
     }
-    sketches.extend(meetings);
+    sketches.extend(state.session.meetings.iter().map(|meeting| {
+        let [a, b] = meeting.vehicles;
+        Sketch::point(SketchKind::Meeting, format!("{a}/{b}"), meeting.at_point)
+    }));
     sketches
 }
 

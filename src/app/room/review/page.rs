@@ -53,8 +53,8 @@ impl Page<'_> {
                 objective = &objective.title,
                 target = &objective.target
             );
-            let line = self.text.locale.text(&line);
-            self.text.item(Tone::Plain, "- ", &line);
+            let words = self.text.locale.text(&line);
+            self.text.item(Tone::Plain, "- ", &words);
         }
         self.text.title(&text!("review-said-before"));
         self.said_before();
@@ -128,8 +128,8 @@ impl Page<'_> {
                 result = &objective.result,
                 target = &objective.target
             );
-            let line = self.text.locale.text(&line);
-            self.text.item(tone, lead, &line);
+            let words = self.text.locale.text(&line);
+            self.text.item(tone, lead, &words);
         }
     }
 

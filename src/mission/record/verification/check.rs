@@ -237,8 +237,9 @@ impl RecordCheck {
     ) -> Result<(), Divergence> {
         let id = recorded.id();
         let mut witnesses = self.reflight.witnesses.iter();
-        let witness = witnesses.find(|witness| witness.session.vehicle().id == id);
-        let witness = witness.ok_or_else(|| differs(to, Some(id), text!("verify-no-vehicle")))?;
+        let witness = witnesses
+            .find(|witness| witness.session.vehicle().id == id)
+            .ok_or_else(|| differs(to, Some(id), text!("verify-no-vehicle")))?;
         let mut said = recorded.said().iter();
         if !said.all(|text| witness.has_said(text, from)) {
             return Err(differs(to, Some(id), text!("verify-other-text")));

@@ -65,8 +65,8 @@ impl Reflight {
             return Err(text!("verify-other-start"));
         }
         let files = inputs.head.airframes.iter();
-        let own = files.map(|file| Airframe::from_json(&file.to_string()));
-        let own: Vec<Arc<Airframe>> = own
+        let own: Vec<Arc<Airframe>> = files
+            .map(|file| Airframe::from_json(&file.to_string()))
             .map(|read| read.map(|(airframe, _)| Arc::new(airframe)))
             .collect::<Result<_, _>>()
             .map_err(|error| Text::verbatim(error.to_string()))?;
@@ -267,9 +267,8 @@ impl Witness {
         from: Duration,
         to: Duration,
     ) -> impl Iterator<Item = &ObservedVehicle> + Clone {
-        let until = self.shown.iter().map(|(since, _)| *since).skip(1);
-        let until = until.chain([Duration::MAX]);
-        let known = self.shown.iter().zip(until);
+        let replaced = self.shown.iter().map(|(since, _)| *since).skip(1);
+        let known = self.shown.iter().zip(replaced.chain([Duration::MAX]));
         known
             .filter(move |((since, _), until)| *since <= to && *until > from)
             .map(|((_, known), _)| known)

@@ -48,8 +48,8 @@ impl ProfileFile {
         }
         let mut ids = BTreeSet::new();
         let is_kept = |run: &RunDocument| entries.iter().any(|row| row.id == run.id);
-        let runs = self.runs.into_iter();
-        let runs = runs.filter(|run| is_kept(run) && ids.insert(run.id.clone()));
+        let claimed = self.runs.into_iter();
+        let runs = claimed.filter(|run| is_kept(run) && ids.insert(run.id.clone()));
         let borne_out = Self {
             runs: runs.collect(),
             entries,
@@ -106,9 +106,9 @@ impl Claims<'_> {
         run: &RunDocument,
     ) -> Result<CareerFlight, Text> {
         let report = &run.report;
-        let other = claimed.mission != report.mission;
-        let other = other.then(|| format!("the report is of mission {:?}", report.mission));
-        if let Some(fault) = other.or_else(|| report.fault()) {
+        let other_mission = (claimed.mission != report.mission)
+            .then(|| format!("the report is of mission {:?}", report.mission));
+        if let Some(fault) = other_mission.or_else(|| report.fault()) {
             return Err(text!("import-unfit", fault = sanitised(&fault)));
         }
         let known = self.missions.iter().find(|it| it.id == report.mission);
@@ -150,8 +150,8 @@ impl Claims<'_> {
 
 /// The mission with the trainee's own drones, if it was flown with any; `None` if they could not fly it.
 fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
-    let fleet = run.airframes.iter().map(|it| Design::from_toml(it).ok());
-    let fleet: Vec<Design> = fleet.collect::<Option<_>>()?;
+    let designs = run.airframes.iter().map(|it| Design::from_toml(it).ok());
+    let fleet: Vec<Design> = designs.collect::<Option<_>>()?;
     let mission = Mission::parse(&mission.file.text).ok()?;
     mission.with_fleet(fleet).ok()
 }
@@ -184,9 +184,9 @@ fn unlike(mission: &Mission, report: &Report) -> Option<String> {
     if report.revision != mission.rev {
         return None;
     }
-    let asked = mission.objectives.iter();
-    let asked = asked.map(|it| (it.id.as_str(), it.mandatory));
-    let told = report.objectives.iter();
-    let told = told.map(|it| (it.id.as_str(), it.mandatory));
+    let of_mission = mission.objectives.iter();
+    let asked = of_mission.map(|it| (it.id.as_str(), it.mandatory));
+    let of_report = report.objectives.iter();
+    let told = of_report.map(|it| (it.id.as_str(), it.mandatory));
     (!told.eq(asked)).then(|| "its objectives are not those of the mission".to_owned())
 }

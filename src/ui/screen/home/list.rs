@@ -169,8 +169,9 @@ fn item_line(
     };
     let mark = sign.map_or(' ', Sign::symbol);
     // The sign means the same as its word, so the name takes precedence over the word.
-    let word = sign.and_then(|sign| sign.word(look));
-    let word = word.filter(|word| 3 + width(word) + width(text) <= columns);
+    let word = sign
+        .and_then(|sign| sign.word(look))
+        .filter(|word| 3 + width(word) + width(text) <= columns);
     let best = score.or(word).unwrap_or_default();
     let room = columns.saturating_sub(3 + width(&best));
     let role = sign.map_or(Role::Text, Sign::role);

@@ -34,8 +34,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         panel.say("forwards-left-out"),
         panel.say("links-state")
     );
-    let head = Line::styled(head, panel.style(Role::Muted));
-    put(buffer, inner, 0, &head);
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(head, panel.style(Role::Muted)),
+    );
     let room = usize::from(inner.height.saturating_sub(1));
     for (row, forward) in forwards.iter().take(room).enumerate() {
         let line = line(forward, name_width, panel.look);

@@ -111,7 +111,7 @@ impl FlightCurves<'_> {
         }
         let last = panel.area.height.saturating_sub(1);
         let scale = format!("0..{} 00:00..{}", figure(high, 0), clock(length));
-        let scale = Line::styled(scale, panel.style(Role::Muted));
-        put(buffer, panel.area, last, &scale);
+        let line = Line::styled(scale, panel.style(Role::Muted));
+        put(buffer, panel.area, last, &line);
     }
 }

@@ -58,8 +58,8 @@ fn line(subject: &StandingSubject<'_>, offer: &Offer, room: usize) -> String {
     let look = subject.look;
     let tries = subject.career.growth.tries(&offer.id);
     let best = subject.career.standing.best(&offer.id);
-    let score = best.and_then(|best| best.score);
-    let score = score.map_or_else(|| "-".to_owned(), |score| score.to_string());
+    let points = best.and_then(|best| best.score);
+    let score = points.map_or_else(|| "-".to_owned(), |points| points.to_string());
     let score_and_medal = format!("{score} {}", stars(best.and_then(|best| best.medal)));
     let last = tries.last();
     let figures = text!(
@@ -69,12 +69,12 @@ fn line(subject: &StandingSubject<'_>, offer: &Offer, room: usize) -> String {
         last = last.map_or(0, |last| last.score),
         when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))
     );
-    let figures = look.text(&figures);
+    let shown = look.text(&figures);
     let name = room
-        .saturating_sub(width(&figures).max(FIGURES) + 3)
+        .saturating_sub(width(&shown).max(FIGURES) + 3)
         .min(NAME);
     let title = aligned(&look.text(&offer.title), name, false);
-    format!("{title} {figures}")
+    format!("{title} {shown}")
 }
 
 fn draw_chart(subject: &StandingSubject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {

@@ -103,8 +103,8 @@ impl PartColumns {
                 width,
             };
         }
-        let names = bench.candidates().iter();
-        let names = names.map(|it| width_of(&look.text(&it.part.name())));
+        let candidates = bench.candidates().iter();
+        let names = candidates.map(|it| width_of(&look.text(&it.part.name())));
         let name = names.max().unwrap_or(0).clamp(NAME, LONG_NAME) + 1;
         let mut left = room.saturating_sub(name);
         let wanted = telling.iter().map(|measure| {

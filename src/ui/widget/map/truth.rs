@@ -144,8 +144,10 @@ fn labels(truth: &TruthReport) -> Vec<SignAt> {
         _ if !object.sought => UNASKED,
         _ => MISSED,
     };
-    let objects = truth.objects.iter();
-    let objects = objects.map(|object| SignAt::new(sign(object), object.at));
+    let objects = truth
+        .objects
+        .iter()
+        .map(|object| SignAt::new(sign(object), object.at));
     let wrong = truth
         .marks
         .iter()

@@ -77,8 +77,8 @@ impl Autopilot {
         }
         let here = vehicle.here();
         let (x, y) = here.at.to_e7();
-        let height_m = vehicle.datum.home_point().z - vehicle.believed().position_m.z;
-        let height_m = (height_m * 100.0).round() as f32 * 0.01;
+        let above_home_m = vehicle.datum.home_point().z - vehicle.believed().position_m.z;
+        let height_m = (above_home_m * 100.0).round() as f32 * 0.01;
         if is_empty {
             // Its height is stored without the reference.
             vehicle.plans.mission.push(Item {

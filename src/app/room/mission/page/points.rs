@@ -18,8 +18,8 @@ impl MissionPage<'_> {
         self.text.title(&text!("mission-review"));
         if !review.next.is_empty() {
             let next = text!("mission-review-next", text = review.next.as_str());
-            let next = self.text.locale.text(&next);
-            self.text.paragraph(Tone::Hint, &next);
+            let words = self.text.locale.text(&next);
+            self.text.paragraph(Tone::Hint, &words);
         }
         let points = PointKind::ALL
             .into_iter()
