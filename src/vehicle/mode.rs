@@ -177,10 +177,9 @@ impl VehicleClass {
 
     /// The mode with a name; case does not matter and underscores are optional.
     pub fn mode(self, name: &str) -> Option<Mode> {
-        let plain = |text: &str| text.replace('_', "").to_ascii_uppercase();
         self.modes()
             .iter()
-            .find(|(_, known)| plain(known) == plain(name))
+            .find(|(_, known)| is_same_name(known, name))
             .map(|&(number, _)| Mode {
                 class: self,
                 number,
@@ -217,8 +216,18 @@ impl Mode {
 
     /// Whether this is the mode of that name.
     pub fn is(self, name: &str) -> bool {
-        self.class.mode(name) == Some(self)
+        self.name().is_some_and(|known| is_same_name(known, name))
     }
+}
+
+/// Whether two names mean the same mode. Allocates nothing: every position of a vehicle asks for the name of its mode.
+fn is_same_name(one: &str, other: &str) -> bool {
+    letters(one).eq(letters(other))
+}
+
+fn letters(name: &str) -> impl Iterator<Item = u8> {
+    let letters = name.bytes().filter(|byte| *byte != b'_');
+    letters.map(|byte| byte.to_ascii_uppercase())
 }
 
 impl fmt::Display for Mode {
