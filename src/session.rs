@@ -369,6 +369,9 @@ impl Session {
 
     /// Advances the client for files, and passes on the events of its tasks.
     fn handle_files(&mut self, incoming: Option<&FtpPayload>, now: Duration) {
+        if incoming.is_none() && !self.ftp.is_busy() {
+            return;
+        }
         let round_trip = self.vehicle.link.round_trip.unwrap_or_default();
         let step = self.ftp.step(incoming, round_trip, now);
         let requests = step.requests.into_iter().map(|payload| {

@@ -175,15 +175,17 @@ impl Line {
                 }
                 self.active = Transaction::start(order, given, moment.vehicle, now, moment.output);
             }
-            let Some(mut active) = self.active.take() else {
+            let Some(active) = &mut self.active else {
                 continue;
             };
+            // Polled in its place: it is large, and waits in most steps.
             let progress = active.poll(moment.vehicle, now, moment.output);
             if progress == Progress::Waiting {
-                self.active = Some(active);
                 break;
             }
-            self.settle(active, progress, &mut moment);
+            if let Some(active) = self.active.take() {
+                self.settle(active, progress, &mut moment);
+            }
         }
         self.watch(&mut moment);
         self.note_speeds(now, moment.output);
@@ -221,19 +223,20 @@ impl Line {
             .active
             .as_ref()
             .is_some_and(|active| !active.claim().is_empty());
-        let mut ended = Vec::new();
-        for mut order in std::mem::take(&mut self.watched) {
+        let mut watched = std::mem::take(&mut self.watched);
+        watched.retain_mut(|order| {
             if !is_ours {
                 order.yield_to_others(vehicle, now, moment.output);
             }
             match order.poll(vehicle, now, moment.output) {
-                Progress::Ended => ended.push(order),
-                Progress::Waiting | Progress::Watching => self.watched.push(order),
+                Progress::Ended => {
+                    self.hold(order);
+                    false
+                }
+                Progress::Waiting | Progress::Watching => true,
             }
-        }
-        for order in &ended {
-            self.hold(order);
-        }
+        });
+        self.watched = watched;
         if !is_ours && let Some(update) = self.ended(vehicle, now) {
             moment.output.row(update);
             self.holding = None;
