@@ -80,7 +80,6 @@ impl Airspace {
 }
 
 fn too_close(distance_m: f64, other: VehicleId, min_separation_m: f64) -> Option<Breach> {
-    let distance = format!("{distance_m:.1}");
     if distance_m < TOUCH_M {
         let text = text!("threat-collision", other = i64::from(other));
         Some((SafetyKind::Collision, text))
@@ -88,7 +87,7 @@ fn too_close(distance_m: f64, other: VehicleId, min_separation_m: f64) -> Option
         let text = text!(
             "threat-separation",
             other = i64::from(other),
-            distance = distance
+            distance = format!("{distance_m:.1}")
         );
         Some((SafetyKind::Separation, text))
     } else {
@@ -126,27 +125,27 @@ fn in_zones([east_m, north_m, up_m]: Place, scope: &Scope<'_>) -> Vec<Breach> {
 /// The rule that a vehicle at a place breaks near a mover, if any.
 fn near(mover: &Mover, place: Place) -> Option<Breach> {
     let distance_m = mover.distance_m(place);
-    let distance = format!("{distance_m:.0}");
+    let distance = || format!("{distance_m:.0}");
     match mover.kind {
         MoverKind::Person if distance_m < HURTS_WITHIN_M && place[2] < HURTS_BELOW_M => {
             Some((SafetyKind::Injury, text!("threat-injury")))
         }
         MoverKind::Person if distance_m < mover.keep_out_m && place[2] < OVERHEAD_M => {
-            let text = text!("threat-near-person", distance = distance);
+            let text = text!("threat-near-person", distance = distance());
             Some((SafetyKind::People, text))
         }
         MoverKind::Aircraft if distance_m < AIRCRAFT_M => {
             Some((SafetyKind::AircraftHit, text!("threat-aircraft-hit")))
         }
         MoverKind::Aircraft if distance_m < mover.keep_out_m => {
-            let text = text!("threat-bubble", distance = distance);
+            let text = text!("threat-bubble", distance = distance());
             Some((SafetyKind::Bubble, text))
         }
         MoverKind::Intruder if distance_m < TOUCH_M => {
             Some((SafetyKind::Collision, text!("threat-intruder-hit")))
         }
         MoverKind::Intruder if distance_m < mover.keep_out_m => {
-            let text = text!("threat-intruder-near", distance = distance);
+            let text = text!("threat-intruder-near", distance = distance());
             Some((SafetyKind::Separation, text))
         }
         MoverKind::Person | MoverKind::Aircraft | MoverKind::Intruder => None,
