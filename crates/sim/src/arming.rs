@@ -156,6 +156,11 @@ impl Safety {
         due
     }
 
+    /// Whether the yaw is still to be aligned in this flight.
+    pub(super) fn awaits_alignment(&self) -> bool {
+        self.aligns_above_m.is_some()
+    }
+
     /// Whether to align the yaw now, at a height in metres above the start; once after each arming.
     pub(super) fn aligns_at(&mut self, height_m: f64) -> bool {
         self.aligns_above_m

@@ -109,10 +109,15 @@ impl Autopilot {
     /// Performs a reboot that is due: as when SITL starts again, the vehicle is back at its start. Parameters, lists and
     /// logs survive.
     pub(super) fn take_reboot(&mut self) -> bool {
-        let before = &mut self.vehicle;
-        if self.reboot_at.is_none_or(|at| before.uptime() < at) {
-            return false;
+        let is_due = self.reboot_at.is_some_and(|at| self.vehicle.uptime() >= at);
+        if is_due {
+            self.reboot();
         }
+        is_due
+    }
+
+    fn reboot(&mut self) {
+        let before = &mut self.vehicle;
         let mut parameters = if self.workbench.erased {
             factory_parameters(before.system, &before.plant.airframe)
         } else {
@@ -136,7 +141,6 @@ impl Autopilot {
         if self.vehicle.boot.realistic {
             self.vehicle.radio.forget_switches();
         }
-        true
     }
 
     /// Advances by one step.

@@ -21,6 +21,8 @@ use super::autopilot::Autopilot;
 use super::body::Body;
 use sortie_geo::LatLon;
 
+/// Up to this many bodies, looking at every pair is faster than a grid.
+const FEW: usize = 16;
 /// The largest radius of a vehicle, in metres; larger ones are reduced to it.
 const RADIUS_MAX_M: f64 = 5.0;
 /// The coefficient of restitution.
@@ -75,6 +77,13 @@ struct Ball {
     mass_kg: f64,
     in_air: bool,
     wrecked: bool,
+}
+
+impl Ball {
+    fn touches(&self, other: &Self) -> bool {
+        let reach_m = self.radius_m + other.radius_m;
+        self.centre_m.distance_squared(other.centre_m) < reach_m * reach_m
+    }
 }
 
 /// The collisions of a world.
@@ -177,6 +186,17 @@ impl Collisions {
     fn find_pairs(&mut self) {
         let (balls, pairs) = (&self.balls, &mut self.pairs);
         pairs.clear();
+        if balls.len() <= FEW {
+            for (second, other) in balls.iter().enumerate() {
+                for (first, ball) in balls[..second].iter().enumerate() {
+                    if (ball.in_air || other.in_air) && ball.touches(other) {
+                        pairs.push((first as u32, second as u32));
+                    }
+                }
+            }
+            pairs.sort_unstable();
+            return;
+        }
         self.grid.fill(balls.iter().map(|ball| ball.centre_m));
         let largest_m = balls
             .iter()
@@ -189,8 +209,7 @@ impl Collisions {
                     if second == first || (other.in_air && second < first) {
                         return;
                     }
-                    let reach_m = ball.radius_m + other.radius_m;
-                    if ball.centre_m.distance_squared(other.centre_m) < reach_m * reach_m {
+                    if ball.touches(other) {
                         pairs.push((first.min(second) as u32, first.max(second) as u32));
                     }
                 });

@@ -200,13 +200,20 @@ impl Default for Radio {
 
 impl Radio {
     /// The current channels: those of the transmitter unless overridden.
+    #[inline]
     pub(super) fn sticks(&self, now: Duration) -> Sticks {
-        let mut sticks = Sticks::RELEASED;
         if now < self.until {
-            for (channel, (pulse_us, until)) in sticks.channels_us.iter_mut().zip(&self.overrides) {
-                if now < *until && *pulse_us != 0 {
-                    *channel = *pulse_us;
-                }
+            self.overridden(now)
+        } else {
+            Sticks::RELEASED
+        }
+    }
+
+    fn overridden(&self, now: Duration) -> Sticks {
+        let mut sticks = Sticks::RELEASED;
+        for (channel, (pulse_us, until)) in sticks.channels_us.iter_mut().zip(&self.overrides) {
+            if now < *until && *pulse_us != 0 {
+                *channel = *pulse_us;
             }
         }
         sticks

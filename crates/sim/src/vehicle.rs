@@ -339,6 +339,9 @@ impl Vehicle {
 
     /// Reports the alignment of the yaw in flight.
     pub(super) fn watch_alignment(&mut self) {
+        if !self.safety.awaits_alignment() {
+            return;
+        }
         let height_m = self.believed().height_m();
         let Some(compass) = self.estimator.compass_in_use() else {
             return;

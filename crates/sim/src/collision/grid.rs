@@ -53,7 +53,41 @@ impl CollisionGrid {
     }
 }
 
-/// The row or column of a coordinate; values out of range share the last one.
+/// The row or column of a coordinate; values out of range share the last one. Rounds down without `floor`, which is a
+/// call on processors of the oldest kind.
 fn cell(metres: f64) -> i32 {
-    (metres / CELL_M).floor() as i32
+    let cells = metres / CELL_M;
+    let towards_zero = cells as i32;
+    towards_zero.saturating_sub(i32::from(f64::from(towards_zero) > cells))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_rounded_down() {
+        let far = f64::from(i32::MAX) * CELL_M;
+        for metres in [
+            0.0,
+            -0.0,
+            0.1,
+            -0.1,
+            3.999,
+            4.0,
+            -4.0,
+            -4.001,
+            1e7,
+            -1e7,
+            far,
+            -far,
+            2.0 * far,
+            -2.0 * far,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+        ] {
+            assert_eq!(cell(metres), (metres / CELL_M).floor() as i32, "{metres}");
+        }
+    }
 }
