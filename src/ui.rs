@@ -32,7 +32,11 @@ pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
 fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     look.hits.clear();
     let area = frame.area();
-    frame.buffer_mut().set_style(area, look.style(Role::Text));
+    // All cells at once: `Buffer::set_style` looks each of them up by its place.
+    let style = look.style(Role::Text);
+    for cell in &mut frame.buffer_mut().content {
+        cell.set_style(style);
+    }
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         screen::small::draw(state, Panel::new(look, area), frame.buffer_mut());
         return;
