@@ -220,8 +220,10 @@ impl Autopilot {
         let vehicle = &mut self.vehicle;
         let is_asleep = vehicle.plant.body.on_ground && !vehicle.safety.armed;
         let impact_m_s = if is_asleep { None } else { vehicle.fly() };
-        let reaction = impact_m_s.and_then(|impact_m_s| self.crash.touch(impact_m_s));
-        self.react(reaction);
+        if let Some(impact_m_s) = impact_m_s {
+            let reaction = self.crash.touch(impact_m_s);
+            self.react(reaction);
+        }
         let vehicle = &mut self.vehicle;
         let power_w = vehicle.plant.power_w();
         vehicle.estimate();
@@ -238,7 +240,9 @@ impl Autopilot {
             checks_crash: vehicle.tuning.crash_check,
             mode: vehicle.flight.mode.number,
         });
-        self.react(reactions);
+        if !reactions.is_empty() {
+            self.react(reactions);
+        }
     }
 
     fn watch_ground(&mut self) {

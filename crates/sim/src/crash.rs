@@ -48,6 +48,7 @@ pub(super) struct CrashInputs<'a> {
 
 impl CrashWatch {
     /// Checks for a crash and for thrust loss.
+    #[inline]
     pub(super) fn step(&mut self, inputs: &CrashInputs<'_>) -> Vec<Reaction> {
         if let Some(steps) = self.since_contact {
             self.since_contact = (steps < CONTACT_STEPS).then_some(steps + 1);
@@ -58,11 +59,19 @@ impl CrashWatch {
             self.loss_told = false;
             return Vec::new();
         }
+        let may_lose_thrust = inputs.body.saturated || self.losing_steps > 0;
+        if inputs.body.upset.is_none() && !may_lose_thrust {
+            return Vec::new();
+        }
+        self.watch(inputs, may_lose_thrust)
+    }
+
+    fn watch(&mut self, inputs: &CrashInputs<'_>, may_lose_thrust: bool) -> Vec<Reaction> {
         let mut reactions = Vec::new();
         if inputs.body.upset.is_some() {
             reactions.extend(self.watch_attitude(inputs).into_iter().flatten());
         }
-        if inputs.body.saturated || self.losing_steps > 0 {
+        if may_lose_thrust {
             reactions.extend(self.watch_thrust(inputs.body).into_iter().flatten());
         }
         reactions
