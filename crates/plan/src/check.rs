@@ -300,13 +300,8 @@ fn check_items(
         add(None, FindingKind::TooMany { count, most });
     }
     for (index, item) in items.iter().enumerate() {
-        let kept = match kind {
-            ListKind::Plan => board::plan_item(item),
-            ListKind::Fence => board::fence_item(item),
-            ListKind::Rally => board::rally_item(item),
-        };
         let command = item.command;
-        match kept {
+        match board::kept(kind, item) {
             Err(reason) => add(Some(index), FindingKind::Refused { command, reason }),
             Ok(_) if kind == ListKind::Plan && !vehicle.flies(command) => {
                 add(Some(index), FindingKind::Skipped { command, vehicle });

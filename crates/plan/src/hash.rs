@@ -2,11 +2,13 @@
 
 use std::fmt;
 
-use crate::{HeightFrame, Item, board, command};
+use crate::{HeightFrame, Item, ListKind, board, command};
 
-/// CRC-32 (ISO-HDLC) of the items of a list in a normal form, which is the same for what a ground station sends and
-/// what the vehicle sends back: both spellings of a frame are one, unset parameters are 0, and commands without a place
-/// have no frame and no place. `auto_continue` does not count: ArduPilot does not keep it.
+/// CRC-32 (ISO-HDLC) of the items of a list in the form in which the vehicle stores them ([`board`]), which is the same
+/// for a file, for what a ground station sends and for what the vehicle sends back: parameters that a command does not
+/// use are gone, numbers are as short as storage makes them, both spellings of a frame are one, and commands without a
+/// place have no frame and no place. Items that a vehicle refuses count as they are. `auto_continue` does not count:
+/// ArduPilot does not keep it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ContentHash(pub u32);
 
@@ -15,7 +17,7 @@ impl ContentHash {
     pub fn of(items: &[Item]) -> Self {
         let mut crc = u32::MAX;
         for item in items {
-            let item = board::without_leftovers(item);
+            let item = stored(item);
             let mut add = |bytes: &[u8]| {
                 for byte in bytes {
                     crc = (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)];
@@ -40,6 +42,23 @@ impl ContentHash {
         }
         Self(!crc)
     }
+}
+
+/// An item as the vehicle stores it.
+fn stored(item: &Item) -> Item {
+    let kind = if command::is_fence(item.command) {
+        ListKind::Fence
+    } else if item.command == command::RALLY_POINT {
+        ListKind::Rally
+    } else {
+        ListKind::Plan
+    };
+    // Not every command may be sent with parameters that are not set.
+    let set = Item {
+        params: item.params.map(normal),
+        ..*item
+    };
+    board::kept(kind, &board::as_sent(&set)).unwrap_or(set)
 }
 
 /// NaN and the two zeros as one number.
@@ -109,7 +128,7 @@ mod tests {
         let of = |item| ContentHash::of(&[item]);
         let same = Item {
             frame: 6,
-            params: [0.0, -0.0, 0.0, 0.0],
+            params: [0.9, -0.0, 7.0, 90.0],
             auto_continue: false,
             ..WAYPOINT
         };
@@ -144,5 +163,55 @@ mod tests {
             ..Item::default()
         };
         assert_eq!(of(home), of(bare));
+    }
+
+    /// Whatever storage does to an item, its hash stays.
+    #[test]
+    fn a_list_has_the_same_hash_in_a_file_and_on_board() {
+        let land = Item {
+            command: command::LAND,
+            ..WAYPOINT
+        };
+        let hold = Item {
+            params: [2.5, 0.0, 0.0, f32::NAN],
+            ..WAYPOINT
+        };
+        let stay = Item {
+            command: command::LOITER_TIME,
+            params: [10.0, 3.0, 0.0, 0.0],
+            ..WAYPOINT
+        };
+        let circle = Item {
+            command: command::FENCE_CIRCLE_INCLUSION,
+            params: [40.0004, 2.0, 0.0, 0.0],
+            ..WAYPOINT
+        };
+        let rally = Item {
+            command: command::RALLY_POINT,
+            params: [1.0; 4],
+            z: 30.7,
+            ..WAYPOINT
+        };
+        let place = Item {
+            command: command::PAYLOAD_PLACE,
+            params: [0.29, 0.0, 0.0, 0.0],
+            z: 20.3,
+            ..WAYPOINT
+        };
+        for (kind, sent) in [
+            (ListKind::Plan, land),
+            (ListKind::Plan, hold),
+            (ListKind::Plan, stay),
+            (ListKind::Plan, place),
+            (ListKind::Fence, circle),
+            (ListKind::Rally, rally),
+        ] {
+            let held = board::kept(kind, &board::as_sent(&sent)).expect("valid");
+            assert_eq!(
+                ContentHash::of(&[held]),
+                ContentHash::of(&[sent]),
+                "{sent:?}"
+            );
+        }
     }
 }

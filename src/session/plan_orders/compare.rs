@@ -26,7 +26,7 @@ pub(super) fn check(kind: ListKind, own: &[Item]) -> Result<(), Text> {
         Err(text!("refused-plan-item", item = number, reason = reason))
     };
     for (item, number) in own.iter().zip(home(kind)..) {
-        if let Err(refusal) = kept(kind, item) {
+        if let Err(refusal) = board::kept(kind, item) {
             return refused(number, refusal_of(refusal, item));
         }
         if let (ListKind::Plan, Some(target)) = (kind, board::wrong_jump(item, total)) {
@@ -39,15 +39,6 @@ pub(super) fn check(kind: ListKind, own: &[Item]) -> Result<(), Text> {
             Ok(_) => Ok(()),
         },
         ListKind::Plan | ListKind::Rally => Ok(()),
-    }
-}
-
-/// An item as the vehicle stores it.
-fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
-    match kind {
-        ListKind::Plan => board::plan_item(item),
-        ListKind::Fence => board::fence_item(item),
-        ListKind::Rally => board::rally_item(item),
     }
 }
 
@@ -106,7 +97,7 @@ pub(super) fn is_held(kind: ListKind, sent: &[Item], held: &[Item]) -> bool {
 }
 
 fn is_item(kind: ListKind, sent: &Item, held: &Item) -> bool {
-    let kept = kept(kind, sent).unwrap_or(*sent);
+    let kept = board::kept(kind, sent).unwrap_or(*sent);
     let rounding = match kind {
         ListKind::Plan | ListKind::Fence => ROUNDING,
         ListKind::Rally => RALLY_ROUNDING,

@@ -20,17 +20,21 @@ pub(super) fn path(kind: ListKind) -> &'static str {
 
 /// The payload of `MISSION_ITEM_INT`, also for commands and frames that are missing from the dialect.
 pub(super) fn laid_out(item: &Item, seq: u16, to: MavAddress, kind: ListKind) -> Vec<u8> {
+    let sent = match kind {
+        ListKind::Plan => board::as_sent(item),
+        ListKind::Fence | ListKind::Rally => *item,
+    };
     let mut bytes = Vec::with_capacity(ITEM);
-    for value in item.params {
+    for value in sent.params {
         bytes.extend(value.to_le_bytes());
     }
-    bytes.extend(item.x.to_le_bytes());
-    bytes.extend(item.y.to_le_bytes());
-    bytes.extend(item.z.to_le_bytes());
+    bytes.extend(sent.x.to_le_bytes());
+    bytes.extend(sent.y.to_le_bytes());
+    bytes.extend(sent.z.to_le_bytes());
     bytes.extend(seq.to_le_bytes());
-    bytes.extend(item.command.to_le_bytes());
-    bytes.extend([to.system, to.component, item.frame, 0]);
-    bytes.extend([u8::from(item.auto_continue), kind.number()]);
+    bytes.extend(sent.command.to_le_bytes());
+    bytes.extend([to.system, to.component, sent.frame, 0]);
+    bytes.extend([u8::from(sent.auto_continue), kind.number()]);
     bytes
 }
 
