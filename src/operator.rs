@@ -20,13 +20,14 @@ use crate::session::{Steering, VehicleCommand};
 use crate::swarm::{Conductor, Path, Rules};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId, Vehicles};
+use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 
 mod rehearsing;
 #[cfg(test)]
 mod tests;
 
-pub use rehearsing::{Meeting, PlanRehearsal, Rehearsed};
+use rehearsing::Winds;
+pub use rehearsing::{FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings, Rehearsed};
 
 /// Work for the owner of an operator.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,12 +146,7 @@ impl Operator {
             }
             Act::Manoeuvre(_) => self.assign(entry, order, &scene).0,
             Act::Plans(task) => self.put_plans(entry, order, task, &scene),
-            Act::Rehearse => {
-                let (rows, rehearsal) =
-                    rehearsing::prepare(entry, order, scene.vehicles, scene.now);
-                let rows = rows.into_iter().map(Dispatch::Row);
-                rows.chain(rehearsal.map(Dispatch::Rehearse)).collect()
-            }
+            Act::Rehearse { wind } => prepare_rehearsal(entry, order, *wind, &scene),
             Act::Deed(deed) => done_by_mission(entry, order, deed, scene),
         }
     }
@@ -242,6 +238,27 @@ impl Operator {
     pub fn paths(&self) -> Vec<Path> {
         self.conductor.paths()
     }
+}
+
+/// Prepares a rehearsal, with the wind and the airframes of the mission.
+fn prepare_rehearsal(
+    entry: EntryId,
+    order: &Order,
+    given: Option<Wind>,
+    scene: &OperatorScene<'_>,
+) -> Vec<Dispatch> {
+    let flight = scene.flight.as_deref();
+    let winds = Winds {
+        given,
+        of_mission: flight.map(Flight::wind),
+    };
+    let prepared = rehearsing::prepare(entry, order, winds, scene.vehicles, scene.now);
+    let (rows, mut rehearsal) = prepared;
+    if let Some((rehearsal, flight)) = rehearsal.as_mut().zip(flight) {
+        rehearsal.set_airframes(&flight.mission().airframes());
+    }
+    let rows = rows.into_iter().map(Dispatch::Row);
+    rows.chain(rehearsal.map(Dispatch::Rehearse)).collect()
 }
 
 /// Passes an order to the mission; without a mission it is refused.

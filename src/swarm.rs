@@ -173,7 +173,7 @@ impl Conductor {
                     rows: self.begin(call, vehicles, now),
                 }
             }
-            Act::Deed(_) | Act::Plans(_) | Act::Rehearse => Assignment::default(),
+            Act::Deed(_) | Act::Plans(_) | Act::Rehearse { .. } => Assignment::default(),
         }
     }
 

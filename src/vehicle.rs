@@ -11,6 +11,8 @@ use crate::geo::maths;
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
 mod carried;
+mod check_rules;
+mod fence_switch;
 mod leg;
 mod limits;
 mod mode;
@@ -23,6 +25,8 @@ mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
 pub use carried::CarriedLists;
+pub use check_rules::check_rules;
+pub use fence_switch::FenceSwitch;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};

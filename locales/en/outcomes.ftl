@@ -98,6 +98,11 @@ outcome-log-sum-none = no checksum: { $reason }
 outcome-log-no-file = no file of the listed size
 outcome-logs-stopped = stopped; what was read is kept; repeat the download to continue
 outcome-plan-written = { $count } items ({ $mark }), read back and compared
+outcome-plan-warned = { $count ->
+    [one] warning: { $warnings }
+   *[other] warnings: { $warnings }
+ }
+outcome-plan-warned-more = warnings: { $warnings }; { $more } more
 outcome-plan-same = { $count } items ({ $mark }) were already on board
 outcome-plan-read = { $count } items ({ $mark })
 outcome-plan-saved = { $count } items saved: { $file }
@@ -122,9 +127,19 @@ rehearse-ends-in-air = the plan ends in the air after { $time }; uses { $used } 
 rehearse-battery = uses { $used } % of the battery: more than is left
 rehearse-meets = comes too close to another vehicle; flight time { $time }
 rehearse-fence = breaks its fence after { $time }
-rehearse-left-plan = leaves its plan after { $time } (mode { $mode })
+rehearse-left-plan = leaves its plan for { $mode } and ends after { $time }
 rehearse-grounded = does not take off
 rehearse-crashed = collides after { $time }
 rehearse-time-up = still flying after { $time }
 rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m horizontally, { $vertical } m vertically
+rehearse-late = rehearsal: { $a } and { $b } come too close if one of them is { $late } s late
+rehearse-conditions = rehearsal: { $wind }; { $airframes }
+rehearse-wind-given = wind { $speed } m/s from { $from }° (given)
+rehearse-wind-estimated = wind { $speed } m/s from { $from }° (estimated by { $vehicle })
+rehearse-wind-mission = wind { $speed } m/s from { $from }° (of the mission)
+rehearse-wind-simulator = wind { $speed } m/s from { $from }° (`SIM_WIND_SPD`)
+rehearse-wind-unknown = calm air, the wind is unknown; `plan rehearse wind 270 8` gives one
+rehearse-airframes-own = airframes of the session's drones
+rehearse-airframes-standard = standard airframe
+rehearse-airframes-mixed = airframes of the session's drones, for { $vehicles } the standard one
 rehearse-closest = rehearsal: { $a } and { $b } come closest, at { $time }: { $horizontal } m horizontally, { $vertical } m vertically

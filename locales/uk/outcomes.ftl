@@ -103,6 +103,11 @@ outcome-log-sum-none = без контрольної суми: { $reason }
 outcome-log-no-file = немає файлу вказаного розміру
 outcome-logs-stopped = зупинено; прочитане збережено; повторіть завантаження, щоб продовжити
 outcome-plan-written = пунктів { $count } ({ $mark }): зчитано назад і порівняно
+outcome-plan-warned = { $count ->
+    [one] попередження: { $warnings }
+   *[other] попередження: { $warnings }
+ }
+outcome-plan-warned-more = попередження: { $warnings }; ще { $more }
 outcome-plan-same = ці пункти ({ $count }, { $mark }) вже на борту
 outcome-plan-read = пунктів { $count } ({ $mark })
 outcome-plan-saved = збережено пунктів: { $count }, файл { $file }
@@ -127,9 +132,19 @@ rehearse-ends-in-air = план закінчується в повітрі че�
 rehearse-battery = витрачає { $used } % заряду: більше, ніж лишилося
 rehearse-meets = надто зближується з іншим апаратом; час польоту { $time }
 rehearse-fence = порушує геозону через { $time }
-rehearse-left-plan = залишає план через { $time } (режим { $mode })
+rehearse-left-plan = переходить із плану в { $mode }; кінець через { $time }
 rehearse-grounded = не злітає
 rehearse-crashed = зіткнення через { $time }
 rehearse-time-up = через { $time } ще летить
 rehearse-conflict = випробування: { $a } і { $b } надто зближуються на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі
+rehearse-late = випробування: { $a } і { $b } надто зближуються, якщо один із них запізниться на { $late } s
+rehearse-conditions = випробування: { $wind }; { $airframes }
+rehearse-wind-given = вітер { $speed } m/s з напрямку { $from }° (заданий)
+rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from }° (за оцінкою { $vehicle })
+rehearse-wind-mission = вітер { $speed } m/s з напрямку { $from }° (за завданням)
+rehearse-wind-simulator = вітер { $speed } m/s з напрямку { $from }° (`SIM_WIND_SPD`)
+rehearse-wind-unknown = тиша, бо вітер невідомий; задати його: `plan rehearse wind 270 8`
+rehearse-airframes-own = рами дронів цього сеансу
+rehearse-airframes-standard = стандартна рама
+rehearse-airframes-mixed = рами дронів цього сеансу, для { $vehicles } — стандартна
 rehearse-closest = випробування: найближче — { $a } і { $b } на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі

@@ -20,7 +20,7 @@ use crate::ledger::{Risk, RowUpdate};
 use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
 use crate::notice::Notice;
-use crate::operator::Meeting;
+use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
@@ -128,8 +128,8 @@ pub enum VehicleEvent {
     Row(RowUpdate),
     /// The paths that vehicles of a manoeuvre will fly.
     Paths(Vec<Path>),
-    /// Where vehicles come too close to each other in the newest rehearsal.
-    Meetings(Vec<Meeting>),
+    /// A rehearsal is over.
+    Rehearsed(RehearsalFindings),
 }
 
 #[derive(Debug, Clone)]

@@ -148,7 +148,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             return order_advanced(state, &row);
         }
         VehicleEvent::Paths(paths) => state.session.paths = paths,
-        VehicleEvent::Meetings(meetings) => state.session.meetings = meetings,
+        VehicleEvent::Rehearsed(findings) => state.session.note_rehearsal(findings),
     }
     state.touch();
     Effects::none()

@@ -3,7 +3,7 @@
 use super::{Command, Deed, Manoeuvre, PlanCommand, PlanTask};
 use crate::ledger::{Given, Risk};
 use crate::text::Text;
-use crate::vehicle::{VehicleId, Vehicles};
+use crate::vehicle::{VehicleId, Vehicles, Wind};
 use crate::verb::Verb;
 
 /// A command to vehicles or the mission.
@@ -39,7 +39,10 @@ pub enum Act {
     /// Each target gets a plan of its own.
     Plans(PlanTask),
     /// The plans on board are flown in simulation; no vehicle notices.
-    Rehearse,
+    Rehearse {
+        /// The wind to fly in; `None` for the known one.
+        wind: Option<Wind>,
+    },
 }
 
 impl Order {
@@ -49,7 +52,7 @@ impl Order {
         match &self.act {
             Act::Command(command) => targets.find_map(|vehicle| command.hazard(vehicle)),
             Act::Plans(_) => targets.find_map(|vehicle| PlanCommand::replacing_hazard(vehicle)),
-            Act::Deed(_) | Act::Manoeuvre(_) | Act::Rehearse => None,
+            Act::Deed(_) | Act::Manoeuvre(_) | Act::Rehearse { .. } => None,
         }
     }
 }
@@ -58,7 +61,9 @@ impl Act {
     pub fn risk(&self) -> Risk {
         match self {
             Self::Command(command) => command.risk(),
-            Self::Deed(_) | Self::Manoeuvre(_) | Self::Plans(_) | Self::Rehearse => Risk::None,
+            Self::Deed(_) | Self::Manoeuvre(_) | Self::Plans(_) | Self::Rehearse { .. } => {
+                Risk::None
+            }
         }
     }
 }

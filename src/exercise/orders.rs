@@ -80,7 +80,12 @@ impl<L> Exercise<L> {
                 }
             }
             Dispatch::Notice(notice) => self.tell(since(self.prelude, notice), now),
-            Dispatch::Rehearse(rehearsal) => {
+            Dispatch::Rehearse(mut rehearsal) => {
+                for vehicle in rehearsal.vehicles() {
+                    if let Some(session) = session(&mut self.seats, vehicle) {
+                        rehearsal.set_parameters(vehicle, &session.parameters().list);
+                    }
+                }
                 let rehearsed = rehearsal.fly(now);
                 for row in &rehearsed.rows {
                     self.advance_row(row, now);

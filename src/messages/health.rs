@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavSysStatusSensor, SYS_STATUS_DATA};
+use mavlink::dialects::ardupilotmega::SYS_STATUS_DATA;
 
 use crate::vehicle::{Health, Vehicle};
 
@@ -25,8 +25,9 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &SYS_STATUS_DATA, now: Duration
     if health.prearm_ok() && !before.is_some_and(|before| before.prearm_ok()) {
         vehicle.prearm.clear();
     }
-    let fence = MavSysStatusSensor::MAV_SYS_STATUS_GEOFENCE.bits();
-    if before.is_some_and(|before| before.enabled & fence != 0) && health.enabled & fence == 0 {
+    if before.is_some_and(|before| before.enabled & Health::FENCE != 0)
+        && health.enabled & Health::FENCE == 0
+    {
         vehicle.fence = None;
     }
 }

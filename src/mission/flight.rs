@@ -21,7 +21,7 @@ use crate::notice::Notice;
 use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId, Vehicles};
+use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 
 mod clues;
 mod deeds;
@@ -239,6 +239,15 @@ impl Flight {
     /// The seed of everything random in the mission.
     pub fn seed(&self) -> u64 {
         self.seed
+    }
+
+    /// The mean wind at the start, as the brief gives it.
+    pub fn wind(&self) -> Wind {
+        let wind = self.mission.site.weather.wind;
+        Wind {
+            from_deg: wind.from_deg as f32,
+            speed_m_s: wind.speed_m_s as f32,
+        }
     }
 
     /// The mission that is flown.

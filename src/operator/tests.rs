@@ -8,6 +8,8 @@ use crate::mission::{Flight, Mission, Stake};
 use crate::vehicle::Vehicle;
 use std::sync::Arc;
 
+mod rehearsing;
+
 const FLEET: [VehicleId; 3] = [1, 2, 3];
 
 fn vehicles() -> Vehicles {

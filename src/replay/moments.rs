@@ -95,7 +95,7 @@ impl Lookout {
                     VehicleEvent::Parameters { .. }
                     | VehicleEvent::Given { .. }
                     | VehicleEvent::Paths(_)
-                    | VehicleEvent::Meetings(_),
+                    | VehicleEvent::Rehearsed(_),
                 )
                 | Event::Session(
                     SessionEvent::Started(_)

@@ -17,6 +17,7 @@ use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
 use crate::record::{Happening, NoticeLine};
 use crate::session::Report;
+use crate::sim::Airframe;
 use crate::swarm::Path;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
@@ -62,6 +63,8 @@ pub(super) struct RunningSession {
     pace: watch::Sender<SimulatorPace>,
     operator: Operator,
     rehearsals: Rehearsals,
+    /// The airframes of the simulated vehicles; empty for the standard one.
+    airframes: Vec<Arc<Airframe>>,
     /// The paths of manoeuvres, as last shown.
     paths: Vec<Path>,
     vehicle_time: PacedClock,

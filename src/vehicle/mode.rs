@@ -188,6 +188,14 @@ impl VehicleClass {
 }
 
 impl Mode {
+    /// A mode of a copter by its number.
+    pub fn copter(number: u8) -> Self {
+        Self {
+            class: VehicleClass::Copter,
+            number: u32::from(number),
+        }
+    }
+
     /// The mode's name, if its class has a name for the number.
     pub fn name(self) -> Option<&'static str> {
         self.class

@@ -148,6 +148,16 @@ impl Health {
     /// The bit of the checks before arming.
     pub const PREARM: u32 = MavSysStatusSensor::MAV_SYS_STATUS_PREARM_CHECK.bits();
 
+    /// The bit of the fence.
+    pub const FENCE: u32 = MavSysStatusSensor::MAV_SYS_STATUS_GEOFENCE.bits();
+
+    /// Whether the fence is on; `None` without a fence. One that only reports breaches (`FENCE_ACTION` 0) is shown as
+    /// off.
+    pub fn fence_on(&self) -> Option<bool> {
+        let is_present = self.present & Self::FENCE != 0;
+        is_present.then_some(self.enabled & Self::FENCE != 0)
+    }
+
     /// Whether all checks before arming pass, in the current mode only.
     pub fn prearm_ok(&self) -> bool {
         self.healthy & Self::PREARM != 0
@@ -251,7 +261,7 @@ pub struct Fence {
     pub breach_type: u8,
 }
 
-/// The wind as the vehicle estimates it (WIND).
+/// The mean wind: as the vehicle estimates it (WIND), or as it is known from elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wind {
     /// The direction that it comes from, degrees clockwise from north.

@@ -44,6 +44,7 @@ fn participant(number: u32) -> Participant {
         airframe: None,
         delay_s: 0.0,
         parameters: Vec::new(),
+        fence_switch: None,
     }
 }
 

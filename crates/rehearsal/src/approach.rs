@@ -7,8 +7,8 @@ pub const TOO_NEAR_M: f64 = 5.0;
 /// The vertical limit of a conflict, in metres.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
-/// The distance at the start below which two vehicles have a smaller horizontal limit, in metres.
-const NEIGHBOURS_M: f64 = 6.5;
+/// The distance at the start below which two vehicles have a smaller horizontal limit, as a factor on the usual limit.
+const NEIGHBOURS: f64 = 1.3;
 /// That limit as a share of their distance at the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
 /// The smallest horizontal limit, in metres.
@@ -33,9 +33,17 @@ pub struct Approach {
     /// The horizontal limit of these two vehicles, in metres: [`TOO_NEAR_M`], or less if they started close to each
     /// other.
     pub limit_m: f64,
+    /// The least number of whole seconds by which one of them has to be late for a conflict: 0 if they are in conflict
+    /// anyway, `None` if more than [`LATE_S`](crate::LATE_S).
+    pub late_s: Option<u32>,
 }
 
 impl Approach {
+    /// Whether they are in no conflict, even if one of them is late by up to so many seconds.
+    pub fn is_apart(&self, late_s: u32) -> bool {
+        self.late_s.is_none_or(|least| least > late_s)
+    }
+
     /// Whether the vehicles came too close to each other.
     pub fn is_conflict(&self) -> bool {
         self.horizontal_m < self.limit_m && self.vertical_m < TOO_NEAR_VERTICALLY_M
@@ -51,10 +59,16 @@ impl Approach {
 
 /// The horizontal limit of two vehicles that start at this distance from each other, in metres.
 pub(crate) fn limit_m(starts_m: f64) -> f64 {
-    if starts_m < NEIGHBOURS_M {
-        (starts_m * NEIGHBOURS_SHARE).clamp(LEAST_LIMIT_M, TOO_NEAR_M)
+    neighbours_limit_m(starts_m.max(LEAST_LIMIT_M), TOO_NEAR_M)
+}
+
+/// The horizontal limit of two vehicles whose pads are so far apart, in metres; `usual_m` is that of vehicles from
+/// distant pads. Pads less than a metre apart are the same place, of which nothing follows.
+pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
+    if (LEAST_LIMIT_M..usual_m * NEIGHBOURS).contains(&pads_m) {
+        (pads_m * NEIGHBOURS_SHARE).max(LEAST_LIMIT_M).min(usual_m)
     } else {
-        TOO_NEAR_M
+        usual_m
     }
 }
 
@@ -129,6 +143,7 @@ impl Closest {
                     vertical_m: up.abs(),
                     at_s: f64::from(*sample) * sample_s,
                     limit_m: *limit_m,
+                    late_s: None,
                     place: origin.moved(
                         f64::midpoint(first[0], second[0]),
                         f64::midpoint(first[1], second[1]),

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use sortie_geo::maths;
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
-use crate::approach::{TOO_NEAR_M, nearness};
+use crate::approach::{TOO_NEAR_M, limit_m};
+use crate::late::{LATE_S, Shifted, are_apart, points_in};
 use crate::order::best_order;
-use crate::place::{self, Place, TRACK_EVERY, Track, sample_s};
+use crate::place::{self, Place, Track};
 use crate::stage::Stage;
 use crate::{Conditions, Outcome, Participant, RehearsalError, rehearse};
 
@@ -84,14 +86,16 @@ pub struct Proposal {
     pub remedies: Vec<Remedy>,
     /// The time that the changes cost, in seconds, summed over all vehicles.
     pub lost_s: f64,
+    /// All pairs stay apart even if one vehicle is so many seconds late: [`LATE_S`], or 0 if that cannot be reached.
+    pub late_s: u32,
     /// The rehearsal with the changes.
     pub outcome: Outcome,
 }
 
-/// Finds later starts, or layers `layer_m` apart, that leave no conflict, whichever loses less time; `None` if neither
-/// does. Vehicles are placed one after the other, each as early or as low as those before it allow, in the order that
-/// loses the least in all: of all orders for a few vehicles, of many for more. The participants' own delays are taken
-/// as 0.
+/// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is [`LATE_S`] late, whichever
+/// loses less time; without that margin if it cannot be reached; `None` if there is always a conflict. Vehicles are
+/// placed one after the other, each as early or as low as those before it allow, in the order that loses the least in
+/// all: of all orders for a few vehicles, of many for more. The participants' own delays are taken as 0.
 ///
 /// # Errors
 /// See [`RehearsalError`].
@@ -108,38 +112,58 @@ pub fn deconflict(
         })
         .collect();
     let first = rehearse(&together, conditions)?;
-    if first.conflicts().next().is_none() {
-        return Ok(Some(Proposal {
-            remedies: vec![Remedy::Nothing; together.len()],
-            lost_s: 0.0,
-            outcome: first,
-        }));
+    if first.is_apart(LATE_S) {
+        return Ok(Some(unchanged(first, LATE_S)));
     }
     let alone = alone(&together, conditions)?;
     let times: Vec<f64> = alone.iter().map(|(time_s, _)| *time_s).collect();
     let tracks: Vec<Track> = alone.into_iter().map(|(_, track)| track).collect();
-    let proposals = [
-        by_delays(&together, conditions, &tracks)?,
-        by_layers(&together, conditions, &first, layer_m)?,
-    ];
-    let lost = |proposal: Proposal| {
-        let flown = proposal
-            .outcome
-            .vehicles
-            .iter()
-            .zip(&times)
-            .zip(&proposal.remedies);
+    for late_s in [LATE_S, 0] {
+        let search = Search {
+            participants: &together,
+            conditions,
+            late_s,
+        };
+        let proposals = [
+            search.by_delays(&tracks)?,
+            search.by_layers(&first, layer_m)?,
+        ];
+        let found = proposals.into_iter().flatten().map(|it| it.costed(&times));
+        let best = found.min_by(|a, b| a.lost_s.total_cmp(&b.lost_s));
+        if best.is_some() {
+            return Ok(best);
+        }
+        if late_s == LATE_S && first.is_apart(0) {
+            return Ok(Some(unchanged(first, 0)));
+        }
+    }
+    Ok(None)
+}
+
+/// The proposal to change nothing.
+fn unchanged(outcome: Outcome, late_s: u32) -> Proposal {
+    Proposal {
+        remedies: vec![Remedy::Nothing; outcome.vehicles.len()],
+        lost_s: 0.0,
+        late_s,
+        outcome,
+    }
+}
+
+impl Proposal {
+    /// With the time that it costs, compared with the times of the vehicles flying alone.
+    fn costed(self, times_s: &[f64]) -> Self {
+        let vehicles = self.outcome.vehicles.iter();
+        let flown = vehicles.zip(times_s).zip(&self.remedies);
         let lost_s = flown.map(|((flown, before_s), remedy)| match remedy {
             Remedy::Delay(seconds) => f64::from(*seconds),
             Remedy::Nothing | Remedy::Layer(_) => flown.time_s - before_s,
         });
-        Proposal {
+        Self {
             lost_s: lost_s.sum::<f64>().max(0.0),
-            ..proposal
+            ..self
         }
-    };
-    let found = proposals.into_iter().flatten().map(lost);
-    Ok(found.min_by(|a, b| a.lost_s.total_cmp(&b.lost_s)))
+    }
 }
 
 /// The time and the track of each vehicle flying alone: a collision would end the flights of both.
@@ -164,59 +188,90 @@ pub(crate) fn alone(
     participants.iter().zip(&places).map(fly).collect()
 }
 
-fn tried(
-    participants: &[Participant],
-    conditions: &Conditions,
-    remedies: Vec<Remedy>,
-) -> Result<Proposal, RehearsalError> {
-    // As they are written to files, so that what is found holds for the files.
-    let changed: Vec<Participant> = participants
-        .iter()
-        .zip(&remedies)
-        .map(|(participant, remedy)| Participant {
-            document: remedy.apply(&participant.document),
-            ..participant.clone()
-        })
-        .collect();
-    let mut conditions = conditions.clone();
-    if remedies
-        .iter()
-        .any(|remedy| matches!(remedy, Remedy::Delay(_)))
-    {
-        // A vehicle that waits on the ground must not disarm.
-        conditions.parameters.push(("DISARM_DELAY".to_owned(), 0.0));
-    }
-    Ok(Proposal {
-        remedies,
-        lost_s: 0.0,
-        outcome: rehearse(&changed, &conditions)?,
-    })
+/// A search for changes.
+pub(crate) struct Search<'a> {
+    pub(crate) participants: &'a [Participant],
+    pub(crate) conditions: &'a Conditions,
+    /// How late a vehicle may be, in seconds.
+    pub(crate) late_s: u32,
 }
 
-pub(crate) fn by_delays(
-    participants: &[Participant],
-    conditions: &Conditions,
-    tracks: &[Track],
-) -> Result<Option<Proposal>, RehearsalError> {
-    for margin in MARGINS {
-        let Some(delays) = delays(tracks, margin * margin) else {
-            return Ok(None);
-        };
-        let remedies = delays.into_iter().map(|delay| match delay {
-            0 => Remedy::Nothing,
-            seconds => Remedy::Delay(seconds),
+impl Search<'_> {
+    /// The rehearsal with the changes.
+    fn tried(&self, remedies: Vec<Remedy>) -> Result<Proposal, RehearsalError> {
+        // As they are written to files, so that what is found holds for the files.
+        let pairs = self.participants.iter().zip(&remedies);
+        let changed = pairs.map(|(participant, remedy)| Participant {
+            document: remedy.apply(&participant.document),
+            ..participant.clone()
         });
-        let proposal = tried(participants, conditions, remedies.collect())?;
-        if proposal.outcome.conflicts().next().is_none() {
-            return Ok(Some(proposal));
-        }
+        let changed: Vec<Participant> = changed.collect();
+        Ok(Proposal {
+            remedies,
+            lost_s: 0.0,
+            late_s: self.late_s,
+            outcome: rehearse(&changed, self.conditions)?,
+        })
     }
-    Ok(None)
+
+    /// Later starts.
+    pub(crate) fn by_delays(&self, tracks: &[Track]) -> Result<Option<Proposal>, RehearsalError> {
+        for margin in MARGINS {
+            let Some(delays) = delays(tracks, margin * margin, self.late_s) else {
+                return Ok(None);
+            };
+            let remedies = delays.into_iter().map(|delay| match delay {
+                0 => Remedy::Nothing,
+                seconds => Remedy::Delay(seconds),
+            });
+            let proposal = self.tried(remedies.collect())?;
+            if proposal.outcome.is_apart(self.late_s) {
+                return Ok(Some(proposal));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Separate heights.
+    pub(crate) fn by_layers(
+        &self,
+        first: &Outcome,
+        layer_m: f32,
+    ) -> Result<Option<Proposal>, RehearsalError> {
+        let mut near = self.near_pairs(first);
+        for _ in 0..LAYER_ROUNDS {
+            let layers = layers(self.participants.len(), &near);
+            let remedies = layers.into_iter().map(|layer| match layer {
+                0 => Remedy::Nothing,
+                layer => Remedy::Layer(layer_m * layer as f32),
+            });
+            let proposal = self.tried(remedies.collect())?;
+            let left = self.near_pairs(&proposal.outcome);
+            if left.is_empty() {
+                return Ok(Some(proposal));
+            }
+            if left.iter().all(|pair| near.contains(pair)) {
+                // They are in different layers already, and meet while climbing or descending.
+                return Ok(None);
+            }
+            near.extend(left);
+        }
+        Ok(None)
+    }
+
+    /// The pairs that come too close to each other, also if one of them is late.
+    fn near_pairs(&self, outcome: &Outcome) -> Vec<(usize, usize)> {
+        let near = outcome
+            .closest
+            .iter()
+            .filter(|it| !it.is_apart(self.late_s));
+        near.map(|it| (it.a, it.b)).collect()
+    }
 }
 
 /// The delays with the least sum that keep the vehicles apart.
-fn delays(tracks: &[Track], limit: f64) -> Option<Vec<u32>> {
-    let mut pairs = Pairs::new(tracks, limit);
+fn delays(tracks: &[Track], factor: f64, late_s: u32) -> Option<Vec<u32>> {
+    let mut pairs = Pairs::new(tracks, factor, late_s);
     let found = best_order(tracks.len(), |order| {
         let delays = delays_in(order, &mut pairs)?;
         Some((delays.iter().sum(), delays))
@@ -231,7 +286,10 @@ fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
         let mut candidates = (0..=LONGEST_DELAY_S).step_by(DELAY_STEP_S as usize);
         delays[vehicle] = candidates.find(|delay| {
             let mut earlier = order[..place].iter();
-            earlier.all(|other| pairs.are_apart((vehicle, *delay), (*other, delays[*other])))
+            earlier.all(|other| {
+                let after_s = i64::from(*delay) - i64::from(delays[*other]);
+                pairs.are_apart(vehicle, *other, after_s)
+            })
         })?;
     }
     Some(delays)
@@ -240,82 +298,47 @@ fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
 /// Which pairs stay apart with which difference of their delays, as far as it has been asked.
 struct Pairs<'a> {
     tracks: &'a [Track],
-    limit: f64,
+    /// The factor on the squares of the limits.
+    factor: f64,
+    late_s: i64,
     known: BTreeMap<(usize, usize, i64), bool>,
 }
 
 impl<'a> Pairs<'a> {
-    fn new(tracks: &'a [Track], limit: f64) -> Self {
+    fn new(tracks: &'a [Track], factor: f64, late_s: u32) -> Self {
         Self {
             tracks,
-            limit,
+            factor,
+            late_s: i64::from(late_s),
             known: BTreeMap::new(),
         }
     }
 
-    fn are_apart(&mut self, (a, a_delay): (usize, u32), (b, b_delay): (usize, u32)) -> bool {
-        let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
-        let least = a_delay.min(b_delay);
-        let shift = |delay: u32| (delay - least) as usize * per_second;
-        let (tracks, limit) = (self.tracks, self.limit);
-        let key = (a, b, i64::from(a_delay) - i64::from(b_delay));
-        *self.known.entry(key).or_insert_with(|| {
-            are_apart(
-                (&tracks[a], shift(a_delay)),
-                (&tracks[b], shift(b_delay)),
-                limit,
-            )
+    /// Whether `a` stays away from `b` if it starts so many seconds after it, or one of them is late.
+    fn are_apart(&mut self, a: usize, b: usize, after_s: i64) -> bool {
+        let mut differences = after_s - self.late_s..=after_s + self.late_s;
+        differences.all(|difference_s| self.are_apart_at(a, b, difference_s))
+    }
+
+    fn are_apart_at(&mut self, a: usize, b: usize, after_s: i64) -> bool {
+        let (tracks, factor) = (self.tracks, self.factor);
+        *self.known.entry((a, b, after_s)).or_insert_with(|| {
+            let shift = points_in(u32::try_from(after_s.unsigned_abs()).unwrap_or(u32::MAX));
+            let (a_by, b_by) = if after_s > 0 { (shift, 0) } else { (0, shift) };
+            let (a, b) = (&tracks[a], &tracks[b]);
+            let (first, second) = (Shifted::new(a, a_by), Shifted::new(b, b_by));
+            are_apart(first, second, pads_limit_m(a, b), factor)
         })
     }
 }
 
-/// Whether two vehicles that start after so many points stay apart.
-fn are_apart((a, a_shift): (&Track, usize), (b, b_shift): (&Track, usize), limit: f64) -> bool {
-    let end = (a.points.len() + a_shift).max(b.points.len() + b_shift);
-    // A vehicle that ends in the air stays there.
-    let at = |track: &Track, shift: usize, time: usize| {
-        let index = time
-            .checked_sub(shift)?
-            .min(track.points.len().checked_sub(1)?);
-        track.points[index]
+/// The horizontal limit of two vehicles, by the places at which they leave the ground.
+fn pads_limit_m(a: &Track, b: &Track) -> f64 {
+    let first = |track: &Track| track.points.iter().flatten().next().copied();
+    let Some(([a_north, a_east, _], [b_north, b_east, _])) = first(a).zip(first(b)) else {
+        return TOO_NEAR_M;
     };
-    (a_shift.max(b_shift)..end).all(|time| match (at(a, a_shift, time), at(b, b_shift, time)) {
-        (Some(a), Some(b)) => nearness(a, b, TOO_NEAR_M) >= limit,
-        (None, _) | (_, None) => true,
-    })
-}
-
-pub(crate) fn by_layers(
-    participants: &[Participant],
-    conditions: &Conditions,
-    first: &Outcome,
-    layer_m: f32,
-) -> Result<Option<Proposal>, RehearsalError> {
-    let pairs = |outcome: &Outcome| -> Vec<(usize, usize)> {
-        outcome
-            .conflicts()
-            .map(|approach| (approach.a, approach.b))
-            .collect()
-    };
-    let mut near = pairs(first);
-    for _ in 0..LAYER_ROUNDS {
-        let layers = layers(participants.len(), &near);
-        let remedies = layers.into_iter().map(|layer| match layer {
-            0 => Remedy::Nothing,
-            layer => Remedy::Layer(layer_m * layer as f32),
-        });
-        let proposal = tried(participants, conditions, remedies.collect())?;
-        let left = pairs(&proposal.outcome);
-        if left.is_empty() {
-            return Ok(Some(proposal));
-        }
-        if left.iter().all(|pair| near.contains(pair)) {
-            // They are in different layers already, and meet while climbing or descending.
-            return Ok(None);
-        }
-        near.extend(left);
-    }
-    Ok(None)
+    limit_m(maths::hypot(a_north - b_north, a_east - b_east))
 }
 
 /// The layers with the least sum that separate the vehicles that come near each other.
@@ -348,7 +371,7 @@ mod tests {
 
     /// A track at one place: in the air from the start to the end.
     fn track(places: &[f64]) -> Track {
-        let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
+        let per_second = points_in(1);
         let points = places
             .iter()
             .flat_map(|north| vec![Some([*north, 0.0, 0.0]); per_second])
@@ -366,10 +389,10 @@ mod tests {
         let mut late = vec![300.0; 2];
         late.extend(short);
         let tracks = [track(&long), track(&short), track(&late)];
-        let mut pairs = Pairs::new(&tracks, 1.0);
+        let mut pairs = Pairs::new(&tracks, 1.0, 0);
         let greedy = delays_in(&[0, 1, 2], &mut pairs).expect("a way");
         assert!(greedy.iter().sum::<u32>() >= 50, "{greedy:?}");
-        let best = delays(&tracks, 1.0).expect("a way");
+        let best = delays(&tracks, 1.0, 0).expect("a way");
         assert!(best.iter().sum::<u32>() <= 4, "{best:?}");
         assert!(best[0] > 0, "{best:?}");
     }

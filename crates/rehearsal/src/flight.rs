@@ -15,6 +15,8 @@ use crate::{Ending, Flown, Participant};
 /// The numbers of ArduCopter's modes.
 const AUTO: u8 = 3;
 const GUIDED: f32 = 4.0;
+/// The time after which a vehicle that is armed on the ground disarms, in seconds; 0 for never.
+pub(crate) const DISARM_DELAY: &str = "DISARM_DELAY";
 /// The time between two attempts to start, in samples, and the maximum number of attempts.
 const RETRY: u32 = 50;
 const ATTEMPTS: u32 = 30;
@@ -42,6 +44,7 @@ pub(crate) struct Flight {
     starts_at: u32,
     started_at: Option<u32>,
     areas: Vec<FenceArea<[f64; 2]>>,
+    is_fence_on: bool,
     flown: Flown,
     capacity_mah: f64,
     pub(crate) track: Track,
@@ -64,11 +67,14 @@ impl Flight {
             starts_at: (participant.delay_s / sample_s()).round().max(0.0) as u32,
             started_at: None,
             areas: fence.areas.iter().map(|area| area.map(metres)).collect(),
+            is_fence_on: false,
             flown: Flown {
                 time_s: 0.0,
                 energy_left_percent: 100.0,
                 farthest_m: 0.0,
                 broke_fence_s: None,
+                has_fence: !fence.areas.is_empty(),
+                was_kept_armed: false,
                 ending: Ending::TimeUp,
                 moved_east_m: place.moved_east_m,
             },
@@ -174,21 +180,40 @@ impl Flight {
         self.flown.energy_left_percent = 100.0 * (1.0 - used).max(0.0);
         let away_m = (north_m * north_m + east_m * east_m).sqrt();
         self.flown.farthest_m = self.flown.farthest_m.max(away_m);
-        let is_outside = || {
-            self.areas
-                .iter()
-                .any(|area| area.is_broken_at([north_m, east_m]))
-        };
-        if self.flown.broke_fence_s.is_none() && !truth.on_ground && is_outside() {
+        let is_broken = self.is_fence_broken(truth, [north_m, east_m]);
+        if self.flown.broke_fence_s.is_none() && !truth.on_ground && is_broken {
             self.flown.broke_fence_s = Some(time_s);
         }
     }
 
-    /// Ends the flight because of a collision.
-    pub(crate) fn crash(&mut self) {
-        if !self.is_over() {
-            self.end(Ending::Crashed);
+    /// A fence that is switched on is judged by the vehicle. Areas of one that is off are still where the vehicle is
+    /// meant to stay.
+    fn is_fence_broken(&self, truth: &Truth, point: [f64; 2]) -> bool {
+        if self.is_fence_on {
+            return truth.fence_broken;
         }
+        self.areas.iter().any(|area| area.is_broken_at(point))
+    }
+
+    /// Switches the fence as a command has done, and notes whether it is on.
+    pub(crate) fn switch_fence(&mut self, switch: Option<bool>, world: &mut World) {
+        if let Some(on) = switch {
+            let on = f32::from(u8::from(on));
+            self.command(world, MavCmd::MAV_CMD_DO_FENCE_ENABLE, [on, 0.0]);
+        }
+        self.is_fence_on = world.parameter(self.vehicle, "FENCE_ENABLE") > 0.0;
+        self.flown.has_fence |= self.is_fence_on;
+    }
+
+    /// Lets the vehicle wait on the ground with its motors running.
+    pub(crate) fn keep_armed(&mut self, world: &mut World) {
+        self.set_parameter(world, DISARM_DELAY, 0.0);
+        self.flown.was_kept_armed = true;
+    }
+
+    /// Ends the flight because of a collision, also one after the end of its plan.
+    pub(crate) fn crash(&mut self) {
+        self.end(Ending::Crashed);
     }
 
     fn end(&mut self, ending: Ending) {

@@ -8,6 +8,7 @@
 mod approach;
 mod deconflict;
 mod flight;
+mod late;
 mod order;
 mod place;
 mod stage;
@@ -17,8 +18,9 @@ use std::sync::Arc;
 use sortie_plan::{Document, ListKind};
 use sortie_sim::{Airframe, Start};
 
-pub use approach::{Approach, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
+pub use approach::{Approach, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M, neighbours_limit_m};
 pub use deconflict::{Proposal, Remedy, deconflict};
+pub use late::LATE_S;
 
 /// A vehicle and its plan.
 #[derive(Debug, Clone)]
@@ -31,6 +33,9 @@ pub struct Participant {
     pub delay_s: f64,
     /// Parameters of this vehicle alone; those that the simulator does not have are left out.
     pub parameters: Vec<(String, f32)>,
+    /// Whether a command has switched the fence on or off; `None` if `FENCE_ENABLE` decides. Only the command switches
+    /// the lower limit on (`FENCE_ALT_MIN`).
+    pub fence_switch: Option<bool>,
 }
 
 /// The conditions that are the same for all vehicles.
@@ -95,7 +100,7 @@ pub enum Ending {
     LeftPlan(u8),
     /// The vehicle never left the ground.
     Grounded,
-    /// The vehicle collided with another one.
+    /// The vehicle collided with another one; both have this ending.
     Crashed,
     /// The vehicle was still flying when the time was up.
     TimeUp,
@@ -110,8 +115,13 @@ pub struct Flown {
     pub energy_left_percent: f64,
     /// The greatest distance from home over the ground, in metres.
     pub farthest_m: f64,
-    /// When the vehicle first broke its fence, in seconds of its flight.
+    /// When the vehicle first broke its fence, in seconds of its flight: one that is switched on by `ArduCopter`'s
+    /// rules (`FENCE_TYPE`, the areas, the circle around home, the heights), otherwise the areas of its list.
     pub broke_fence_s: Option<f64>,
+    /// Whether it has a fence that is switched on, or areas in its list.
+    pub has_fence: bool,
+    /// Whether `DISARM_DELAY` was set to 0 because the plan begins with a wait on the ground.
+    pub was_kept_armed: bool,
     /// The way in which the flight ended.
     pub ending: Ending,
     /// How far east of its home the vehicle started, in metres, because another vehicle stood there.
@@ -131,6 +141,13 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether all pairs stay apart, even if one vehicle is late by up to so many seconds, at most [`LATE_S`].
+    pub fn is_apart(&self, late_s: u32) -> bool {
+        self.closest
+            .iter()
+            .all(|approach| approach.is_apart(late_s))
+    }
+
     /// The pairs that came too close to each other.
     pub fn conflicts(&self) -> impl Iterator<Item = &Approach> {
         self.closest

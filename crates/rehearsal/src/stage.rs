@@ -1,12 +1,13 @@
 //! The world of a rehearsal, with all vehicles in lockstep.
 
 use sortie_geo::LatLon;
-use sortie_plan::ListKind;
-use sortie_sim::{Airframe, STEP, World, WorldConfig};
+use sortie_plan::{ListKind, command};
+use sortie_sim::{Airframe, Met, STEP, World, WorldConfig};
 
 use crate::approach::Closest;
-use crate::flight::Flight;
-use crate::place::{Place, STEPS, TRACK_EVERY, sample_s};
+use crate::flight::{DISARM_DELAY, Flight};
+use crate::late::late_s;
+use crate::place::{Place, STEPS, TRACK_EVERY, Track, sample_s};
 use crate::{Conditions, Outcome, Participant, RehearsalError};
 
 /// The time in which the vehicles boot and find their position, in seconds.
@@ -48,6 +49,9 @@ impl Stage {
             let mut flight = Flight::new(vehicle, participant, place, &mut world);
             carry_over(&mut flight, vehicle, participant, &mut world);
             prepare(&mut flight, vehicle, conditions, &mut world)?;
+            if waits_armed(participant, conditions) {
+                flight.keep_armed(&mut world);
+            }
             flights.push(flight);
         }
         for _ in 0..(BOOT_S / STEP.as_secs_f64()) as u32 {
@@ -59,6 +63,7 @@ impl Stage {
                     return Err(RehearsalError::Refused(place.vehicle, kind));
                 }
             }
+            flights[vehicle].switch_fence(participant.fence_switch, &mut world);
         }
         let last = participants.iter().map(|it| it.delay_s);
         let metres = |place: &Place| origin.offset_to(place.start.at).into();
@@ -92,19 +97,34 @@ impl Stage {
                 }
             }
         }
+        let vehicles = self.flights.iter().map(Flight::flown).collect();
+        let flights = self.flights.into_iter();
+        let tracks: Vec<Track> = flights.map(|flight| flight.track).collect();
+        let mut closest = closest.found(sample_s(), self.origin);
+        for approach in &mut closest {
+            approach.late_s = late_s(approach, &tracks);
+        }
         Outcome {
-            vehicles: self.flights.iter().map(Flight::flown).collect(),
-            closest: closest.found(sample_s(), self.origin),
+            vehicles,
+            closest,
             simulated_s: f64::from(sample) * sample_s(),
-            tracks: self
-                .flights
-                .into_iter()
-                .map(|flight| flight.track)
-                .collect(),
+            tracks,
         }
     }
 
     fn look(&mut self, sample: u32, points: &mut [Option<[f64; 3]>]) {
+        // Before the flights are followed: a struck vehicle stops its motors, which is no landing.
+        for collision in self.world.collisions() {
+            let other = match collision.with {
+                Met::Vehicle(other) => Some(other),
+                Met::Obstacle(_) => None,
+            };
+            for struck in [Some(collision.vehicle), other].into_iter().flatten() {
+                if let Some(flight) = self.flights.get_mut(struck) {
+                    flight.crash();
+                }
+            }
+        }
         let starts = self.starts_m.iter().zip(&self.amsl_m);
         let flights = self.flights.iter_mut().zip(points).zip(starts);
         for (vehicle, ((flight, point), (start_m, amsl_m))) in flights.enumerate() {
@@ -112,11 +132,6 @@ impl Stage {
             let [north_m, east_m, down_m] = self.world.truth(vehicle).position_ned_m;
             *point =
                 is_in_air.then_some([start_m[0] + north_m, start_m[1] + east_m, amsl_m - down_m]);
-        }
-        for collision in self.world.collisions() {
-            if let Some(flight) = self.flights.get_mut(collision.vehicle) {
-                flight.crash();
-            }
         }
     }
 }
@@ -128,6 +143,16 @@ fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, wo
             flight.set_parameter(world, name, *value);
         }
     }
+}
+
+/// Whether a plan begins with a wait on the ground, and nothing is said about the time after which the vehicle disarms.
+fn waits_armed(participant: &Participant, conditions: &Conditions) -> bool {
+    let items = participant.document.plan.iter();
+    let mut before_takeoff = items.take_while(|item| !command::is_takeoff(item.command));
+    let own = participant.parameters.iter().chain(&conditions.parameters);
+    let mut names = own.map(|(name, _)| name.as_str());
+    before_takeoff.any(|item| item.command == command::DELAY)
+        && !names.any(|name| name == DISARM_DELAY)
 }
 
 /// Sets the parameters that all vehicles have.

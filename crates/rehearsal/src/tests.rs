@@ -39,6 +39,7 @@ fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
         airframe: None,
         delay_s: 0.0,
         parameters: Vec::new(),
+        fence_switch: None,
     }
 }
 
@@ -48,6 +49,17 @@ fn crossing() -> [Participant; 2] {
         vehicle((0.0, 0.0), &[(100.0, 100.0)]),
         vehicle((0.0, 100.0), &[(100.0, 0.0)]),
     ]
+}
+
+fn search<'a>(
+    participants: &'a [Participant],
+    conditions: &'a Conditions,
+) -> deconflict::Search<'a> {
+    deconflict::Search {
+        participants,
+        conditions,
+        late_s: LATE_S,
+    }
 }
 
 fn calm() -> Conditions {
@@ -131,12 +143,11 @@ fn crossing_ways_are_a_conflict_that_later_starts_or_layers_end() {
     );
     let alone = deconflict::alone(&both, &calm()).expect("they can fly");
     let tracks: Vec<_> = alone.into_iter().map(|(_, track)| track).collect();
+    let conditions = calm();
+    let search = search(&both, &conditions);
     for (what, proposal) in [
-        ("delays", deconflict::by_delays(&both, &calm(), &tracks)),
-        (
-            "layers",
-            deconflict::by_layers(&both, &calm(), &outcome, 6.0),
-        ),
+        ("delays", search.by_delays(&tracks)),
+        ("layers", search.by_layers(&outcome, 6.0)),
     ] {
         let proposal = proposal.expect("they can fly");
         assert!(proposal.is_some(), "{what}");
@@ -219,6 +230,7 @@ fn generated(task: &Task, vehicles: usize, gap_m: f64) -> Vec<Participant> {
         airframe: None,
         delay_s: 0.0,
         parameters: Vec::new(),
+        fence_switch: None,
     };
     plans.parts.into_iter().map(participant).collect()
 }
@@ -278,10 +290,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
 /// Delays are written as items before the takeoff: what is flown from the files is apart as well.
 #[test]
 fn delays_that_are_written_keep_the_vehicles_apart() {
-    let waits = Conditions {
-        parameters: vec![("DISARM_DELAY".to_owned(), 0.0)],
-        ..calm()
-    };
+    let waits = calm();
     let three = [
         vehicle((0.0, 0.0), &[(100.0, 100.0)]),
         vehicle((0.0, 100.0), &[(100.0, 0.0)]),
@@ -289,7 +298,9 @@ fn delays_that_are_written_keep_the_vehicles_apart() {
     ];
     let alone = deconflict::alone(&three, &waits).expect("they can fly");
     let tracks: Vec<_> = alone.into_iter().map(|(_, track)| track).collect();
-    let found = deconflict::by_delays(&three, &waits, &tracks).expect("they can fly");
+    let found = search(&three, &waits)
+        .by_delays(&tracks)
+        .expect("they can fly");
     let proposal = found.expect("there is a way");
     let written: Vec<Participant> = three
         .iter()
@@ -309,8 +320,11 @@ fn delays_that_are_written_keep_the_vehicles_apart() {
         proposal.remedies,
         flown.vehicles
     );
-    for vehicle in &flown.vehicles {
+    assert!(flown.is_apart(LATE_S), "{:?}", flown.closest);
+    for (vehicle, remedy) in flown.vehicles.iter().zip(&proposal.remedies) {
         assert_eq!(vehicle.ending, Ending::Landed);
+        let waits = matches!(remedy, Remedy::Delay(_));
+        assert_eq!(vehicle.was_kept_armed, waits, "{remedy:?}");
     }
     let together = rehearse(&three, &waits).expect("they can fly");
     assert!(together.conflicts().next().is_some());
@@ -335,4 +349,101 @@ fn neighbours_on_their_pads_are_no_conflict() {
     let limits = outcome.closest.iter().map(|it| it.limit_m);
     let least = limits.fold(f64::INFINITY, f64::min);
     assert!((least - 3.75).abs() < 0.01, "{least}");
+}
+
+/// A fence by parameters, with a plan that leaves it.
+fn fenced(parameters: &[(&str, f32)]) -> Participant {
+    let mut one = vehicle((0.0, 0.0), &[(150.0, 0.0)]);
+    one.parameters = parameters
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), *value))
+        .collect();
+    one
+}
+
+#[test]
+fn circle_and_heights_are_part_of_the_fence_as_the_vehicle_judges_them() {
+    let broken = |parameters: &[(&str, f32)]| {
+        let flown = rehearse(&[fenced(parameters)], &calm())
+            .expect("it can fly")
+            .vehicles[0];
+        (flown.has_fence, flown.broke_fence_s)
+    };
+    let circle = [("FENCE_RADIUS", 100.0), ("FENCE_TYPE", 2.0)];
+    let on = ("FENCE_ENABLE", 1.0);
+    let report = ("FENCE_ACTION", 0.0);
+    assert_eq!(broken(&circle), (false, None), "switched off");
+    let (has_fence, at_s) = broken(&[&circle[..], &[on, report]].concat());
+    assert!(
+        has_fence && at_s.is_some_and(|at_s| at_s > 10.0),
+        "{at_s:?}"
+    );
+    let ceiling = [("FENCE_ALT_MAX", 15.0), ("FENCE_RADIUS", 300.0), on, report];
+    let of_kind = |kind| broken(&[&ceiling[..], &[("FENCE_TYPE", kind)]].concat());
+    assert!(of_kind(1.0).1.is_some(), "20 m is above 15 m");
+    assert_eq!(of_kind(2.0), (true, None), "only the circle is on");
+}
+
+#[test]
+fn a_fence_that_a_command_has_switched_counts_with_its_lower_limit() {
+    let floor = [
+        ("FENCE_TYPE", 8.0),
+        ("FENCE_ALT_MIN", -5.0),
+        ("FENCE_ACTION", 0.0),
+    ];
+    let mut low = fenced(&floor);
+    // Down a slope, below home.
+    low.document.plan[1].z = -8.0;
+    let flown = |switch, enable| {
+        let mut one = low.clone();
+        one.parameters.push(("FENCE_ENABLE".to_owned(), enable));
+        one.fence_switch = switch;
+        rehearse(&[one], &calm()).expect("it can fly").vehicles[0]
+    };
+    assert_eq!(
+        flown(None, 1.0).broke_fence_s,
+        None,
+        "a parameter leaves the lower limit off"
+    );
+    assert!(flown(Some(true), 0.0).has_fence);
+    assert!(!flown(Some(false), 1.0).has_fence);
+}
+
+/// One vehicle hovers at the end of its plan, and another one flies into it: none of the two has landed.
+#[test]
+fn both_struck_vehicles_have_collided() {
+    let mut hovers = vehicle((60.0, 0.0), &[]);
+    hovers.document.plan.pop();
+    let passes = vehicle((0.0, 0.0), &[(120.0, 0.0)]);
+    for both in [[hovers.clone(), passes.clone()], [passes, hovers]] {
+        let outcome = rehearse(&both, &calm()).expect("they can fly");
+        let endings: Vec<Ending> = outcome.vehicles.iter().map(|it| it.ending).collect();
+        assert_eq!(endings, [Ending::Crashed, Ending::Crashed]);
+    }
+}
+
+/// Two vehicles that cross the same place two seconds apart: no conflict, unless one of them is late.
+#[test]
+fn vehicles_that_pass_a_place_shortly_one_after_the_other_are_kept_apart() {
+    let both = [
+        vehicle((0.0, 0.0), &[(100.0, 100.0)]),
+        vehicle((-9.0, 100.0), &[(91.0, 0.0)]),
+    ];
+    let outcome = rehearse(&both, &calm()).expect("they can fly");
+    let approach = outcome.closest[0];
+    assert!(!approach.is_conflict(), "{approach:?}");
+    assert!(
+        approach
+            .late_s
+            .is_some_and(|late_s| (1..=LATE_S).contains(&late_s)),
+        "{approach:?}"
+    );
+    assert!(outcome.is_apart(0) && !outcome.is_apart(LATE_S));
+    let proposal = deconflict(&both, &calm(), 6.0)
+        .expect("they can fly")
+        .expect("a way");
+    assert_eq!(proposal.late_s, LATE_S);
+    assert!(proposal.outcome.is_apart(LATE_S));
+    let changed = proposal.remedies.iter().any(|it| *it != Remedy::Nothing);
+    assert!(changed, "{:?}", proposal.remedies);
 }

@@ -9,11 +9,13 @@ use super::{
     Alarms, Alert, Choice, Connections, FlownMission, Hangar, Histories, SessionLedger, Timing,
 };
 use crate::app::room_list::Room;
+use crate::commands::{Act, Command, Order, PlanFlight};
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::mission::Stake;
-use crate::operator::Meeting;
+use crate::operator::{FailedRehearsal, Meeting, RehearsalFindings};
+use crate::plan::ContentHash;
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
@@ -37,6 +39,8 @@ pub struct FlightView {
     pub(in crate::app) paths: Vec<Path>,
     /// Where vehicles come too close to each other in the newest rehearsal.
     pub(in crate::app) meetings: Vec<Meeting>,
+    /// The plans that failed in the newest rehearsal of each vehicle.
+    pub(in crate::app) failed_rehearsals: BTreeMap<VehicleId, FailedRehearsal>,
     /// The places that commands may name.
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     pub(in crate::app) choice: Choice,
@@ -109,6 +113,42 @@ impl FlightView {
         self.timing.at(at)
     }
 
+    /// Notes the result of a rehearsal.
+    pub(in crate::app) fn note_rehearsal(&mut self, findings: RehearsalFindings) {
+        self.meetings = findings.meetings;
+        for vehicle in findings.passed {
+            self.failed_rehearsals.remove(&vehicle);
+        }
+        let failed = findings.failed.into_iter();
+        self.failed_rehearsals
+            .extend(failed.map(|failed| (failed.vehicle, failed)));
+    }
+
+    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because their
+    /// plans have failed in a rehearsal.
+    pub fn hazard(&self, order: &Order) -> Option<Text> {
+        let of_vehicles = order.hazard(&self.vehicles);
+        of_vehicles.or_else(|| self.rehearsal_hazard(order))
+    }
+
+    fn rehearsal_hazard(&self, order: &Order) -> Option<Text> {
+        let Act::Command(Command::PlanFlight(PlanFlight::Start)) = order.act else {
+            return None;
+        };
+        let failed = |id: &VehicleId| {
+            let failed = self.failed_rehearsals.get(id)?;
+            let plan = self.vehicles.get(id)?.plans.plan.content.as_ref()?;
+            (ContentHash::of(plan.flown()) == failed.plan).then_some(failed)
+        };
+        let failed = order.targets.iter().find_map(failed)?;
+        let (vehicle, reason) = (failed.vehicle, failed.reason.clone());
+        Some(text!(
+            "hazard-plan-rehearsal",
+            vehicle = vehicle,
+            reason = reason
+        ))
+    }
+
     /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         self.commands.latest(vehicle)
@@ -146,6 +186,7 @@ impl FlightView {
         let process = is_down.then(super::alert::process_ended);
         process
             .into_iter()
+            .chain(self.alarms.separation(vehicle.id))
             .chain(alert(vehicle, now))
             .min_by_key(|alert| alert.severity)
     }
@@ -192,5 +233,76 @@ impl FlightView {
     /// The vehicle under the cursor.
     pub fn under_cursor(&self) -> Option<&Vehicle> {
         self.vehicles.get(&self.choice.cursor?).map(Arc::as_ref)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Context, Meaning, parse};
+    use crate::plan::Item;
+    use crate::vehicle::{Plan, Stored, Transfer};
+
+    fn carrying(height_m: f32) -> Vehicle {
+        let mut vehicle = Vehicle::new(1, 1);
+        let item = Item {
+            command: 22,
+            frame: 3,
+            z: height_m,
+            ..Item::default()
+        };
+        vehicle.plans.plan = Stored {
+            content: Some(Arc::new(Plan {
+                items: vec![item],
+                home_first: false,
+            })),
+            transfer: Transfer::Done,
+        };
+        vehicle
+    }
+
+    fn order(line: &str) -> Order {
+        let statement = parse(line, &Context::default()).expect("a line");
+        let Meaning::Act(act) = statement.meaning else {
+            panic!("{line}");
+        };
+        Order {
+            line: line.to_owned(),
+            verb: statement.verb,
+            targets: vec![1],
+            act,
+        }
+    }
+
+    /// A plan that fails in a rehearsal is begun only after a confirmation, until another plan is on board or the same
+    /// one passes.
+    #[test]
+    fn a_failed_rehearsal_makes_the_start_of_its_plan_dangerous() {
+        let mut view = FlightView::default();
+        view.insert(Arc::new(carrying(20.0)));
+        let plan = carrying(20.0).plans.plan.content.expect("a plan");
+        let failed = FailedRehearsal {
+            vehicle: 1,
+            plan: ContentHash::of(plan.flown()),
+            reason: Text::verbatim("does not take off"),
+        };
+        let start = order("plan start");
+        assert_eq!(view.hazard(&start), None);
+        let findings = RehearsalFindings {
+            failed: vec![failed],
+            ..RehearsalFindings::default()
+        };
+        view.note_rehearsal(findings.clone());
+        let reason = view.hazard(&start).expect("it asks").to_string();
+        assert!(reason.contains("does not take off"), "{reason}");
+        assert_eq!(view.hazard(&order("plan skip")), None);
+        view.insert(Arc::new(carrying(25.0)));
+        assert_eq!(view.hazard(&start), None, "another plan");
+        view.insert(Arc::new(carrying(20.0)));
+        view.note_rehearsal(RehearsalFindings {
+            passed: vec![1],
+            ..RehearsalFindings::default()
+        });
+        assert_eq!(view.hazard(&start), None, "it passes now");
     }
 }

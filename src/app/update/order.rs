@@ -112,7 +112,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
     let targets = ranges(order.targets.iter().copied());
     let key = state.keymap.key(Action::Submit, Place::Prompt);
-    let danger = match order.hazard(state.session.vehicles()) {
+    let danger = match state.session.hazard(order) {
         Some(_) => Danger::Confirm,
         None => order.verb.danger,
     };
@@ -124,7 +124,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 
 /// Sends a command, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Effects {
-    let hazard = order.hazard(state.session.vehicles());
+    let hazard = state.session.hazard(&order);
     if order.verb.danger == Danger::None && hazard.is_none() {
         return Effects::from(send(state, order).effect);
     }
@@ -154,8 +154,7 @@ pub fn give(state: &mut State, order: Order) -> Effects {
 
 /// Sends the uploads of a draft's lists; if one of them is dangerous, it asks once for all.
 pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
-    let vehicles = state.session.vehicles();
-    let is_dangerous = |order: &&Order| order.hazard(vehicles).is_some();
+    let is_dangerous = |order: &&Order| state.session.hazard(order).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
         return upload(state, orders);
     };

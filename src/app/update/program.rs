@@ -41,7 +41,7 @@ fn carry_out(
     permit(state, line)?;
     match order::read_for(state, line, &[])? {
         Given::Order(order) => {
-            let hazard = order.hazard(state.session.vehicles());
+            let hazard = state.session.hazard(&order);
             if order.verb.danger == Danger::Confirm || hazard.is_some() {
                 let reason = hazard.unwrap_or_else(|| text!("api-asks"));
                 asks(said, Diagnostic::new(first_word(line), reason))?;

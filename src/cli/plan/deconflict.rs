@@ -23,7 +23,7 @@ pub(super) struct DeconflictArguments {
     /// Keep the separate heights this far apart, in metres.
     #[arg(long, value_name = "M", default_value_t = 6.0, value_parser = parse_layer)]
     layer: f32,
-    /// Write the changed plans to this folder; existing files are not replaced.
+    /// Write all plans, changed or not, to this folder; existing files are not replaced.
     #[arg(long, value_name = "DIR")]
     write: Option<PathBuf>,
     #[command(flatten)]
@@ -49,12 +49,13 @@ pub(super) fn deconflict(
         say!("{text}")?;
         return Ok(ExitCode::FAILURE);
     };
-    if proposal
-        .remedies
-        .iter()
-        .all(|remedy| *remedy == Remedy::Nothing)
-    {
+    let is_changed = proposal.remedies.iter().any(|it| *it != Remedy::Nothing);
+    if !is_changed {
         say!("{}", locale.text(&text!("plan-deconflict-none")))?;
+        say!("{}", locale.text(&margin_words(&proposal)))?;
+        if let Some(folder) = &options.write {
+            write_all(folder, &proposal, &cast, locale)?;
+        }
         return Ok(ExitCode::SUCCESS);
     }
     for (vehicle, (remedy, name)) in proposal.remedies.iter().zip(&cast.names).enumerate() {
@@ -65,6 +66,7 @@ pub(super) fn deconflict(
         "{}",
         locale.text(&text!("plan-deconflict-cost", time = lost))
     )?;
+    say!("{}", locale.text(&margin_words(&proposal)))?;
     print(&proposal.outcome, &cast, locale)?;
     if let Some(folder) = &options.write {
         write_all(folder, &proposal, &cast, locale)?;
@@ -96,7 +98,15 @@ fn remedy_words(remedy: Remedy, vehicle: usize, file: &str) -> Text {
     }
 }
 
-/// Writes the changed plans.
+/// How late a vehicle may be.
+fn margin_words(proposal: &Proposal) -> Text {
+    match proposal.late_s {
+        0 => text!("plan-deconflict-tight", late = rehearsal::LATE_S),
+        late_s => text!("plan-deconflict-margin", late = late_s),
+    }
+}
+
+/// Writes all plans, changed or not, as a complete set.
 fn write_all(
     folder: &Path,
     proposal: &Proposal,
@@ -111,9 +121,6 @@ fn write_all(
         .zip(&cast.names);
     let mut delays = false;
     for ((remedy, participant), name) in changed {
-        if *remedy == Remedy::Nothing {
-            continue;
-        }
         delays |= matches!(remedy, Remedy::Delay(_));
         let document = remedy.apply(&participant.document);
         let written = convert::written(name, &document);

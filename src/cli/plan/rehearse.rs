@@ -20,6 +20,7 @@ use crate::rehearsal::{
 };
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, rounded};
+use crate::vehicle::Mode;
 
 /// The number of pairs that are listed in addition to those that are too close.
 const LISTED: usize = 3;
@@ -133,6 +134,7 @@ impl AirArguments {
                     airframe: airframe(vehicle),
                     delay_s: 0.0,
                     parameters: Vec::new(),
+                    fence_switch: None,
                 })
                 .collect(),
             conditions: Conditions {
@@ -220,19 +222,22 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
     ];
     let mut table = TextTable::new(locale, &columns);
     for (vehicle, (flown, name)) in outcome.vehicles.iter().zip(&cast.names).enumerate() {
-        let has_fence = !cast.participants[vehicle].document.fence.is_empty();
         table.push(vec![
             (vehicle + 1).to_string(),
             name.clone(),
             minutes(flown.time_s),
             format!("{} %", figure(flown.energy_left_percent, 0)),
             format!("{} m", figure(flown.farthest_m, 0)),
-            locale.text(&fence_words(flown, has_fence)),
+            locale.text(&fence_words(flown)),
             locale.text(&ending_words(flown.ending)),
         ]);
     }
     say!("{}", table.plain().trim_end())?;
     for (vehicle, flown) in outcome.vehicles.iter().enumerate() {
+        if flown.was_kept_armed {
+            let waits = text!("plan-rehearse-waits", vehicle = vehicle + 1);
+            say!("{}", locale.text(&waits))?;
+        }
         if flown.moved_east_m > 0.0 {
             let distance = figure(flown.moved_east_m, 0);
             let moved = text!(
@@ -253,6 +258,13 @@ pub(super) fn print_approaches(outcome: &Outcome, locale: &Locale) -> Result<(),
             say!("{}", locale.text(&approach_words(approach)))?;
         }
     }
+    for approach in &outcome.closest {
+        if let Some(late_s) = approach.late_s.filter(|late_s| *late_s > 0) {
+            let (a, b) = (approach.a + 1, approach.b + 1);
+            let late = text!("plan-rehearse-late", a = a, b = b, late = late_s);
+            say!("{}", locale.text(&late))?;
+        }
+    }
     Ok(())
 }
 
@@ -260,10 +272,10 @@ pub(super) fn minutes(seconds: f64) -> String {
     clock(Duration::from_secs_f64(seconds.max(0.0)))
 }
 
-fn fence_words(flown: &Flown, has_fence: bool) -> Text {
+fn fence_words(flown: &Flown) -> Text {
     match flown.broke_fence_s {
         Some(at_s) => text!("plan-rehearse-fence-broken", time = minutes(at_s)),
-        None if has_fence => text!("plan-rehearse-fence-kept"),
+        None if flown.has_fence => text!("plan-rehearse-fence-kept"),
         None => text!("plan-rehearse-fence-none"),
     }
 }
@@ -272,7 +284,10 @@ pub(super) fn ending_words(ending: Ending) -> Text {
     match ending {
         Ending::Landed => text!("plan-rehearse-landed"),
         Ending::InAir => text!("plan-rehearse-in-air"),
-        Ending::LeftPlan(mode) => text!("plan-rehearse-left-plan", mode = mode),
+        Ending::LeftPlan(number) => {
+            let mode = Mode::copter(number).to_string();
+            text!("plan-rehearse-left-plan", mode = mode)
+        }
         Ending::Grounded => text!("plan-rehearse-grounded"),
         Ending::Crashed => text!("plan-rehearse-crashed"),
         Ending::TimeUp => text!("plan-rehearse-time-up"),
@@ -332,6 +347,8 @@ struct PairRow {
     vertical_m: f64,
     at_s: f64,
     conflict: bool,
+    /// The least lateness that brings them into conflict; `null` if more than 3 s.
+    late_s: Option<u32>,
 }
 
 impl<'a> Document<'a> {
@@ -359,6 +376,7 @@ impl<'a> Document<'a> {
                     vertical_m: rounded(approach.vertical_m, 2),
                     at_s: rounded(approach.at_s, 2),
                     conflict: approach.is_conflict(),
+                    late_s: approach.late_s,
                 })
                 .collect(),
             wall_time_s: rounded(wall_time_s, 3),

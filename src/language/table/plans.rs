@@ -4,10 +4,12 @@ use super::super::argument::{Argument, Arguments, Kind, Unit};
 use super::super::console::ConsoleLine;
 use super::super::targets::Targets;
 use super::super::verb::{Form, Scope, VerbRow};
+use super::swarm::HEADING;
 use super::{ASK, Built, CHANGE, COME_DOWN, ONCE, command, console};
 use crate::commands::{Act, Command, DeviceCommand, PlanCommand, PlanDeed, PlanFlight, PlanSource};
 use crate::language::Meaning;
 use crate::plan::ListKind;
+use crate::vehicle::Wind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 mod tasks;
@@ -29,6 +31,9 @@ const fn list_verb(name: &'static str) -> Verb {
 
 /// The number of an item; 0 is home.
 const ITEM: Kind = Kind::Whole(Unit::None, 1.0, u16::MAX as f64);
+
+/// The mean wind of a rehearsal.
+const WIND_SPEED: Kind = Kind::Number(Unit::MetresPerSecond, 0.0, 60.0);
 
 const UPLOAD: Argument = Argument::keyed("upload", "file", Kind::Rest, "argument-plan-file");
 const DOWNLOAD: Argument = Argument::keyed("download", "file", Kind::Rest, "argument-plan-file");
@@ -125,6 +130,7 @@ const PLAN: VerbRow = VerbRow {
         "1-3 plan search square around 50.4501 30.5234 radius 200",
         "1-4 plan orbit 50.4501 30.5234 radius 40 turns 3",
         "all plan rehearse",
+        "all plan rehearse wind 270 8",
         "all plan pause",
         "all plan resume",
         "4 plan resume from 7",
@@ -140,8 +146,23 @@ const PLAN: VerbRow = VerbRow {
         tasks::SEARCH_AROUND,
         tasks::SEARCH_FROM_ORIGIN,
         tasks::ORBIT,
+        Form::new(
+            &[
+                Argument::flag("rehearse", ""),
+                Argument::keyed("wind", "from", HEADING, "argument-wind-from"),
+                Argument::value("speed", WIND_SPEED, "argument-wind-speed"),
+            ],
+            |given| {
+                let wind = Wind {
+                    from_deg: given.required("from")? as f32,
+                    speed_m_s: given.required("speed")? as f32,
+                };
+                Ok(Meaning::Act(Act::Rehearse { wind: Some(wind) }))
+            },
+        )
+        .meaning(&REHEARSE),
         Form::new(&[Argument::flag("rehearse", "")], |_| {
-            Ok(Meaning::Act(Act::Rehearse))
+            Ok(Meaning::Act(Act::Rehearse { wind: None }))
         })
         .meaning(&REHEARSE),
         Form::new(&[Argument::flag("clear", "")], |_| {

@@ -55,7 +55,8 @@ impl RunningSession {
             }
             Dispatch::Notice(notice) => Some(Event::Notice(notice)),
             Dispatch::Rehearse(rehearsal) => {
-                self.rehearsals.begin(rehearsal, &self.parameters);
+                self.rehearsals
+                    .begin(rehearsal, &self.parameters, &self.airframes);
                 None
             }
             // Not every room shows the ledger.

@@ -1,5 +1,6 @@
 //! Rehearsals of plans, flown beside the console's own work.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
@@ -8,6 +9,7 @@ use tokio::task::spawn_blocking;
 use crate::app::event::{Event, VehicleEvent};
 use crate::operator::{PlanRehearsal, Rehearsed};
 use crate::parameters::ParameterSnapshot;
+use crate::sim::Airframe;
 use crate::vehicle::VehicleId;
 
 /// The rehearsals under way.
@@ -25,12 +27,14 @@ impl Default for Rehearsals {
 }
 
 impl Rehearsals {
-    /// Begins a rehearsal, with the parameters that have been read.
+    /// Begins a rehearsal, with the parameters that have been read and the airframes of the simulated vehicles.
     pub fn begin(
         &self,
         mut rehearsal: PlanRehearsal,
         parameters: &[(VehicleId, watch::Receiver<ParameterSnapshot>)],
+        airframes: &[Arc<Airframe>],
     ) {
+        rehearsal.set_airframes(airframes);
         for (vehicle, list) in parameters {
             rehearsal.set_parameters(*vehicle, &list.borrow().list);
         }
@@ -49,7 +53,7 @@ impl Rehearsals {
             let rows = rehearsed.rows.into_iter();
             events.extend(rows.map(|row| Event::from(VehicleEvent::Row(row))));
             events.extend(rehearsed.notices.into_iter().map(Event::Notice));
-            events.push(VehicleEvent::Meetings(rehearsed.meetings).into());
+            events.push(VehicleEvent::Rehearsed(rehearsed.findings).into());
         }
         events
     }

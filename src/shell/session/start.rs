@@ -145,6 +145,7 @@ impl RunningSession {
             dropped: 0,
             mission_run: None,
             rehearsals: Rehearsals::default(),
+            airframes: Vec::new(),
             pace: watch::Sender::new(SimulatorPace {
                 speedup: backend.speedup,
                 held: false,
@@ -245,6 +246,7 @@ impl RunningSession {
         before: SessionEnding,
     ) -> Result<(), Text> {
         let simulation = &backend.simulation;
+        self.airframes = simulation.of(world.clone()).airframes;
         let source = match &self.plan {
             SessionPlan::Free(Some(source)) => Some(source),
             SessionPlan::Mission(_) | SessionPlan::Free(_) | SessionPlan::Connect(_) => {

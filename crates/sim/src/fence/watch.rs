@@ -58,6 +58,11 @@ impl Geofence {
         outcome
     }
 
+    /// Whether any fence is broken.
+    pub(crate) fn is_broken(&self) -> bool {
+        self.broken != 0
+    }
+
     /// Whether there is a fence to switch on.
     pub(crate) fn can_be_enabled(&self, rules: &FenceRules) -> bool {
         self.is_present(rules)

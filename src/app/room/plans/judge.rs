@@ -3,12 +3,8 @@
 use crate::app::State;
 use crate::draft::Pace;
 use crate::plan::Document;
-use crate::plan::check::{CheckOptions, Finding, VehicleKind, check};
-use crate::vehicle::VehicleClass;
-
-/// `FENCE_TYPE`: a maximum altitude, a circle around home.
-const CEILING: u32 = 1;
-const CIRCLE: u32 = 2;
+use crate::plan::check::{Finding, check};
+use crate::vehicle::check_rules;
 
 /// A parameter of the vehicle under the cursor, if it is known.
 fn parameter(state: &State, name: &str) -> Option<f32> {
@@ -35,22 +31,9 @@ pub fn pace(state: &State) -> Pace {
 
 /// What is wrong with a document by the rules of the vehicle under the cursor.
 pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
-    let is_on = parameter(state, "FENCE_ENABLE").is_some_and(|value| value > 0.0);
-    let kinds = parameter(state, "FENCE_TYPE").map_or(0, |value| value as u32);
-    let limit = |bit, name| {
-        let has_it = is_on && kinds & bit != 0;
-        has_it.then(|| parameter(state, name)).flatten()
-    };
-    let options = CheckOptions {
-        vehicle: match state.class() {
-            VehicleClass::Copter => Some(VehicleKind::Copter),
-            VehicleClass::Plane => Some(VehicleKind::Plane),
-            VehicleClass::Rover => Some(VehicleKind::Rover),
-            VehicleClass::Sub | VehicleClass::Other => None,
-        },
-        ceiling_m: limit(CEILING, "FENCE_ALT_MAX"),
-        radius_m: limit(CIRCLE, "FENCE_RADIUS"),
-        has_terrain: parameter(state, "TERRAIN_ENABLE").is_some_and(|value| value > 0.0),
-    };
-    check(document, &options)
+    let vehicle = state.session.choice.cursor;
+    let vehicle = vehicle.and_then(|id| state.session.vehicles().get(&id));
+    let reported = vehicle.and_then(|it| it.health?.fence_on());
+    let rules = check_rules(state.class(), reported, |name| parameter(state, name));
+    check(document, &rules)
 }

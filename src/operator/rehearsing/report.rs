@@ -1,0 +1,199 @@
+//! The result of a rehearsal: rows of the ledger, notices, and what the console remembers of it.
+
+use std::time::Duration;
+
+use crate::geo::LatLon;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::notice::Notice;
+use crate::plan::ContentHash;
+use crate::rehearsal::{Approach, Ending, Flown, Outcome};
+use crate::text;
+use crate::text::{Text, clock, figure};
+use crate::vehicle::{Mode, Severity, VehicleId};
+
+/// The most conflicts that are reported.
+const MOST_CONFLICTS: usize = 5;
+
+/// A vehicle of a rehearsal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Seat {
+    pub(super) vehicle: VehicleId,
+    /// What is left in its battery, in percent.
+    pub(super) charge_percent: f64,
+    /// The plan that is flown.
+    pub(super) plan: ContentHash,
+}
+
+/// The result of a rehearsal.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Rehearsed {
+    pub rows: Vec<RowUpdate>,
+    pub notices: Vec<Notice>,
+    pub findings: RehearsalFindings,
+}
+
+/// What a rehearsal has found, for as long as the vehicles carry the same plans.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RehearsalFindings {
+    /// Where vehicles come too close to each other.
+    pub meetings: Vec<Meeting>,
+    /// The vehicles whose plans failed.
+    pub failed: Vec<FailedRehearsal>,
+    /// The vehicles whose plans can be flown.
+    pub passed: Vec<VehicleId>,
+}
+
+/// A plan that a vehicle does not fly as intended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FailedRehearsal {
+    pub vehicle: VehicleId,
+    /// The plan that was flown.
+    pub plan: ContentHash,
+    /// What happens to the vehicle.
+    pub reason: Text,
+}
+
+/// A place at which two vehicles come too close to each other in a rehearsal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    pub vehicles: [VehicleId; 2],
+    /// The place half-way between them.
+    pub at_point: LatLon,
+}
+
+impl Rehearsed {
+    /// The same result at another time.
+    #[must_use]
+    pub fn at(mut self, now: Duration) -> Self {
+        for row in &mut self.rows {
+            row.at = now;
+        }
+        for notice in &mut self.notices {
+            notice.at = now;
+        }
+        self
+    }
+}
+
+pub(super) fn row(
+    entry: EntryId,
+    vehicle: VehicleId,
+    state: RowState,
+    explanation: Option<Text>,
+    at: Duration,
+) -> RowUpdate {
+    RowUpdate {
+        entry,
+        vehicle,
+        state,
+        tries: 1,
+        at,
+        explanation,
+    }
+}
+
+/// The result of an outcome for these vehicles.
+pub(super) fn report(
+    entry: EntryId,
+    seats: &[Seat],
+    outcome: &Outcome,
+    now: Duration,
+) -> Rehearsed {
+    let mut rehearsed = Rehearsed::default();
+    for (index, (seat, flown)) in seats.iter().zip(&outcome.vehicles).enumerate() {
+        let mut meetings = outcome.conflicts();
+        let meets = meetings.any(|it| it.a == index || it.b == index);
+        let (state, text) = verdict(seat, flown, meets);
+        if state == RowState::Done {
+            rehearsed.findings.passed.push(seat.vehicle);
+        } else {
+            rehearsed.findings.failed.push(FailedRehearsal {
+                vehicle: seat.vehicle,
+                plan: seat.plan,
+                reason: text.clone(),
+            });
+        }
+        rehearsed
+            .rows
+            .push(row(entry, seat.vehicle, state, Some(text), now));
+    }
+    rehearsed.findings.meetings = outcome.conflicts().map(|it| meeting(seats, it)).collect();
+    let warnings = outcome.closest.iter().filter(|it| it.late_s.is_some());
+    let warnings = warnings.take(MOST_CONFLICTS);
+    let said = warnings.map(|it| Notice::general(now, Severity::Warning, words(seats, it)));
+    rehearsed.notices.extend(said);
+    let closest = outcome.closest.first().filter(|it| it.late_s.is_none());
+    let said = closest.map(|it| Notice::general(now, Severity::Info, words(seats, it)));
+    rehearsed.notices.extend(said);
+    rehearsed
+}
+
+fn name(seats: &[Seat], index: usize) -> VehicleId {
+    seats.get(index).map_or(0, |seat| seat.vehicle)
+}
+
+fn meeting(seats: &[Seat], approach: &Approach) -> Meeting {
+    Meeting {
+        vehicles: [approach.a, approach.b].map(|index| name(seats, index)),
+        at_point: approach.place,
+    }
+}
+
+fn words(seats: &[Seat], approach: &Approach) -> Text {
+    let [a, b] = [approach.a, approach.b].map(|index| name(seats, index));
+    let message = match approach.late_s {
+        Some(0) => "rehearse-conflict",
+        Some(late_s) => return text!("rehearse-late", a = a, b = b, late = late_s),
+        None => "rehearse-closest",
+    };
+    Text::new(
+        message,
+        vec![
+            ("a", a.into()),
+            ("b", b.into()),
+            ("time", minutes(approach.at_s).into()),
+            ("horizontal", figure(approach.horizontal_m, 1).into()),
+            ("vertical", figure(approach.vertical_m, 1).into()),
+        ],
+    )
+}
+
+fn minutes(seconds: f64) -> String {
+    clock(Duration::from_secs_f64(seconds.max(0.0)))
+}
+
+/// What becomes of a vehicle, and whether that is as planned.
+fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> (RowState, Text) {
+    let time = minutes(flown.time_s);
+    let used = 100.0 - flown.energy_left_percent;
+    let left = seat.charge_percent - used;
+    if let Some(at_s) = flown.broke_fence_s {
+        let text = text!("rehearse-fence", time = minutes(at_s));
+        return (RowState::NoEffect, text);
+    }
+    let is_empty = left <= 0.0;
+    let used = figure(used, 0);
+    let text = match flown.ending {
+        Ending::Landed | Ending::InAir if is_empty => text!("rehearse-battery", used = used),
+        Ending::Landed | Ending::InAir if meets => text!("rehearse-meets", time = time),
+        Ending::Landed => {
+            let left = figure(left, 0);
+            return (
+                RowState::Done,
+                text!("rehearse-landed", time = time, used = used, left = left),
+            );
+        }
+        Ending::InAir => {
+            let text = text!("rehearse-ends-in-air", time = time, used = used);
+            return (RowState::Done, text);
+        }
+        Ending::LeftPlan(number) => {
+            let mode = Mode::copter(number).to_string();
+            text!("rehearse-left-plan", time = time, mode = mode)
+        }
+        Ending::Grounded => text!("rehearse-grounded"),
+        Ending::Crashed => text!("rehearse-crashed", time = time),
+        Ending::TimeUp => text!("rehearse-time-up", time = time),
+    };
+    (RowState::NoEffect, text)
+}

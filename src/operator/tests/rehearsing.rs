@@ -1,0 +1,193 @@
+//! Rehearsals: their wind, their fence, and what they find.
+
+use super::*;
+use crate::parameters::{HeardParameter, ParameterList, ParameterType};
+use crate::plan::Item;
+use crate::sim::Airframe;
+use crate::vehicle::{GlobalPosition, Health, Plan, Stored, Transfer, Wind};
+
+/// A vehicle on the ground whose plan leads to a place so far north, and back.
+fn carrying(id: VehicleId, north_m: f64) -> Vehicle {
+    let home = LatLon::new(50.45, 30.52).moved(0.0, 20.0 * f64::from(id));
+    let item = |command, north_m, z| {
+        let (x, y) = home.moved(north_m, 0.0).to_e7();
+        Item {
+            command,
+            frame: 3,
+            x,
+            y,
+            z,
+            ..Item::default()
+        }
+    };
+    let back = Item {
+        command: 20,
+        frame: 3,
+        ..Item::default()
+    };
+    let way = [
+        item(16, 0.0, 0.0),
+        item(22, 0.0, 20.0),
+        item(16, north_m, 20.0),
+        back,
+    ];
+    let mut vehicle = Vehicle::new(id as u8, 1);
+    vehicle.global = Some(GlobalPosition {
+        at_point: home,
+        altitude_amsl_m: 170.0,
+        altitude_m: 0.0,
+        north_m_s: 0.0,
+        east_m_s: 0.0,
+        down_m_s: 0.0,
+        heading_deg: None,
+        at: Duration::ZERO,
+    });
+    vehicle.plans.plan = Stored {
+        content: Some(Arc::new(Plan {
+            items: way.to_vec(),
+            home_first: true,
+        })),
+        transfer: Transfer::Done,
+    };
+    vehicle
+}
+
+fn prepared(line: &str, vehicles: impl IntoIterator<Item = Vehicle>) -> PlanRehearsal {
+    let order = read(line).expect("a good line");
+    let vehicles = vehicles.into_iter();
+    let scene = OperatorScene {
+        now: Duration::ZERO,
+        vehicles: &vehicles.map(|it| (it.id, it.into())).collect(),
+        flight: None,
+    };
+    let mut ledger = Ledger::new();
+    let entry = ledger.open(Duration::ZERO, order.given(), &order.targets);
+    let work = Operator::default().carry_out(entry, &order, scene);
+    let mut rehearsals = work.into_iter().filter_map(|work| match work {
+        Dispatch::Rehearse(rehearsal) => Some(rehearsal),
+        _ => None,
+    });
+    rehearsals.next().expect("a rehearsal")
+}
+
+fn parameters(values: &[(&str, f32)]) -> Arc<ParameterList> {
+    let mut list = ParameterList::default();
+    for (index, (name, value)) in values.iter().enumerate() {
+        list.note(&HeardParameter {
+            name,
+            value: *value,
+            kind: ParameterType::Real32,
+            index: Some(index as u16),
+            count: values.len() as u16,
+        });
+    }
+    Arc::new(list)
+}
+
+/// The first notice: the conditions.
+fn conditions(rehearsal: &PlanRehearsal) -> String {
+    rehearsal.fly(Duration::ZERO).notices[0].text.to_string()
+}
+
+/// What each row says.
+fn rows(rehearsed: &Rehearsed) -> Vec<(RowState, String)> {
+    let rows = rehearsed.rows.iter();
+    let words = |row: &RowUpdate| row.explanation.as_ref().map(ToString::to_string);
+    rows.map(|row| (row.state, words(row).unwrap_or_default()))
+        .collect()
+}
+
+#[test]
+fn the_wind_is_that_of_the_best_source_and_named() {
+    let calm = prepared("1 plan rehearse", [carrying(1, 60.0)]);
+    assert!(
+        conditions(&calm).contains("the wind is unknown"),
+        "{}",
+        conditions(&calm)
+    );
+    let mut simulated = calm.clone();
+    let weather = [("SIM_WIND_SPD", 6.0), ("SIM_WIND_DIR", 90.0)];
+    simulated.set_parameters(1, &parameters(&weather));
+    let said = conditions(&simulated);
+    assert!(
+        said.contains("6.0 m/s from 90°") && said.contains("SIM_WIND_SPD"),
+        "{said}"
+    );
+    let blown = |speed_m_s| Vehicle {
+        wind: Some(Wind {
+            from_deg: 180.0,
+            speed_m_s,
+        }),
+        ..carrying(1, 60.0)
+    };
+    let mut estimated = prepared("1 plan rehearse", [blown(4.0)]);
+    estimated.set_parameters(1, &parameters(&weather));
+    let said = conditions(&estimated);
+    assert!(
+        said.contains("4.0 m/s from 180°") && said.contains("estimated by 1"),
+        "{said}"
+    );
+    let no_estimate = prepared("1 plan rehearse", [blown(0.0)]);
+    assert!(conditions(&no_estimate).contains("unknown"));
+    let given = prepared("1 plan rehearse wind 270 8", [blown(4.0)]);
+    let said = conditions(&given);
+    assert!(said.contains("8.0 m/s from 270° (given)"), "{said}");
+}
+
+#[test]
+fn wind_and_airframe_change_what_is_used() {
+    let used = |rehearsal: &PlanRehearsal| {
+        let (state, words) = rows(&rehearsal.fly(Duration::ZERO)).remove(0);
+        assert_eq!(state, RowState::Done, "{words}");
+        let used = words.split("uses ").nth(1).expect("how much");
+        used.split(' ')
+            .next()
+            .expect("a number")
+            .parse::<f64>()
+            .expect("a number")
+    };
+    let calm = prepared("1 plan rehearse", [carrying(1, 600.0)]);
+    let windy = prepared("1 plan rehearse wind 0 9", [carrying(1, 600.0)]);
+    assert!(
+        used(&windy) > used(&calm),
+        "{} {}",
+        used(&windy),
+        used(&calm)
+    );
+    let mut heavy = calm.clone();
+    heavy.set_airframes(&[Airframe::shared_default()]);
+    assert!(conditions(&calm).contains("standard airframe"));
+    assert!(conditions(&heavy).contains("session's drones"));
+}
+
+#[test]
+fn a_fence_that_was_switched_on_after_its_parameter_was_read_counts() {
+    let read = parameters(&[
+        ("FENCE_ENABLE", 0.0),
+        ("FENCE_TYPE", 2.0),
+        ("FENCE_RADIUS", 60.0),
+        ("FENCE_ACTION", 1.0),
+    ]);
+    let rehearsed = |enabled| {
+        let mut vehicle = carrying(1, 120.0);
+        vehicle.health = Some(Health {
+            present: Health::FENCE,
+            enabled,
+            healthy: Health::FENCE,
+            load_percent: 0.0,
+            at: Duration::ZERO,
+        });
+        let mut rehearsal = prepared("1 plan rehearse", [vehicle]);
+        rehearsal.set_parameters(1, &read);
+        rehearsal.fly(Duration::ZERO)
+    };
+    assert_eq!(rows(&rehearsed(0))[0].0, RowState::Done);
+    let broken = rehearsed(Health::FENCE);
+    let (state, words) = rows(&broken).remove(0);
+    assert_eq!(state, RowState::NoEffect);
+    assert!(words.contains("fence"), "{words}");
+    let [failed] = &broken.findings.failed[..] else {
+        panic!("{:?}", broken.findings)
+    };
+    assert_eq!((failed.vehicle, broken.findings.passed.len()), (1, 0));
+}

@@ -1,0 +1,58 @@
+//! Whether a vehicle's fence is on: by its reports and its parameters, which may be older.
+
+/// The switch of a fence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FenceSwitch {
+    /// Whether the fence is on, if known.
+    pub is_on: Option<bool>,
+    /// The position to which a command has switched it since `FENCE_ENABLE` was read.
+    pub by_command: Option<bool>,
+}
+
+impl FenceSwitch {
+    /// The switch by the vehicle's report ([`Health::fence_on`](super::Health::fence_on)) and by its parameters as they
+    /// were read. A command that switches the fence changes `FENCE_ENABLE` without reporting it.
+    pub fn of(reported: Option<bool>, parameter: impl Fn(&str) -> Option<f32>) -> Self {
+        let stored = parameter("FENCE_ENABLE").map(|value| value > 0.0);
+        // A fence that only reports breaches is always reported as off.
+        let only_reports = parameter("FENCE_ACTION").is_some_and(|value| value < 0.5);
+        let current = reported.filter(|_| !only_reports);
+        let differs = |on: &bool| stored.is_some_and(|stored| stored != *on);
+        Self {
+            is_on: current.or(stored),
+            by_command: current.filter(differs),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_report_counts_more_than_a_parameter_that_was_read_before() {
+        let switch = |reported, enable: Option<f32>, action: f32| {
+            let switch = FenceSwitch::of(reported, |name| match name {
+                "FENCE_ENABLE" => enable,
+                "FENCE_ACTION" => Some(action),
+                _ => None,
+            });
+            (switch.is_on, switch.by_command)
+        };
+        let on = Some(true);
+        assert_eq!(switch(on, Some(0.0), 1.0), (on, on), "`fence on`");
+        assert_eq!(
+            switch(Some(false), Some(1.0), 1.0),
+            (Some(false), Some(false))
+        );
+        assert_eq!(switch(on, Some(1.0), 1.0), (on, None));
+        assert_eq!(switch(on, None, 1.0), (on, None), "nothing is read yet");
+        assert_eq!(switch(None, Some(1.0), 1.0), (on, None));
+        assert_eq!(
+            switch(Some(false), Some(1.0), 0.0),
+            (on, None),
+            "it only reports"
+        );
+        assert_eq!(switch(None, None, 1.0), (None, None));
+    }
+}
