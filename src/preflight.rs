@@ -11,6 +11,7 @@ use crate::text::Text;
 mod faults;
 mod findings;
 
+pub use faults::note as note_words;
 pub use findings::words as finding_words;
 
 /// A remark about a file, with its place, and whether it is only a warning.

@@ -62,7 +62,7 @@ pub use naming::Renamed;
 
 pub use order::{Report, Steering, VehicleCommand};
 pub(crate) use plan_orders::format_of;
-pub use plan_orders::{GuardedShelf, PlanShelf};
+pub use plan_orders::{GuardedShelf, PlanOnFile, PlanShelf};
 pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
@@ -398,6 +398,7 @@ impl Session {
     fn lists(&mut self, now: Duration) -> (&mut Lists, ListsDesk<'_>) {
         let desk = ListsDesk {
             vehicle: &mut self.vehicle,
+            parameters: self.inbox.parameters(),
             ftp: &mut self.ftp,
             now,
             output: &mut self.output,

@@ -6,7 +6,7 @@ use super::{Setup, command_name};
 use crate::plan::{Document, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Transfer, Vehicle};
+use crate::vehicle::Vehicle;
 
 /// A command about a list of a vehicle.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,16 +73,16 @@ impl PlanCommand {
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
-            PlanDeed::Clear if vehicle.armed() && !vehicle.flies_plan() => {
-                Some(text!("hazard-plan-armed"))
-            }
-            PlanDeed::Upload { .. } | PlanDeed::Clear => replacing_hazard(self.kind, vehicle),
+            // It is refused at once.
+            PlanDeed::Clear if self.kind == ListKind::Plan && vehicle.flies_plan() => None,
+            PlanDeed::Clear => vehicle.armed().then(|| text!("hazard-plan-armed")),
+            PlanDeed::Upload { .. } => Self::replacing_hazard(vehicle),
         }
     }
 
     /// Why a new plan needs a confirmation for this vehicle now; `None` if it does not.
     pub fn replacing_hazard(vehicle: &Vehicle) -> Option<Text> {
-        replacing_hazard(ListKind::Plan, vehicle)
+        vehicle.flies_plan().then(|| text!("hazard-plan-auto"))
     }
 }
 
@@ -127,22 +127,48 @@ pub fn protected_item(document: &Document) -> Option<ProtectedItem> {
     items.into_iter().find_map(protected)
 }
 
-fn replacing_hazard(kind: ListKind, vehicle: &Vehicle) -> Option<Text> {
-    let plans = &vehicle.plans;
-    let transfer = match kind {
-        ListKind::Plan => plans.plan.transfer,
-        ListKind::Fence => plans.fence.transfer,
-        ListKind::Rally => plans.rally.transfer,
-    };
-    if vehicle.flies_plan() {
-        return Some(text!("hazard-plan-auto"));
-    }
-    (transfer != Transfer::Done).then(|| text!("hazard-plan-unread"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vehicle::{Heartbeat, Mode, SystemStatus, VehicleClass};
+    use std::time::Duration;
+
+    fn in_mode(number: u8) -> Vehicle {
+        let mut vehicle = Vehicle::new(1, 1);
+        vehicle.heartbeat = Some(Heartbeat {
+            mav_type: 2,
+            autopilot: 3,
+            class: VehicleClass::Copter,
+            mode: Mode::copter(number),
+            armed: true,
+            status: SystemStatus::Active,
+            at: Duration::ZERO,
+        });
+        vehicle
+    }
+
+    /// What is refused anyway needs no confirmation, and an upload asks by itself if the list on board is not known.
+    #[test]
+    fn only_what_is_sent_needs_a_confirmation() {
+        let command = |deed| PlanCommand {
+            kind: ListKind::Plan,
+            deed,
+        };
+        let file = PlanSource::File("a".to_owned());
+        let upload = command(PlanDeed::Upload { source: file });
+        let clear = command(PlanDeed::Clear);
+        let (auto, guided) = (in_mode(3), in_mode(4));
+        assert!(auto.flies_plan() && !guided.flies_plan());
+        assert_eq!(clear.hazard(&auto), None, "it is refused");
+        assert!(clear.hazard(&guided).is_some());
+        assert!(upload.hazard(&auto).is_some());
+        assert_eq!(upload.hazard(&guided), None);
+        assert_eq!(
+            upload.hazard(&Vehicle::new(1, 1)),
+            None,
+            "nothing is read yet"
+        );
+    }
 
     #[test]
     fn items_that_change_home_or_the_fence_are_found() {

@@ -6,7 +6,7 @@ use tokio::runtime::{Handle, RuntimeFlavor};
 use tokio::task::block_in_place;
 
 use crate::plan::{Document, ListKind};
-use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, PlanShelf, VehicleLog};
+use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, PlanOnFile, PlanShelf, VehicleLog};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -37,7 +37,7 @@ impl LogKeeper for BlockingKeeper {
 pub(super) struct BlockingShelf(pub Arc<dyn PlanShelf>);
 
 impl PlanShelf for BlockingShelf {
-    fn read(&self, file: &str) -> Result<Document, Text> {
+    fn read(&self, file: &str) -> Result<PlanOnFile, Text> {
         off_the_loop(|| self.0.read(file))
     }
 

@@ -62,7 +62,7 @@ fn expected_words(expected: Expected) -> Text {
     }
 }
 
-pub(super) fn note(kind: &NoteKind) -> Text {
+pub fn note(kind: &NoteKind) -> Text {
     match kind {
         NoteKind::HeightAssumed(height_m) => {
             text!("plan-note-height", height = figure(*height_m, 0))

@@ -8,6 +8,7 @@ use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::output::Output;
 use super::plan_orders::{Desk, PlanOrders, PlanShelf};
 use super::plans::PlanReader;
+use crate::parameters::ParameterList;
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -21,6 +22,7 @@ pub(super) struct Lists {
 /// The rest of the session, as the lists need it.
 pub(super) struct ListsDesk<'a> {
     pub vehicle: &'a mut Vehicle,
+    pub parameters: &'a ParameterList,
     pub ftp: &'a mut FtpClient,
     pub now: Duration,
     pub output: &'a mut Output,
@@ -80,6 +82,7 @@ impl Lists {
                 vehicle,
                 now,
                 output,
+                parameters: _,
                 ftp: _,
             } = desk;
             let mut messages = Vec::new();
@@ -97,12 +100,14 @@ impl Lists {
     fn desk<'a>(&'a mut self, desk: ListsDesk<'a>) -> (&'a mut PlanOrders, Desk<'a>) {
         let ListsDesk {
             vehicle,
+            parameters,
             ftp,
             now,
             output,
         } = desk;
         let desk = Desk {
             vehicle,
+            parameters,
             plans: &mut self.reader,
             ftp,
             now,

@@ -14,13 +14,15 @@ use super::plans::PlanReader;
 use super::{Output, Report, VehicleCommand};
 use crate::commands::{Command, PlanCommand, PlanDeed, PlanSource};
 use crate::ledger::{RowState, RowUpdate};
+use crate::parameters::ParameterList;
 use crate::plan::{Document, Home, Item, ListKind, command};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Transfer, Vehicle, VehicleId};
+use crate::vehicle::{Vehicle, VehicleId};
 use crate::wire::Frame;
 
 mod compare;
+mod judging;
 mod packed;
 mod reading;
 mod sending;
@@ -30,7 +32,7 @@ mod tests;
 mod transaction;
 
 pub(crate) use shelf::format_of;
-pub use shelf::{GuardedShelf, PlanShelf};
+pub use shelf::{GuardedShelf, PlanOnFile, PlanShelf};
 use transaction::{Outcome, Transaction};
 
 /// The maximum number of orders that wait for one vehicle.
@@ -41,6 +43,7 @@ const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 /// The inputs and outputs of an order.
 pub(super) struct Desk<'a> {
     pub vehicle: &'a mut Vehicle,
+    pub parameters: &'a ParameterList,
     pub plans: &'a mut PlanReader,
     pub ftp: &'a mut FtpClient,
     pub now: Duration,
@@ -63,6 +66,8 @@ struct Job {
     order: VehicleCommand,
     command: PlanCommand,
     transaction: Box<Transaction>,
+    /// What may be wrong with the list that is sent.
+    warnings: Vec<Text>,
     /// The progress last reported, and whether the link was lost then.
     told: Option<(u8, bool)>,
 }
@@ -150,16 +155,17 @@ impl PlanOrders {
             let Command::Plan(command) = order.command.clone() else {
                 continue;
             };
-            match wanted(&command, self.shelf.as_deref(), desk.vehicle) {
-                Ok(new) => {
+            match wanted(&command, self.shelf.as_deref(), desk) {
+                Ok(Wanted { items, warnings }) => {
                     let mut messages = Vec::new();
                     desk.plans.make_way(desk.now, &mut messages);
                     desk.output.send(messages);
-                    let transaction = Transaction::new(command.kind, new, desk);
+                    let transaction = Transaction::new(command.kind, items, desk);
                     let job = Job {
                         order,
                         command,
                         transaction: Box::new(transaction),
+                        warnings,
                         told: None,
                     };
                     job.report(RowState::Sent, None, desk);
@@ -175,12 +181,21 @@ impl PlanOrders {
     }
 }
 
-/// The list that the vehicle is to carry; `None` if the order only reads.
+/// What an order is to bring about.
+#[derive(Debug, Default)]
+struct Wanted {
+    /// The list that the vehicle is to carry; `None` if the order only reads.
+    items: Option<Vec<Item>>,
+    /// What may be wrong with it.
+    warnings: Vec<Text>,
+}
+
 fn wanted(
     command: &PlanCommand,
     shelf: Option<&dyn PlanShelf>,
-    vehicle: &Vehicle,
-) -> Result<Option<Vec<Item>>, Text> {
+    desk: &Desk<'_>,
+) -> Result<Wanted, Text> {
+    let vehicle = &*desk.vehicle;
     let writes = match &command.deed {
         PlanDeed::Upload { .. } | PlanDeed::Clear => true,
         PlanDeed::Download { .. } | PlanDeed::Show => false,
@@ -193,32 +208,28 @@ fn wanted(
     }
     match &command.deed {
         PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
-        PlanDeed::Download { .. } | PlanDeed::Show => Ok(None),
+        PlanDeed::Download { .. } | PlanDeed::Show => Ok(Wanted::default()),
         PlanDeed::Clear if command.kind == ListKind::Plan && vehicle.flies_plan() => {
             Err(text!("refused-plan-clear-auto"))
         }
-        PlanDeed::Clear => Ok(Some(Vec::new())),
+        PlanDeed::Clear => Ok(Wanted {
+            items: Some(Vec::new()),
+            ..Wanted::default()
+        }),
         PlanDeed::Upload { source } => {
-            let document = match source {
-                PlanSource::Document(document) => Arc::clone(document),
+            let content = match source {
+                PlanSource::Document(document) => PlanOnFile {
+                    document: Document::clone(document),
+                    notes: Vec::new(),
+                },
                 PlanSource::File(file) => {
                     let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
-                    Arc::new(shelf.read(&named(file, vehicle))?)
+                    shelf.read(&named(file, vehicle))?
                 }
             };
-            checked(&document, command.kind).map(Some)
+            judging::checked(content, command.kind, desk)
         }
     }
-}
-
-/// A document's list for a vehicle, unless the vehicle would refuse it.
-fn checked(document: &Document, kind: ListKind) -> Result<Vec<Item>, Text> {
-    let own = document.list(kind);
-    if own.is_empty() {
-        return Err(text!("refused-plan-empty"));
-    }
-    compare::check(kind, own)?;
-    Ok(whole(document, kind))
 }
 
 /// A list as a vehicle carries it: with home as item 0 of a plan, which the vehicle replaces by its own.
@@ -258,26 +269,6 @@ fn document_of(kind: ListKind, items: &[Item]) -> Document {
 /// A file's name for a vehicle: `{id}` stands for its number.
 fn named(file: &str, vehicle: &Vehicle) -> String {
     file.replace("{id}", &vehicle.id.to_string())
-}
-
-/// The list in the vehicle model, if it is known to be complete.
-fn known(vehicle: &Vehicle, kind: ListKind) -> Option<Vec<Item>> {
-    let plans = &vehicle.plans;
-    let (items, transfer) = match kind {
-        ListKind::Plan => {
-            let items = plans.plan.content.as_ref().map(|it| it.items.clone());
-            (items, plans.plan.transfer)
-        }
-        ListKind::Fence => {
-            let items = plans.fence.content.as_ref().map(|it| it.items.clone());
-            (items, plans.fence.transfer)
-        }
-        ListKind::Rally => {
-            let items = plans.rally.content.as_ref().map(|it| it.items.clone());
-            (items, plans.rally.transfer)
-        }
-    };
-    items.filter(|_| transfer == Transfer::Done)
 }
 
 impl Job {
@@ -321,6 +312,7 @@ impl Job {
             Outcome::Kept(..) | Outcome::Restored(..) => self.transaction.is_stored(),
             Outcome::Read(_)
             | Outcome::Changed(_)
+            | Outcome::Unfamiliar(_)
             | Outcome::Unsupported
             | Outcome::Unread
             | Outcome::Unknown => false,
@@ -338,18 +330,24 @@ impl Job {
         desk: &mut Desk<'_>,
     ) -> Ending {
         let kind = self.command.kind;
-        let told = |state, id, items: Vec<Item>| {
-            let ending = (state, counted(id, kind, &items));
+        let is_unknown = outcome == Outcome::Unknown;
+        let held = |id, items: Vec<Item>| {
+            let ending = (RowState::Done, self.warned(counted(id, kind, &items)));
             (Some(items), ending)
         };
-        let (held, ending) = match outcome {
+        let refused = |id, items: Vec<Item>| {
+            let ending = (RowState::Refused, counted(id, kind, &items));
+            (Some(items), ending)
+        };
+        let (on_board, ending) = match outcome {
             Outcome::Read(items) => {
                 let ending = self.was_read(&items, shelf, desk.vehicle);
                 (Some(items), ending)
             }
-            Outcome::Written(items) => told(RowState::Done, "outcome-plan-written", items),
-            Outcome::Same(items) => told(RowState::Done, "outcome-plan-same", items),
-            Outcome::Changed(items) => told(RowState::Refused, "refused-plan-changed", items),
+            Outcome::Written(items) => held("outcome-plan-written", items),
+            Outcome::Same(items) => held("outcome-plan-same", items),
+            Outcome::Changed(items) => refused("refused-plan-changed", items),
+            Outcome::Unfamiliar(items) => refused("refused-plan-unfamiliar", items),
             Outcome::Kept(items, reason) => {
                 let text = text!("outcome-plan-kept", reason = reason);
                 (Some(items), (RowState::Refused, text))
@@ -362,11 +360,24 @@ impl Job {
             Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
             Outcome::Unknown => (None, (RowState::TimedOut, text!("outcome-plan-unknown"))),
         };
-        match held {
+        match on_board {
             Some(items) => desk.plans.learn(desk.vehicle, kind, items, desk.now),
-            None => desk.plans.read_again(kind, desk.now),
+            None => {
+                if is_unknown {
+                    desk.plans.forget_acknowledged(kind);
+                }
+                desk.plans.read_again(kind, desk.now);
+            }
         }
         ending
+    }
+
+    /// An outcome with the warnings about the list.
+    fn warned(&self, outcome: Text) -> Text {
+        let Some(warned) = judging::warned(&self.warnings) else {
+            return outcome;
+        };
+        Text::joined("; ", vec![outcome, warned])
     }
 
     fn was_read(&self, items: &[Item], shelf: Option<&dyn PlanShelf>, vehicle: &Vehicle) -> Ending {

@@ -82,6 +82,9 @@ pub(super) struct PlanReader {
     /// Lists that the vehicle has refused: they are not requested again.
     refused: [bool; 3],
     download: Option<Download>,
+    /// The lists that the user knows to be on board: as first read, or as last read or written by an order. Another
+    /// program's list that is read in the background is not.
+    acknowledged: [Option<Vec<Item>>; 3],
     /// The count and the ids in `MISSION_CURRENT`.
     announced: Option<[u32; 4]>,
 }
@@ -91,6 +94,7 @@ impl PlanReader {
     pub fn forget(&mut self) {
         *self = Self {
             only_follows: self.only_follows,
+            acknowledged: std::mem::take(&mut self.acknowledged),
             ..Self::default()
         };
     }
@@ -123,8 +127,20 @@ impl PlanReader {
     ) {
         self.refused[kind as usize] = false;
         self.is_read(kind, items.len(), now);
+        self.acknowledged[kind as usize] = Some(items.clone());
         store(vehicle, kind, items);
         *transfer(vehicle, kind) = Transfer::Done;
+    }
+
+    /// The list that the user knows to be on board, if one has been read.
+    pub fn acknowledged(&self, kind: ListKind) -> Option<&[Item]> {
+        self.acknowledged[kind as usize].as_deref()
+    }
+
+    /// Takes the next list that is read as the known one: after a transfer of an unknown end, it is not another
+    /// program's.
+    pub fn forget_acknowledged(&mut self, kind: ListKind) {
+        self.acknowledged[kind as usize] = None;
     }
 
     /// Requests a list again, as soon as possible.
@@ -276,6 +292,7 @@ impl PlanReader {
             }
             Step::Done(items) => {
                 self.is_read(kind, items.len(), now);
+                self.acknowledged[list].get_or_insert_with(|| items.clone());
                 store(vehicle, kind, items);
                 Transfer::Done
             }

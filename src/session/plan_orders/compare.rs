@@ -1,9 +1,8 @@
-//! Checks whether a vehicle would accept a list, and whether it holds the list that was sent.
+//! Whether a vehicle holds the list that was sent, and its refusals in words.
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
-use crate::plan::board::{self, Refusal};
-use crate::plan::{ContentHash, Fence, HeightFrame, Item, ListKind, command};
+use crate::plan::{ContentHash, HeightFrame, Item, ListKind, board, command};
 use crate::text;
 use crate::text::Text;
 
@@ -11,46 +10,6 @@ use crate::text::Text;
 /// rally points in metres.
 const ROUNDING: f32 = 0.011;
 const RALLY_ROUNDING: f32 = 1.001;
-
-/// Refuses a list that `ArduPilot` would not take. Items of a plan are counted from 1, because 0 is home.
-///
-/// # Errors
-/// The number of the item, and the reason.
-pub(super) fn check(kind: ListKind, own: &[Item]) -> Result<(), Text> {
-    let total = own.len() + home(kind);
-    let most = board::most_items(kind);
-    if total > most {
-        return Err(text!("refused-plan-long", count = total, most = most));
-    }
-    let refused = |number: usize, reason: Text| {
-        Err(text!("refused-plan-item", item = number, reason = reason))
-    };
-    for (item, number) in own.iter().zip(home(kind)..) {
-        if let Err(refusal) = board::kept(kind, item) {
-            return refused(number, refusal_of(refusal, item));
-        }
-        if let (ListKind::Plan, Some(target)) = (kind, board::wrong_jump(item, total)) {
-            return refused(number, text!("plan-result-jump", target = target));
-        }
-    }
-    match kind {
-        ListKind::Fence => match Fence::check(own) {
-            Err((number, error)) => refused(number, Text::verbatim(error.to_string().trim())),
-            Ok(_) => Ok(()),
-        },
-        ListKind::Plan | ListKind::Rally => Ok(()),
-    }
-}
-
-fn refusal_of(refusal: Refusal, item: &Item) -> Text {
-    match refusal {
-        Refusal::Invalid | Refusal::Command => {
-            text!("plan-result-command", command = item.command)
-        }
-        Refusal::Frame => text!("plan-result-frame", frame = item.frame),
-        Refusal::Parameter(number) => text!("plan-result-parameter", number = number),
-    }
-}
 
 /// The text for a vehicle's refusal of an item, or of a list.
 pub(super) fn explained(result: MavMissionResult, item: &Item) -> Text {
@@ -191,17 +150,6 @@ mod tests {
         };
         assert!(!is_held(ListKind::Plan, &sent, &[home, sea]));
         assert!(!is_held(ListKind::Plan, &sent, &sent[..1]));
-    }
-
-    #[test]
-    fn an_item_that_would_be_refused_is_named() {
-        let bad = Item {
-            command: 195,
-            ..waypoint([0.0; 4], 5.0)
-        };
-        let items = [waypoint([0.0; 4], 5.0), bad];
-        assert!(check(ListKind::Plan, &items[..1]).is_ok());
-        assert!(check(ListKind::Plan, &items).is_err());
     }
 
     #[test]

@@ -10,13 +10,21 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
+/// The content of a file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PlanOnFile {
+    pub document: Document,
+    /// What was assumed in reading it, such as heights that the file lacks.
+    pub notes: Vec<Text>,
+}
+
 /// Reads and writes files of plans, fences and rally points. Names are as the user typed them.
 pub trait PlanShelf: Debug + Send + Sync {
     /// The content of a file.
     ///
     /// # Errors
     /// A text that names the file, and the place of the first fault.
-    fn read(&self, file: &str) -> Result<Document, Text>;
+    fn read(&self, file: &str) -> Result<PlanOnFile, Text>;
 
     /// Writes a new file and returns its path; no file is replaced.
     ///
@@ -40,10 +48,10 @@ pub trait PlanShelf: Debug + Send + Sync {
 pub struct GuardedShelf<S>(pub S);
 
 impl<S: PlanShelf> PlanShelf for GuardedShelf<S> {
-    fn read(&self, file: &str) -> Result<Document, Text> {
-        let document = self.0.read(file)?;
-        match protected_item(&document) {
-            None => Ok(document),
+    fn read(&self, file: &str) -> Result<PlanOnFile, Text> {
+        let content = self.0.read(file)?;
+        match protected_item(&content.document) {
+            None => Ok(content),
             Some(item) => Err(item.refusal()),
         }
     }
@@ -87,8 +95,8 @@ pub(super) fn broken_off(
             ListKind::Fence => "fence",
             ListKind::Rally => "rally",
         };
-        let document = shelf.read(&file);
-        let text = if document.is_ok_and(|document| document.list(kind).is_empty()) {
+        let content = shelf.read(&file);
+        let text = if content.is_ok_and(|content| content.document.list(kind).is_empty()) {
             text!("plan-broken-off-empty", verb = verb)
         } else {
             text!("plan-broken-off", verb = verb, file = file)

@@ -10,8 +10,8 @@ use mavlink::dialects::ardupilotmega::MavMissionResult;
 
 use super::reading::{Read, Reading};
 use super::sending::{Sending, Sent};
-use super::{Desk, PlanShelf, compare, document_of, known, packed};
-use crate::plan::{Item, ListKind};
+use super::{Desk, PlanShelf, compare, document_of, packed};
+use crate::plan::{ContentHash, Document, Item, ListKind};
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::logs::hands_out_files;
 use crate::text;
@@ -28,7 +28,7 @@ pub(super) struct Transaction {
     kind: ListKind,
     /// The list that the vehicle is to hold; `None` if it is only read.
     new: Option<Vec<Item>>,
-    /// The list in the vehicle model before the transfer.
+    /// The list that the user knows to be on board; `None` if it has not been read yet.
     known: Option<Vec<Item>>,
     /// The list that the vehicle held before the transfer.
     old: Vec<Item>,
@@ -74,6 +74,8 @@ pub(super) enum Outcome {
     Same(Vec<Item>),
     /// The vehicle's list has changed since it was read; nothing was written.
     Changed(Vec<Item>),
+    /// The vehicle carries a list that has not been read before; nothing was written.
+    Unfamiliar(Vec<Item>),
     /// The vehicle refused the list and holds the old one.
     Kept(Vec<Item>, Text),
     /// The old list had to be restored.
@@ -92,7 +94,7 @@ impl Transaction {
         Self {
             kind,
             new,
-            known: known(desk.vehicle, kind),
+            known: desk.plans.acknowledged(kind).map(<[Item]>::to_vec),
             old: Vec::new(),
             by_file,
             restores: false,
@@ -233,6 +235,10 @@ impl Transaction {
         if compare::is_held(self.kind, new, &items) {
             return Some(Outcome::Same(items));
         }
+        let is_empty = compare::own(self.kind, &items).is_empty();
+        if known.is_none() && !is_empty && !self.is_kept(&items, shelf, desk) {
+            return Some(Outcome::Unfamiliar(items));
+        }
         self.old = items;
         self.is_stored = shelf.is_some_and(|shelf| {
             let document = document_of(self.kind, &self.old);
@@ -240,6 +246,21 @@ impl Transaction {
         });
         self.write(desk);
         None
+    }
+
+    /// Whether a list is the one that an earlier transfer has kept.
+    fn is_kept(&self, items: &[Item], shelf: Option<&dyn PlanShelf>, desk: &Desk<'_>) -> bool {
+        let Some(shelf) = shelf else {
+            return false;
+        };
+        let mut kept = shelf.kept(desk.vehicle.id).into_iter();
+        let file = kept.find(|(kind, _)| *kind == self.kind);
+        let content = file.and_then(|(_, file)| shelf.read(&file).ok());
+        let is_same = |kept: &Document| {
+            let own = compare::own(self.kind, items);
+            ContentHash::of(kept.list(self.kind)) == ContentHash::of(own)
+        };
+        content.is_some_and(|content| is_same(&content.document))
     }
 
     /// Begins to write the current list.

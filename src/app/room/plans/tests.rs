@@ -1,3 +1,5 @@
+use std::time::Duration;
+
 use crossterm::event::{KeyCode, KeyEvent};
 
 use super::*;
@@ -8,7 +10,9 @@ use crate::app::{App, Setup};
 use crate::commands::{Act, Command, PlanDeed, PlanSource};
 use crate::geo::LatLon;
 use crate::plan::command;
-use crate::vehicle::{Place, Plan, Stored, Transfer, Vehicle, VehicleId};
+use crate::vehicle::{
+    Heartbeat, Mode, Place, Plan, Stored, SystemStatus, Transfer, Vehicle, VehicleClass, VehicleId,
+};
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);
 
@@ -272,6 +276,19 @@ fn read_empty(vehicle: &mut Vehicle) {
     vehicle.plans.fence.transfer = Transfer::Done;
 }
 
+/// A vehicle in AUTO.
+fn flies_plan(vehicle: &mut Vehicle) {
+    vehicle.heartbeat = Some(Heartbeat {
+        mav_type: 2,
+        autopilot: 3,
+        class: VehicleClass::Copter,
+        mode: Mode::copter(3),
+        armed: true,
+        status: SystemStatus::Active,
+        at: Duration::ZERO,
+    });
+}
+
 #[test]
 fn each_list_of_a_draft_is_uploaded_by_an_order() {
     let mut desk = Desk::new();
@@ -302,8 +319,9 @@ fn each_list_of_a_draft_is_uploaded_by_an_order() {
 }
 
 #[test]
-fn an_upload_to_a_vehicle_that_was_not_read_asks_once_for_all_lists() {
+fn an_upload_to_a_vehicle_that_flies_its_plan_asks_once_for_all_lists() {
     let mut desk = Desk::new();
+    desk.vehicle(1, flies_plan);
     desk.press("ta");
     desk.give("draft fence circle 200 n 0 e 0");
     assert!(desk.give("draft upload 1").is_empty());

@@ -32,7 +32,10 @@ fn the_old_list_survives_a_console_that_is_killed_in_the_middle_of_a_transfer() 
     rig.upload(ListKind::Plan, &name);
     assert_eq!(rig.ended(s(60)), RowState::Done, "{:?}", rig.row);
     let held = rig.on_board(ListKind::Plan);
-    let old = whole(&rig.shelf.read("old").expect("it is there"), ListKind::Plan);
+    let old = whole(
+        &rig.shelf.read("old").expect("it is there").document,
+        ListKind::Plan,
+    );
     assert!(compare::is_held(ListKind::Plan, &old, &held));
     assert_eq!(rig.shelf.kept(1), []);
 }

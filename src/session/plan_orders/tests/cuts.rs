@@ -39,8 +39,8 @@ fn cut(kind: ListKind, by_file: bool, cuts: u64) -> Tally {
         rig.radio(0.0, 0, 0);
         let board = rig.on_board(kind);
         let has = |list: usize| {
-            let document = rig.shelf.read(&list.to_string()).expect("it is there");
-            compare::is_held(kind, &whole(&document, kind), &board)
+            let file = rig.shelf.read(&list.to_string()).expect("it is there");
+            compare::is_held(kind, &whole(&file.document, kind), &board)
         };
         assert!(
             has(0) != has(1),

@@ -18,12 +18,13 @@ use crate::wire::{Decoder, Encoder, Outgoing};
 pub(super) struct Shelf(pub(super) Mutex<BTreeMap<String, Document>>);
 
 impl PlanShelf for Shelf {
-    fn read(&self, file: &str) -> Result<Document, Text> {
+    fn read(&self, file: &str) -> Result<PlanOnFile, Text> {
         let files = self.0.lock().expect("no panic");
-        files
-            .get(file)
-            .cloned()
-            .ok_or_else(|| Text::verbatim("no such file"))
+        let document = files.get(file).cloned();
+        Ok(PlanOnFile {
+            document: document.ok_or_else(|| Text::verbatim("no such file"))?,
+            notes: Vec::new(),
+        })
     }
 
     fn write(&self, file: &str, _: ListKind, document: &Document) -> Result<String, Text> {
