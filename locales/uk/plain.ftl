@@ -2,6 +2,7 @@
 
 plain-greeting = консоль без екрана: одна команда на рядок, `help` перелічує їх, `quit` — вихід
 plain-asks = { $question }: { $reason }; щоб виконати, введіть { $answer } і натисніть Enter, усе інше скасовує
+plain-unconfirmed = не підтверджено й не виконано: у вхідних рядках наступним має бути { $answer } або `no`
 plain-wait-in-vain = час очікування минув: { $line }
 plain-no-room = для цього потрібна консоль з екраном
 plain-critical = КРИТИЧНО

@@ -5,8 +5,9 @@
 //! plain text.
 //!
 //! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles are ready. Each
-//! further line waits until the earlier commands have ended, and `wait` can delay it further. The end of the pipe ends
-//! the flight. Outside of missions, a failed line makes the whole flight fail.
+//! further line waits until the earlier commands have ended, and `wait` can delay it further. A question is answered by
+//! the next line: the answer that it names, or `no`; any other line is a command, and the question counts as a failure.
+//! The end of the pipe ends the flight. Outside of missions, a failed line makes the whole flight fail.
 
 use std::time::Duration;
 
@@ -38,6 +39,9 @@ use report::PlainReport;
 const NEWS_EVERY: Duration = Duration::from_millis(500);
 /// How long the console waits after the end of the input for a mission to end on its own.
 const LANDING_PATIENCE: Duration = Duration::from_secs(10);
+
+/// The line with which a script answers a question with no.
+const NO: &str = "no";
 
 /// Runs the plain console until its user quits or its input ends. Returns whether the mission was passed, or without a
 /// mission, whether all lines from a pipe were carried out.
@@ -235,10 +239,20 @@ impl Plain {
     }
 
     async fn take_text(&mut self, line: &str) {
+        let is_said = !line.is_empty() && !line.starts_with('#');
         if let Some(Overlay::Confirm(question)) = self.console.app.state().overlay() {
             let answer = question.answer().to_owned();
+            if !self.is_person && !is_said {
+                return;
+            }
             self.answer(&answer, line).await;
-        } else if !line.is_empty() && !line.starts_with('#') {
+            if self.is_person || line == answer || line == NO {
+                return;
+            }
+            // Any other line of a script is a command, and no answer.
+            self.unconfirmed(&answer).await;
+        }
+        if is_said {
             if !self.is_person {
                 // The results of earlier lines are printed before this one.
                 self.tell_news();
@@ -250,6 +264,13 @@ impl Plain {
                     .await;
             }
         }
+    }
+
+    /// A question in a pipe that the next line does not answer: what was asked about is not done.
+    async fn unconfirmed(&mut self, answer: &str) {
+        self.failed = true;
+        self.console.feed(TerminalEvent::Told).await;
+        self.say(&text!("plain-unconfirmed", answer = answer));
     }
 
     /// Only the exact answer confirms.
@@ -357,12 +378,14 @@ impl Plain {
 
     async fn end_of_input(&mut self) {
         self.ended = true;
-        if matches!(
-            self.console.app.state().overlay(),
-            Some(Overlay::Confirm(_))
-        ) {
+        if let Some(Overlay::Confirm(question)) = self.console.app.state().overlay() {
+            let answer = question.answer().to_owned();
             self.console.feed(key(KeyCode::Esc)).await;
-            self.tell_outcome().await;
+            if self.is_person {
+                self.tell_outcome().await;
+            } else {
+                self.unconfirmed(&answer).await;
+            }
         }
     }
 

@@ -285,6 +285,25 @@ fn what_is_refused_in_a_pipe_makes_its_exit_code_1() {
     }
 }
 
+/// A question takes no line away: what it asks about is not done, and the next line is carried out.
+#[test]
+fn a_question_that_a_pipe_does_not_answer_is_an_error() {
+    let vehicles = ["fly", "--plain", "--vehicles", "1", "--speedup", "10"];
+    for (lines, exit, is_done) in [
+        ("1 reboot\n1 guided\n", 1, false),
+        ("1 reboot\n", 1, false),
+        ("1 reboot\nno\n1 guided\n", 0, false),
+        ("1 reboot\n\n# really\n1\n", 0, true),
+    ] {
+        let (said, code) = plain(&vehicles, lines);
+        assert_eq!(code, Some(exit), "{lines}: {said}");
+        assert_eq!(said.contains("not confirmed"), exit == 1, "{lines}: {said}");
+        let guided = lines.contains("guided");
+        assert_eq!(said.contains("1 guided: 1 effect seen"), guided, "{said}");
+        assert_eq!(said.contains("1 reboot: 1 effect seen"), is_done, "{said}");
+    }
+}
+
 #[test]
 fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
     let (said, code) = plain(&["fly", "01", "--plain", "--speedup", "5"], "objectives\n");
