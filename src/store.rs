@@ -41,7 +41,7 @@ pub use links::open_own;
 pub use logs::LogFolder;
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
-pub use plans::PlanFiles;
+pub use plans::{PlanFiles, read_plan_text};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,

@@ -11,7 +11,14 @@ impl Console {
     pub(super) fn handle_file(&mut self, effect: FileEffect) {
         let event = match effect {
             FileEffect::Read { kind, path } => {
-                match store::read(&store::user_path(&path), subject(kind)) {
+                let file = store::user_path(&path);
+                let content = match kind {
+                    FileKind::Plan => store::read_plan_text(&file),
+                    FileKind::Parameters | FileKind::Design | FileKind::Review => {
+                        store::read(&file, subject(kind))
+                    }
+                };
+                match content {
                     Ok(Source { text, .. }) => FileEvent::Read { kind, path, text }.into(),
                     Err(error) => Event::Failed(Text::from(&error)),
                 }

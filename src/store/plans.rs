@@ -3,15 +3,35 @@
 use std::path::{Path, PathBuf};
 
 use super::regular::read_regular;
-use super::{StoreError, sharing, user_path, write};
+use super::{Source, StoreError, read_bytes, sharing, user_path, write};
 use crate::plan::{Document, FileFormat, ListKind, ReadOptions};
-use crate::session::{PlanShelf, format_of};
+use crate::preflight::{self, note_words};
+use crate::session::{PlanOnFile, PlanShelf, format_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// The maximum size of a file, in bytes: a plan of all items that a vehicle can carry is a hundredth of it.
 const LONGEST: u64 = 16 * 1024 * 1024;
+
+/// Reads the text of a plan file of at most 1 MiB; of an archive (KMZ), the KML in it.
+///
+/// # Errors
+/// It does not exist, cannot be read, is too large or no text.
+pub fn read_plan_text(path: &Path) -> Result<Source, StoreError> {
+    let bytes = read_bytes(path, "file-plan")?;
+    let name = path.display().to_string();
+    match crate::plan::source_text(&bytes) {
+        Ok(text) => Ok(Source { name, text }),
+        Err(fault) => Err(StoreError::Faulty {
+            file: Source {
+                name,
+                text: String::new(),
+            },
+            faults: vec![preflight::fault(&fault)],
+        }),
+    }
+}
 
 /// The files of plans on this machine; names are relative to the working directory.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -50,14 +70,17 @@ impl PlanFiles {
 }
 
 impl PlanShelf for PlanFiles {
-    fn read(&self, file: &str) -> Result<Document, Text> {
+    fn read(&self, file: &str) -> Result<PlanOnFile, Text> {
         let path = user_path(file);
         let bytes = read_regular(&path, LONGEST).map_err(|error| {
             let error = error.to_string();
             text!("refused-plan-unreadable", file = file, error = error)
         })?;
         crate::plan::read(&bytes, &ReadOptions::default())
-            .map(|loaded| loaded.document)
+            .map(|loaded| PlanOnFile {
+                notes: loaded.notes.iter().map(|it| note_words(&it.kind)).collect(),
+                document: loaded.document,
+            })
             .map_err(|(text, faults)| {
                 let at = faults.first().map_or(0, |fault| fault.span.start);
                 let before = text.get(..at).unwrap_or_default();
@@ -129,14 +152,54 @@ mod tests {
         let document = PlanFiles::default()
             .read(&path("a.waypoints"))
             .expect("valid");
+        let document = document.document;
         assert_eq!(document.plan.len(), 1);
         for name in ["b.waypoints", "b.plan", "b.kml", "b.geojson", "b"] {
             let written = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
             let again = PlanFiles::default().read(&written.expect("written"));
-            assert_eq!(again.expect("valid").plan.len(), 1, "{name}");
+            assert_eq!(again.expect("valid").document.plan.len(), 1, "{name}");
             let taken = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
             assert!(taken.is_err(), "{name}");
         }
+    }
+
+    /// A zip archive with one stored file.
+    fn zip(name: &str, content: &[u8], stated: u32) -> Vec<u8> {
+        let size = (content.len() as u32).to_le_bytes();
+        let length = (name.len() as u16).to_le_bytes();
+        let mut file = b"PK\x03\x04".to_vec();
+        file.extend([0; 14]);
+        file.extend([size, size].concat());
+        file.extend([length, [0; 2]].concat());
+        file.extend([name.as_bytes(), content].concat());
+        let directory_at = file.len() as u32;
+        file.extend(b"PK\x01\x02");
+        file.extend([0; 16]);
+        file.extend([size, stated.to_le_bytes()].concat());
+        file.extend(length);
+        file.extend([0; 16]);
+        file.extend(name.as_bytes());
+        file.extend(b"PK\x05\x06");
+        file.extend([0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0]);
+        file.extend(directory_at.to_le_bytes());
+        file.extend([0; 2]);
+        file
+    }
+
+    #[test]
+    fn an_archive_is_read_like_the_document_in_it_and_one_that_unpacks_to_too_much_is_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let kml = b"<kml><Placemark><LineString><coordinates>30.52,50.45 30.53,50.45</coordinates>\
+                    </LineString></Placemark></kml>";
+        let read = |stated| {
+            let path = folder.path().join("area.kmz");
+            std::fs::write(&path, zip("doc.kml", kml, stated)).expect("written");
+            read_plan_text(&path)
+        };
+        let source = read(kml.len() as u32).expect("an archive");
+        assert_eq!(source.text.as_bytes(), kml);
+        let fault = read(17 * 1024 * 1024).expect_err("too much");
+        assert!(fault.to_string().contains("area.kmz"), "{fault}");
     }
 
     #[test]
@@ -156,7 +219,7 @@ mod tests {
         let files = PlanFiles::keeping_in(Some(data.path()));
         let source = data.path().join("a.waypoints").display().to_string();
         std::fs::write(&source, PLAN).expect("written");
-        let document = files.read(&source).expect("valid");
+        let document = files.read(&source).expect("valid").document;
         assert!(files.keep(3, ListKind::Plan, &document));
         assert!(
             !files.keep(3, ListKind::Plan, &Document::default()),
@@ -166,8 +229,18 @@ mod tests {
         let kept = PlanFiles::keeping_in(Some(data.path())).kept(3);
         let kinds: Vec<ListKind> = kept.iter().map(|(kind, _)| *kind).collect();
         assert_eq!(kinds, [ListKind::Plan, ListKind::Rally]);
-        assert_eq!(files.read(&kept[0].1).expect("valid").plan, document.plan);
-        assert!(files.read(&kept[1].1).expect("valid").rally.is_empty());
+        assert_eq!(
+            files.read(&kept[0].1).expect("valid").document.plan,
+            document.plan
+        );
+        assert!(
+            files
+                .read(&kept[1].1)
+                .expect("valid")
+                .document
+                .rally
+                .is_empty()
+        );
         assert_eq!(files.kept(4), []);
         files.release(3, ListKind::Plan);
         files.release(3, ListKind::Plan);

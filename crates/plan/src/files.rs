@@ -146,12 +146,8 @@ const MOST_ITEMS: usize = u16::MAX as usize - 1;
 /// # Errors
 /// Every fault that was found, with its place, and the text to which the places refer.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Loaded, (String, Vec<Fault>)> {
-    let in_archive = bytes.starts_with(b"PK");
-    let text = if in_archive {
-        archive::kml_of(bytes)
-    } else {
-        text_of(bytes)
-    };
+    let in_archive = is_archive(bytes);
+    let text = source_text(bytes);
     let text = text.map_err(|fault| (String::from_utf8_lossy(bytes).into_owned(), vec![fault]))?;
     let (format, parsed) = parsed(&text, in_archive, *options);
     let checked = parsed.and_then(|parsed| {
@@ -191,6 +187,22 @@ fn within(span: &Range<usize>, text: &str) -> Range<usize> {
     };
     let start = floor(span.start).unwrap_or_default();
     start..floor(span.end).unwrap_or_default().max(start)
+}
+
+fn is_archive(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK")
+}
+
+/// The text of a plan file: the file itself, or the KML in an archive (KMZ), at most 16 MiB.
+///
+/// # Errors
+/// It is no text, or the archive is damaged, has no KML or is too large.
+pub fn source_text(bytes: &[u8]) -> Result<String, Fault> {
+    if is_archive(bytes) {
+        archive::kml_of(bytes)
+    } else {
+        text_of(bytes)
+    }
 }
 
 fn text_of(bytes: &[u8]) -> Result<String, Fault> {

@@ -39,6 +39,6 @@ mod place;
 pub use areas::{AreaShape, Fence, FenceArea, FenceError, is_inside};
 pub use document::{Document, Home, Origin};
 pub use fault::{ArchiveFault, Expected, Fault, FaultKind, Note, NoteKind, Syntax, Unwritable};
-pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, write};
+pub use files::{FileFormat, Loaded, Places, ReadOptions, SourceFormat, read, source_text, write};
 pub use hash::ContentHash;
 pub use item::{HeightFrame, Item, ListKind};

@@ -22,7 +22,9 @@ pub(super) fn proposed(draft: &Draft) -> String {
     if ending(draft.name()).is_some() {
         draft.name().to_owned()
     } else {
-        format!("{}.{ENDING}", draft.name())
+        // Archives are read, and not written.
+        let name = draft.name().trim_end_matches(".kmz");
+        format!("{name}.{ENDING}")
     }
 }
 
