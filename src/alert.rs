@@ -40,6 +40,8 @@ pub enum AlertKind {
     Gps,
     /// The filter's estimates contradict the sensors.
     Ekf,
+    /// Another vehicle in the air is too close.
+    Separation,
     Battery,
     /// The remaining battery is little more than the way home needs.
     WayHome,
@@ -83,6 +85,7 @@ impl AlertKind {
             Self::Failsafe => text!("alert-failsafe"),
             Self::Gps => text!("alert-kind-gps"),
             Self::Ekf => text!("alert-kind-ekf"),
+            Self::Separation => text!("alert-kind-separation"),
             Self::Battery => text!("alert-kind-battery"),
             Self::WayHome => text!("alert-kind-way-home"),
             Self::Fence => text!("alert-fence"),

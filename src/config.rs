@@ -114,6 +114,10 @@ pub struct AlertsConfig {
     pub notify: bool,
     /// The kinds of alerts without a signal.
     pub mute: Vec<AlertKind>,
+    /// The distance across below which two vehicles in the air are too close to each other, in metres; 0 for none.
+    pub separation: u16,
+    /// The difference in height below which they are, in metres.
+    pub separation_height: u16,
 }
 
 /// The question to trainees about their workload.
@@ -256,6 +260,8 @@ impl Default for AlertsConfig {
             bell: true,
             notify: false,
             mute: Vec::new(),
+            separation: 5,
+            separation_height: 3,
         }
     }
 }

@@ -122,6 +122,18 @@ pub const SETTINGS: &[Setting] = &[
         "The kinds of alerts that stay silent.",
     ),
     setting(
+        "alerts.separation",
+        SettingKind::Whole(0, 1000),
+        None,
+        "Distance across in m below which vehicles in the air are too close to each other, outside of missions; 0 for no alert.",
+    ),
+    setting(
+        "alerts.separation_height",
+        SettingKind::Whole(0, 1000),
+        None,
+        "Difference in height in m below which they are.",
+    ),
+    setting(
         "workload.ask",
         SettingKind::Flag,
         Some("SORTIE_ASK_WORKLOAD"),

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::alert::{Alert, alerts, process_ended};
+use super::alert::{Alert, alerts, process_ended, separation};
 use super::bell::{Bell, BellCall, Due};
+use super::separation::CloseVehicle;
 use crate::alert::AlertKind;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
@@ -44,6 +45,8 @@ pub struct Alarms {
     /// Vehicles whose processes have ended.
     pub(in crate::app) down: BTreeSet<VehicleId>,
     muted: Vec<AlertKind>,
+    /// The vehicles that are too close to others.
+    close: BTreeMap<VehicleId, CloseVehicle>,
 }
 
 impl Alarms {
@@ -52,13 +55,24 @@ impl Alarms {
         self.muted = kinds.to_vec();
     }
 
+    /// Notes which vehicles are too close to each other.
+    pub fn note_close(&mut self, close: BTreeMap<VehicleId, CloseVehicle>) {
+        self.close = close;
+    }
+
+    /// The alert that another vehicle is too close to this one.
+    pub fn separation(&self, vehicle: VehicleId) -> Option<Alert> {
+        self.close.get(&vehicle).map(separation)
+    }
+
     /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. Returns whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
         // The lost link is a consequence of that.
         let process = is_down.then(process_ended);
         let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
-        let mut present = process.into_iter().chain(others).peekable();
+        let close = self.separation(vehicle.id);
+        let mut present = process.into_iter().chain(close).chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {
             return false;
         }
@@ -85,6 +99,7 @@ impl Alarms {
     pub fn forget(&mut self, vehicle: VehicleId) {
         self.standing.remove(&vehicle);
         self.down.remove(&vehicle);
+        self.close.remove(&vehicle);
     }
 
     /// Rings for a serious text, unless its alert has already done so.

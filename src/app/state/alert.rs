@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::separation::CloseVehicle;
 use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
@@ -49,6 +50,17 @@ pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
         prearm(vehicle),
     ];
     found.into_iter().flatten()
+}
+
+/// The alert that another vehicle is too close.
+pub fn separation(close: &CloseVehicle) -> Alert {
+    let text = text!(
+        "alert-separation",
+        vehicle = close.vehicle,
+        across = figure(close.across_m, 0),
+        height = figure(close.height_m, 0)
+    );
+    condition(AlertKind::Separation, Severity::Critical, text)
 }
 
 /// The alert that a vehicle's simulator process has ended.

@@ -14,7 +14,8 @@ use crate::app::room::map;
 use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{
-    Activity, BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow,
+    Activity, BellCall, FlightView, Hangar, NoticeLog, Overlay, SeparationLimits, SessionPace,
+    TimeFlow, too_close,
 };
 use crate::mission::Progress;
 use crate::notice::Notice;
@@ -81,7 +82,16 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
 
 /// Checks all vehicles again: some alerts end with time.
 fn watch(state: &mut State) {
+    let limits = SeparationLimits::of(&state.config.alerts);
     let session = &mut state.session;
+    // A mission has its own rules about distances.
+    if matches!(
+        session.activity,
+        Some(Activity::Free | Activity::Connected { .. })
+    ) {
+        let close = too_close(&session.vehicles, limits);
+        session.alarms.note_close(close);
+    }
     for vehicle in session.vehicles.values() {
         session.alarms.observe(vehicle, state.now);
     }
