@@ -93,6 +93,7 @@ pub fn ungenerated(error: GenerateError, vehicle: usize) -> Text {
         GenerateError::NoVehicle => text!("plan-generate-no-vehicle"),
         GenerateError::Empty => text!("plan-generate-empty"),
         GenerateError::TooMany(most) => text!("plan-generate-too-many", most = most),
+        GenerateError::TooNarrow(least) => text!("plan-generate-narrow", least = least),
         GenerateError::Fence => text!("plan-generate-fence"),
         GenerateError::OutsideFence => text!("plan-generate-outside"),
         GenerateError::NoWay(_) => text!("plan-generate-no-way", vehicle = vehicle),

@@ -153,6 +153,7 @@ plan-deconflict-disarm = the delay is written as NAV_DELAY before the takeoff: s
 plan-generate-no-vehicle = no vehicle to plan for
 plan-generate-empty = the area or line has no extent
 plan-generate-too-many = more than { $most } lines: use a larger spacing
+plan-generate-narrow = lanes this close together are a conflict: `--spacing` has to be { $least } m or more
 plan-generate-fence = the fence is not valid; `sortie plan check` shows why
 plan-generate-outside = the pattern breaks the fence: move it, or make it smaller
 plan-generate-no-way = vehicle { $vehicle }: no path inside the fence from its home to its part

@@ -152,6 +152,7 @@ plan-deconflict-disarm = затримку записано як NAV_DELAY пер
 plan-generate-no-vehicle = немає апаратів для планування
 plan-generate-empty = ділянка або лінія не має розміру
 plan-generate-too-many = більш ніж { $most } ліній: збільште відстань між лініями
+plan-generate-narrow = так близько одна від одної смуги конфліктують: `--spacing` має бути щонайменше { $least } m
 plan-generate-fence = геозона хибна; причину показує `sortie plan check`
 plan-generate-outside = схема порушує геозону: перемістіть її або зменште
 plan-generate-no-way = апарат { $vehicle }: від його дому до його частини немає шляху в межах геозони

@@ -43,6 +43,7 @@ impl Conductor {
                 GenerateError::NoVehicle
                 | GenerateError::Empty
                 | GenerateError::TooMany(_)
+                | GenerateError::TooNarrow(_)
                 | GenerateError::Fence
                 | GenerateError::OutsideFence => None,
             };

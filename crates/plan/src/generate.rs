@@ -112,6 +112,9 @@ pub enum GenerateError {
     /// The area needs more lines than this maximum.
     #[error("more than {0} lines")]
     TooMany(usize),
+    /// Lanes of several vehicles that are closer together than this, in metres.
+    #[error("lanes closer than {0} m")]
+    TooNarrow(u32),
     /// The fence is not valid.
     #[error("the fence is not valid")]
     Fence,

@@ -447,3 +447,24 @@ fn vehicles_that_pass_a_place_shortly_one_after_the_other_are_kept_apart() {
     let changed = proposal.remedies.iter().any(|it| *it != Remedy::Nothing);
     assert!(changed, "{:?}", proposal.remedies);
 }
+
+/// The narrowest lanes that the generator accepts are far enough apart, also in wind.
+#[test]
+fn the_narrowest_lanes_are_no_conflict() {
+    let at = |north_m, east_m| HOME.moved(north_m, east_m);
+    let task = Task::Line {
+        points: vec![at(60.0, 0.0), at(200.0, 60.0), at(340.0, 0.0)],
+        spacing_m: 6.0,
+    };
+    for wind_m_s in [0.0, 8.0] {
+        let windy = Conditions {
+            wind_m_s,
+            wind_from_deg: 200.0,
+            ..calm()
+        };
+        for gap_m in [5.0, 8.0, 12.0] {
+            let outcome = rehearse(&generated(&task, 4, gap_m), &windy).expect("they can fly");
+            assert_eq!(outcome.conflicts().next(), None, "{gap_m} {wind_m_s}");
+        }
+    }
+}

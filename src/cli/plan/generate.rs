@@ -206,6 +206,7 @@ fn run(task: &Task, team: &TeamArguments, locale: &Locale) -> Result<ExitCode, F
             GenerateError::NoVehicle
             | GenerateError::Empty
             | GenerateError::TooMany(_)
+            | GenerateError::TooNarrow(_)
             | GenerateError::Fence
             | GenerateError::OutsideFence => 0,
         };

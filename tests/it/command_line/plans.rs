@@ -149,12 +149,63 @@ fn a_rehearsal_finds_the_vehicles_that_meet_and_a_proposal_keeps_them_apart() {
         "apart",
     ]);
     assert_eq!(apart.status.code(), Some(0), "{}", text(&apart.stdout));
-    assert!(
-        folder.path().join("apart/two.waypoints").is_file(),
-        "{}",
-        text(&apart.stdout)
-    );
-    assert!(!folder.path().join("apart/one.waypoints").exists());
+    let said = text(&apart.stdout);
+    assert!(said.contains("even if a vehicle is 3 s late"), "{said}");
+    // A complete set is written, which can be rehearsed as it is.
+    let both = ["apart/one.waypoints", "apart/two.waypoints"];
+    for file in both {
+        assert!(folder.path().join(file).is_file(), "{file}: {said}");
+    }
+    let flown = run(&[&["plan", "rehearse"], &both[..]].concat());
+    let said = text(&flown.stdout);
+    assert_eq!(flown.status.code(), Some(0), "{said}");
+    assert!(!said.contains("s late"), "{said}");
+}
+
+#[test]
+fn a_vehicle_that_leaves_its_plan_is_said_to_with_the_name_of_the_mode() {
+    let far = waypoints((50.4501, 30.5234), [(50.4510, 30.5248), (50.4519, 30.5262)]);
+    let folder = folder_with(&[("far.waypoints", &far)]);
+    let fence = [
+        "FENCE_ENABLE=1",
+        "FENCE_TYPE=2",
+        "FENCE_RADIUS=100",
+        "FENCE_ACTION=2",
+    ];
+    let parameters = fence.map(|it| ["--param", it]).concat();
+    let rehearse = [&["plan", "rehearse", "far.waypoints"], &parameters[..]].concat();
+    let flown = sortie_in(folder.path(), &rehearse);
+    let said = text(&flown.stdout);
+    assert_eq!(flown.status.code(), Some(1), "{said}");
+    assert!(said.contains("left its plan for LAND"), "{said}");
+    assert!(said.contains("broken at"), "{said}");
+}
+
+#[test]
+fn lanes_closer_than_the_limit_of_a_rehearsal_are_refused_at_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let points = "50.4512,30.5240 50.4525,30.5245";
+    let line = [
+        "plan",
+        "line",
+        "--points",
+        points,
+        "--home",
+        HOME,
+        "--vehicles",
+        "3",
+    ];
+    let made = |spacing| {
+        sortie_in(
+            folder.path(),
+            &[&line[..], &["--spacing", spacing]].concat(),
+        )
+    };
+    let narrow = made("4");
+    assert_eq!(narrow.status.code(), Some(2));
+    let said = text(&narrow.stderr);
+    assert!(said.contains("6 m or more"), "{said}");
+    assert_eq!(made("6").status.code(), Some(0));
 }
 
 /// An area of about 330 m by 390 m with a bay, in front of the homes.

@@ -8,7 +8,11 @@ use super::{GenerateError, Manner, Scene, Work};
 /// The farthest that a lane goes beyond a sharp corner, as a multiple of its distance from the line.
 const LONGEST_MITRE: f64 = 2.0;
 
-/// One lane for each vehicle, from the end that is nearer to the vehicles. Close lanes are flown at two heights in turn.
+/// One lane for each vehicle, from the end that is nearer to the vehicles.
+///
+/// # Errors
+/// The line has no length, or the lanes would be so close together that vehicles which descend to theirs come too close
+/// to each other.
 pub(super) fn lanes(
     scene: &Scene,
     manner: &Manner,
@@ -25,6 +29,9 @@ pub(super) fn lanes(
         return Err(GenerateError::Empty);
     };
     let count = scene.homes.len();
+    if count > 1 && spacing_m < ASIDE_M {
+        return Err(GenerateError::TooNarrow(ASIDE_M as u32));
+    }
     let middle = scene.homes.iter().sum::<DVec2>() / count as f64;
     if middle.distance(*last) < middle.distance(*first) {
         line.reverse();
@@ -39,11 +46,10 @@ pub(super) fn lanes(
     });
     let works = order.into_iter().enumerate().map(|(lane, vehicle)| {
         let off_m = (lane as f64 - (count - 1) as f64 / 2.0) * spacing_m;
-        let is_raised = spacing_m < ASIDE_M && lane % 2 == 1;
         Work {
             vehicle,
             points: beside(&line, off_m),
-            height_m: manner.height_m + if is_raised { manner.layer_m } else { 0.0 },
+            height_m: manner.height_m,
             layer_m: manner.height_m,
             circle: None,
         }

@@ -282,7 +282,7 @@ fn searches_lines_and_orbits_are_flown_by_all_at_safe_heights() {
         },
         Task::Line {
             points: way,
-            spacing_m: 4.0,
+            spacing_m: ASIDE_M,
         },
         Task::Orbit {
             centre: datum,
@@ -338,4 +338,15 @@ fn a_pattern_that_breaks_the_fence_is_refused() {
     assert_eq!(refused, Err(GenerateError::OutsideFence));
     let none = generate(&task, &[], &manner);
     assert_eq!(none, Err(GenerateError::NoVehicle));
+}
+
+#[test]
+fn lanes_that_are_too_close_together_are_refused_at_once() {
+    let task = Task::Line {
+        points: places(&[DVec2::new(60.0, 0.0), DVec2::new(260.0, 0.0)]),
+        spacing_m: 4.0,
+    };
+    let made = |vehicles| generate(&task, &team(vehicles, DVec2::ZERO), &manner());
+    assert_eq!(made(3).err(), Some(GenerateError::TooNarrow(6)));
+    assert!(made(1).is_ok(), "one vehicle has one lane");
 }
