@@ -8,7 +8,7 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::parameters::ParameterList;
 use crate::plan::{ContentHash, Document, Home};
-use crate::rehearsal::{Conditions, Participant, RehearsalError, rehearse};
+use crate::rehearsal::{Conditions, Outcome, Participant, RehearsalError, rehearse};
 use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
@@ -173,16 +173,8 @@ impl PlanRehearsal {
 
     /// Flies the plans. Takes about a second for 32 vehicles and ten minutes.
     pub fn fly(&self, now: Duration) -> Rehearsed {
-        let participants: Vec<Participant> =
-            self.crew.iter().map(|it| it.participant.clone()).collect();
         let seats: Vec<Seat> = self.crew.iter().map(|it| it.seat).collect();
-        let wind = self.air.wind();
-        let conditions = Conditions {
-            wind_m_s: wind.speed_m_s,
-            wind_from_deg: wind.from_deg,
-            ..Conditions::default()
-        };
-        match rehearse(&participants, &conditions) {
+        match self.outcome() {
             Ok(outcome) => {
                 let mut rehearsed = report::report(self.entry, &seats, &outcome, now);
                 let said = Notice::general(now, Severity::Info, self.conditions());
@@ -200,6 +192,22 @@ impl PlanRehearsal {
                 }
             }
         }
+    }
+
+    /// The figures of the rehearsal.
+    ///
+    /// # Errors
+    /// The simulator refuses a plan.
+    pub fn outcome(&self) -> Result<Outcome, RehearsalError> {
+        let participants: Vec<Participant> =
+            self.crew.iter().map(|it| it.participant.clone()).collect();
+        let wind = self.air.wind();
+        let conditions = Conditions {
+            wind_m_s: wind.speed_m_s,
+            wind_from_deg: wind.from_deg,
+            ..Conditions::default()
+        };
+        rehearse(&participants, &conditions)
     }
 
     /// The wind and the airframes of the rehearsal, and where they come from.

@@ -34,7 +34,7 @@ fn square() -> Vec<Item> {
 
 impl Rig {
     /// A vehicle that carries a plan, ready to arm.
-    fn carrying(items: &[Item]) -> Self {
+    pub(super) fn carrying(items: &[Item]) -> Self {
         let mut rig = Self::new(true);
         rig.file("plan", ListKind::Plan, items);
         rig.upload(ListKind::Plan, "plan");
@@ -68,7 +68,7 @@ impl Rig {
         (state, self.explanation())
     }
 
-    fn works(&mut self, line: &str, within: u64) {
+    pub(super) fn works(&mut self, line: &str, within: u64) {
         let (state, reason) = self.give(line, within);
         assert_eq!(state, RowState::Done, "{line}: {reason}");
     }
@@ -79,7 +79,7 @@ impl Rig {
         assert!(explanation.contains(reason), "{line}: {explanation}");
     }
 
-    fn until(&mut self, within: u64, holds: impl Fn(&Vehicle) -> bool) {
+    pub(super) fn until(&mut self, within: u64, holds: impl Fn(&Vehicle) -> bool) {
         let until = self.now + s(within);
         while !holds(self.session.vehicle()) {
             assert!(self.now < until, "{:?}", self.session.vehicle().plan);
@@ -96,7 +96,7 @@ impl Rig {
         mode.to_string()
     }
 
-    fn set(&mut self, name: &str, value: f32) {
+    pub(super) fn set(&mut self, name: &str, value: f32) {
         let set = MavMessage::PARAM_SET(PARAM_SET_DATA {
             param_value: value,
             target_system: 1,
