@@ -226,6 +226,8 @@ impl Plain {
     async fn take(&mut self, line: &PlainLine) -> anyhow::Result<()> {
         self.output.line_ended();
         match line {
+            // An empty line or a comment of a script answers no question.
+            PlainLine::Read(line) if !self.is_person && !is_said(line.trim()) => return Ok(()),
             PlainLine::Read(line) => self.take_text(line.trim()).await,
             PlainLine::Garbled(line) => {
                 self.tell_news();
@@ -239,12 +241,8 @@ impl Plain {
     }
 
     async fn take_text(&mut self, line: &str) {
-        let is_said = !line.is_empty() && !line.starts_with('#');
         if let Some(Overlay::Confirm(question)) = self.console.app.state().overlay() {
             let answer = question.answer().to_owned();
-            if !self.is_person && !is_said {
-                return;
-            }
             self.answer(&answer, line).await;
             if self.is_person || line == answer || line == NO {
                 return;
@@ -252,7 +250,7 @@ impl Plain {
             // Any other line of a script is a command, and no answer.
             self.unconfirmed(&answer).await;
         }
-        if is_said {
+        if is_said(line) {
             if !self.is_person {
                 // The results of earlier lines are printed before this one.
                 self.tell_news();
@@ -423,6 +421,11 @@ impl Plain {
         self.output.finish(told_to_end)?;
         Ok(passed)
     }
+}
+
+/// Whether a line is more than empty or a comment.
+fn is_said(line: &str) -> bool {
+    !line.is_empty() && !line.starts_with('#')
 }
 
 /// A fault with its advice.

@@ -289,18 +289,24 @@ fn what_is_refused_in_a_pipe_makes_its_exit_code_1() {
 #[test]
 fn a_question_that_a_pipe_does_not_answer_is_an_error() {
     let vehicles = ["fly", "--plain", "--vehicles", "1", "--speedup", "10"];
-    for (lines, exit, is_done) in [
-        ("1 reboot\n1 guided\n", 1, false),
-        ("1 reboot\n", 1, false),
-        ("1 reboot\nno\n1 guided\n", 0, false),
-        ("1 reboot\n\n# really\n1\n", 0, true),
+    for (answer, exit, is_done) in [
+        ("1 mode loiter\n", 1, false),
+        ("", 1, false),
+        ("no\n1 mode loiter\n", 0, false),
+        ("\n# really\n1\n", 0, true),
     ] {
-        let (said, code) = plain(&vehicles, lines);
+        let lines = format!("1 guided\n1 arm\n1 kill\n{answer}");
+        let (said, code) = plain(&vehicles, &lines);
         assert_eq!(code, Some(exit), "{lines}: {said}");
         assert_eq!(said.contains("not confirmed"), exit == 1, "{lines}: {said}");
-        let guided = lines.contains("guided");
-        assert_eq!(said.contains("1 guided: 1 effect seen"), guided, "{said}");
-        assert_eq!(said.contains("1 reboot: 1 effect seen"), is_done, "{said}");
+        assert_eq!(said.matches("KILL vehicle 1: ").count(), 1, "{said}");
+        let next = answer.contains("loiter");
+        assert_eq!(
+            said.contains("1 mode loiter: 1 effect seen"),
+            next,
+            "{said}"
+        );
+        assert_eq!(said.contains("1 kill: 1 effect seen"), is_done, "{said}");
     }
 }
 
