@@ -98,7 +98,8 @@ impl CellGrid {
     fn around<'a>(&'a self, flyer: &'a Flyer) -> impl Iterator<Item = &'a Flyer> + 'a {
         let own = cell(flyer.point, self.limits);
         let steps = (0..27).map(|at| [at / 9 - 1, at / 3 % 3 - 1, at % 3 - 1]);
-        let cells = steps.map(move |step| [0, 1, 2].map(|axis| own[axis] + step[axis]));
+        let cells =
+            steps.map(move |step| [0, 1, 2].map(|axis| own[axis].saturating_add(step[axis])));
         let found = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
         let others = found.map(|at| &self.flyers[*at]);
         others.filter(|other| other.vehicle != flyer.vehicle)

@@ -276,7 +276,9 @@ mod tests {
     use super::*;
     use crate::app::Setup;
     use crate::app::state::ReplayView;
-    use crate::vehicle::VehicleId;
+    use crate::geo::LatLon;
+    use crate::mission::Stake;
+    use crate::vehicle::{GlobalPosition, LandedState, VehicleId};
 
     fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
         let mut state = State::new(Setup::default());
@@ -302,6 +304,63 @@ mod tests {
         assert_eq!(said_in(Room::Fly, None, Severity::Warning), None);
         assert_eq!(said_in(Room::Mission, None, Severity::Info), None);
         assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
+    }
+
+    /// A vehicle in the air, so many metres to the east.
+    fn flying(id: u8, east_m: f64) -> Arc<Vehicle> {
+        let mut flying = Vehicle::new(id, 1);
+        flying.landed = LandedState::InAir;
+        flying.global = Some(GlobalPosition {
+            at_point: LatLon::new(50.45, 30.52).moved(0.0, east_m),
+            altitude_amsl_m: 190.0,
+            altitude_m: 20.0,
+            north_m_s: 0.0,
+            east_m_s: 0.0,
+            down_m_s: 0.0,
+            heading_deg: None,
+            at: Duration::ZERO,
+        });
+        Arc::new(flying)
+    }
+
+    /// The alert of the first of two vehicles that fly 3 m apart.
+    fn near(activity: Activity, prepare: impl Fn(&mut State)) -> Option<String> {
+        let mut state = State::new(Setup::default());
+        state.session = FlightView::new(activity, std::collections::BTreeMap::new());
+        prepare(&mut state);
+        state.session.alarms.mute(&state.config.alerts.mute);
+        for (id, east_m) in [(1, 0.0), (2, 3.0)] {
+            vehicle(&mut state, flying(id, east_m));
+        }
+        pass(&mut state, Duration::from_secs(2));
+        let alert = state.session.alarms.pressing()?;
+        assert_eq!(alert.first.alert.kind, AlertKind::Separation);
+        assert_eq!(alert.vehicles, [1, 2]);
+        let text = alert.first.alert.text.to_string();
+        vehicle(&mut state, flying(2, 30.0));
+        pass(&mut state, Duration::from_secs(3));
+        assert!(state.session.alarms.pressing().is_none(), "they are apart");
+        Some(text)
+    }
+
+    #[test]
+    fn vehicles_that_come_too_close_outside_of_a_mission_raise_an_alert() {
+        let text = near(Activity::Free, |_| {}).expect("an alert");
+        assert!(text.contains("2: 3 m"), "{text}");
+        let connected = Activity::Connected {
+            addresses: Vec::new(),
+        };
+        assert!(near(connected, |_| {}).is_some());
+        let mission = Activity::Mission {
+            id: "01".to_owned(),
+            title: Text::from("a mission"),
+            stake: Stake::Graded,
+        };
+        assert_eq!(near(mission, |_| {}), None);
+        let narrow = |state: &mut State| state.config.alerts.separation = 2;
+        assert_eq!(near(Activity::Free, narrow), None);
+        let muted = |state: &mut State| state.config.alerts.mute = vec![AlertKind::Separation];
+        assert_eq!(near(Activity::Free, muted), None);
     }
 
     #[test]
