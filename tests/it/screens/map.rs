@@ -12,7 +12,7 @@ use sortie::campaign::Stake;
 use sortie::config::Symbols;
 use sortie::geo::{LatLon, Outline};
 use sortie::mission::{Area, AreaKind, Mission};
-use sortie::operator::Meeting;
+use sortie::operator::{Meeting, RehearsalFindings};
 use sortie::plan::{HeightFrame, Item};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Role};
@@ -296,13 +296,16 @@ fn places_where_a_rehearsal_shows_a_conflict_are_on_the_map_until_the_next_one()
         vehicles: [1, 2],
         at_point: fixtures::HOME.moved(60.0, -10.0),
     };
-    console.hear(VehicleEvent::Meetings(vec![meeting]));
+    console.hear(VehicleEvent::Rehearsed(RehearsalFindings {
+        meetings: vec![meeting],
+        ..RehearsalFindings::default()
+    }));
     let shown = || drawn(&console, Symbols::Braille, Language::English, (120, 40));
     assert!(shown().contains("!1/2"), "{}", shown());
     console.press("i");
     let text = drawn(&console, Symbols::Braille, Language::Ukrainian, (120, 40));
     assert!(text.contains("випробуванні"), "{text}");
-    console.hear(VehicleEvent::Meetings(Vec::new()));
+    console.hear(VehicleEvent::Rehearsed(RehearsalFindings::default()));
     let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
     assert!(!text.contains("!1/2"), "{text}");
 }

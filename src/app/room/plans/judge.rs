@@ -3,7 +3,7 @@
 use crate::app::State;
 use crate::draft::Pace;
 use crate::plan::Document;
-use crate::plan::check::{Finding, check};
+use crate::plan::check::{CheckOptions, Finding, check};
 use crate::vehicle::check_rules;
 
 /// A parameter of the vehicle under the cursor, if it is known.
@@ -34,6 +34,10 @@ pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles().get(&id));
     let reported = vehicle.and_then(|it| it.health?.fence_on());
-    let rules = check_rules(state.class(), reported, |name| parameter(state, name));
+    let rules = CheckOptions {
+        // A draft may be for another vehicle: terrain data count only if they are known.
+        has_terrain: parameter(state, "TERRAIN_ENABLE").is_some_and(|value| value > 0.0),
+        ..check_rules(state.class(), reported, |name| parameter(state, name))
+    };
     check(document, &rules)
 }
