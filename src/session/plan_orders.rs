@@ -331,21 +331,41 @@ impl Job {
     ) -> Ending {
         let kind = self.command.kind;
         let is_unknown = outcome == Outcome::Unknown;
-        let held = |id, items: Vec<Item>| {
-            let ending = (RowState::Done, self.warned(counted(id, kind, &items)));
-            (Some(items), ending)
+        let (held, ending) = self.ended(outcome, shelf, desk.vehicle);
+        if let Some(items) = held {
+            desk.plans.learn(desk.vehicle, kind, items, desk.now);
+        } else {
+            if is_unknown {
+                desk.plans.forget_acknowledged(kind);
+            }
+            desk.plans.read_again(kind, desk.now);
+        }
+        ending
+    }
+
+    /// The list that the vehicle holds, if known, and how the order has ended.
+    fn ended(
+        &self,
+        outcome: Outcome,
+        shelf: Option<&dyn PlanShelf>,
+        vehicle: &Vehicle,
+    ) -> (Option<Vec<Item>>, Ending) {
+        let kind = self.command.kind;
+        let done = |message, items: Vec<Item>| {
+            let text = self.warned(counted(message, kind, &items));
+            (Some(items), (RowState::Done, text))
         };
-        let refused = |id, items: Vec<Item>| {
-            let ending = (RowState::Refused, counted(id, kind, &items));
-            (Some(items), ending)
+        let refused = |message, items: Vec<Item>| {
+            let text = counted(message, kind, &items);
+            (Some(items), (RowState::Refused, text))
         };
-        let (on_board, ending) = match outcome {
+        match outcome {
             Outcome::Read(items) => {
-                let ending = self.was_read(&items, shelf, desk.vehicle);
+                let ending = self.was_read(&items, shelf, vehicle);
                 (Some(items), ending)
             }
-            Outcome::Written(items) => held("outcome-plan-written", items),
-            Outcome::Same(items) => held("outcome-plan-same", items),
+            Outcome::Written(items) => done("outcome-plan-written", items),
+            Outcome::Same(items) => done("outcome-plan-same", items),
             Outcome::Changed(items) => refused("refused-plan-changed", items),
             Outcome::Unfamiliar(items) => refused("refused-plan-unfamiliar", items),
             Outcome::Kept(items, reason) => {
@@ -359,17 +379,7 @@ impl Job {
             Outcome::Unsupported => (None, (RowState::Refused, text!("refused-plan-no-list"))),
             Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
             Outcome::Unknown => (None, (RowState::TimedOut, text!("outcome-plan-unknown"))),
-        };
-        match on_board {
-            Some(items) => desk.plans.learn(desk.vehicle, kind, items, desk.now),
-            None => {
-                if is_unknown {
-                    desk.plans.forget_acknowledged(kind);
-                }
-                desk.plans.read_again(kind, desk.now);
-            }
         }
-        ending
     }
 
     /// An outcome with the warnings about the list.

@@ -9,6 +9,10 @@ use sortie_geo::LatLon;
 
 use crate::{HeightFrame, Item, ListKind, command};
 
+mod sent;
+
+pub use sent::as_sent;
+
 const SEA_LEVEL: u8 = 0;
 const MISSION: u8 = 2;
 const ABOVE_HOME: u8 = 3;
@@ -244,49 +248,6 @@ pub fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
     }
 }
 
-/// An item of a mission with numbers that survive the vehicle's truncation: a height such as 20.3 m, which as a float is
-/// a little less, would be kept as 20.29 m. Sent in this form, an item is kept to the centimetre, and what the vehicle
-/// sends back stays the same however often it is sent again.
-#[must_use]
-pub fn as_sent(item: &Item) -> Item {
-    let Some(kept) = letters(item.command) else {
-        return *item;
-    };
-    let mut sent = *item;
-    for (place, value) in sent.params.iter_mut().enumerate() {
-        if kept[place] == b'c' {
-            *value = surviving(*value);
-        }
-    }
-    if kept[4] == b'L' {
-        sent.z = surviving(sent.z);
-    }
-    sent
-}
-
-/// A number close to whole hundredths as the nearest float that is not truncated below them; others stay.
-fn surviving(value: f32) -> f32 {
-    let hundredths = f64::from(value) * 100.0;
-    let whole = hundredths.round();
-    // The errors of a float, of its product and of the factor on the way back.
-    let error = 0.001 + hundredths.abs() * 2e-7;
-    if !value.is_finite() || (hundredths - whole).abs() > error {
-        return value;
-    }
-    let mut sent = (whole / 100.0) as f32;
-    for _ in 0..4 {
-        if f64::from((sent * 100.0).trunc()) == whole {
-            return sent;
-        }
-        sent = if whole < 0.0 {
-            sent.next_down()
-        } else {
-            sent.next_up()
-        };
-    }
-    value
-}
-
 /// A rally point as the vehicle keeps it, or the reason to refuse it.
 ///
 /// # Errors
@@ -456,32 +417,6 @@ mod tests {
             let stored = stored.params.map(f32::to_bits);
             assert_eq!(stored, kept.map(f32::to_bits), "command {command}");
         }
-    }
-
-    /// All heights up to 300 m, in centimetres.
-    #[test]
-    fn heights_survive_any_number_of_transfers() {
-        for centimetres in -5_000..30_000 {
-            let height = f64::from(centimetres) / 100.0;
-            let mut now = Item {
-                z: height as f32,
-                ..item(16, [0.0; 4])
-            };
-            for _ in 0..3 {
-                now = plan_item(&as_sent(&now)).expect("known");
-                let kept = (f64::from(now.z) * 100.0).round();
-                assert!(
-                    (kept - f64::from(centimetres)).abs() < 0.5,
-                    "{height} {}",
-                    now.z
-                );
-            }
-        }
-        let between = Item {
-            z: 20.257,
-            ..item(16, [0.0; 4])
-        };
-        assert_eq!(as_sent(&between), between);
     }
 
     #[test]

@@ -190,7 +190,7 @@ impl Flight {
     /// meant to stay.
     fn is_fence_broken(&self, truth: &Truth, point: [f64; 2]) -> bool {
         if self.is_fence_on {
-            return truth.fence_broken;
+            return truth.broken_fences != 0;
         }
         self.areas.iter().any(|area| area.is_broken_at(point))
     }

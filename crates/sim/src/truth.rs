@@ -38,8 +38,8 @@ pub struct Truth {
     pub battery_consumed_mah: f64,
     /// Throttle, 0 to 1.
     pub throttle: f64,
-    /// Whether a fence that is switched on is broken.
-    pub fence_broken: bool,
+    /// The fences that are switched on and broken, as bits of `FENCE_TYPE`.
+    pub broken_fences: u8,
 }
 
 impl Truth {
@@ -65,7 +65,7 @@ impl Truth {
             battery_current_a: autopilot.vehicle.plant.battery.current_a,
             battery_consumed_mah: autopilot.vehicle.plant.battery.consumed_mah,
             throttle: body.throttle,
-            fence_broken: autopilot.vehicle.fence.is_broken(),
+            broken_fences: autopilot.vehicle.fence.broken_kinds(),
         }
     }
 }

@@ -58,9 +58,9 @@ impl Geofence {
         outcome
     }
 
-    /// Whether any fence is broken.
-    pub(crate) fn is_broken(&self) -> bool {
-        self.broken != 0
+    /// The kinds of fences that are broken.
+    pub(crate) fn broken_kinds(&self) -> u8 {
+        self.broken
     }
 
     /// Whether there is a fence to switch on.
