@@ -51,6 +51,22 @@ struct Member {
     participant: Participant,
     /// Whether the vehicle reports that its fence is on.
     reported_fence: Option<bool>,
+    /// Whether its parameters have been read completely.
+    is_read: bool,
+}
+
+/// The kinds of fences (`FENCE_TYPE`) whose limits are known: without `FENCE_RADIUS`, the simulator's own circle would be
+/// judged.
+fn known_kinds(value: impl Fn(&str) -> Option<f32>) -> f32 {
+    const AREAS: u8 = 4;
+    const LIMITS: [(u8, &str); 3] = [
+        (1, "FENCE_ALT_MAX"),
+        (2, "FENCE_RADIUS"),
+        (8, "FENCE_ALT_MIN"),
+    ];
+    let kinds = value("FENCE_TYPE").map_or(AREAS, |kinds| kinds as u8);
+    let unknown = LIMITS.iter().filter(|(_, name)| value(name).is_none());
+    f32::from(unknown.fold(kinds, |kinds, (kind, _)| kinds & !kind))
 }
 
 /// Two rehearsals are the same if they belong to the same order.
@@ -117,6 +133,7 @@ fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
             plan: ContentHash::of(plan.flown()),
         },
         reported_fence: vehicle.health.and_then(|health| health.fence_on()),
+        is_read: false,
         participant: Participant {
             document: Document {
                 home: Some(Home {
@@ -156,6 +173,11 @@ impl PlanRehearsal {
                 .collect();
             let fence = FenceSwitch::of(member.reported_fence, value);
             member.participant.fence_switch = fence.by_command;
+            if fence.is_on == Some(true) {
+                let kinds = ("FENCE_TYPE".to_owned(), known_kinds(value));
+                member.participant.parameters.push(kinds);
+            }
+            member.is_read = list.is_complete();
             self.air.note_parameters(value);
         }
     }
@@ -224,11 +246,14 @@ impl PlanRehearsal {
         } else {
             text!("rehearse-airframes-mixed", vehicles = ranges(standard))
         };
-        text!(
-            "rehearse-conditions",
-            wind = self.air.words(),
-            airframes = airframes
-        )
+        let unread = self.crew.iter().filter(|it| !it.is_read);
+        let unread = ranges(unread.map(|it| it.seat.vehicle));
+        let mut parts = vec![self.air.words(), airframes];
+        if !unread.is_empty() {
+            parts.push(text!("rehearse-parameters-unread", vehicles = unread));
+        }
+        let conditions = Text::joined("; ", parts);
+        text!("rehearse-conditions", conditions = conditions)
     }
 
     fn name(&self, index: usize) -> VehicleId {

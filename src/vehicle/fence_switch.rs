@@ -5,7 +5,7 @@
 pub struct FenceSwitch {
     /// Whether the fence is on, if known.
     pub is_on: Option<bool>,
-    /// The position to which a command has switched it since `FENCE_ENABLE` was read.
+    /// The position to which a command may have switched it: `FENCE_ENABLE` is not read, or was read before.
     pub by_command: Option<bool>,
 }
 
@@ -17,7 +17,7 @@ impl FenceSwitch {
         // A fence that only reports breaches is always reported as off.
         let only_reports = parameter("FENCE_ACTION").is_some_and(|value| value < 0.5);
         let current = reported.filter(|_| !only_reports);
-        let differs = |on: &bool| stored.is_some_and(|stored| stored != *on);
+        let differs = |on: &bool| stored != Some(*on);
         Self {
             is_on: current.or(stored),
             by_command: current.filter(differs),
@@ -46,7 +46,7 @@ mod tests {
             (Some(false), Some(false))
         );
         assert_eq!(switch(on, Some(1.0), 1.0), (on, None));
-        assert_eq!(switch(on, None, 1.0), (on, None), "nothing is read yet");
+        assert_eq!(switch(on, None, 1.0), (on, on), "nothing is read yet");
         assert_eq!(switch(None, Some(1.0), 1.0), (on, None));
         assert_eq!(
             switch(Some(false), Some(1.0), 0.0),

@@ -25,6 +25,9 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::vehicle_id::VehicleIds;
 
+/// How often distances between vehicles are checked, in milliseconds.
+const SEPARATION_MS: u128 = 250;
+
 /// Time passes by the wall clock; flight time does too, except in a replay.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
     // Messages live for whole seconds, and the debrief shows when it accepts keys.
@@ -41,8 +44,12 @@ pub fn tick(state: &mut State, now: Duration, wall: Duration) {
 pub fn pass(state: &mut State, now: Duration) {
     // The clock shows seconds; nothing else on the screen depends on time.
     let before = state.now.as_secs();
+    let before_ms = state.now.as_millis();
     state.now = now;
     map::tick(state);
+    if before_ms / SEPARATION_MS != now.as_millis() / SEPARATION_MS {
+        watch_separation(state);
+    }
     if before != now.as_secs() {
         watch(state);
     }
@@ -80,18 +87,22 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     state.touch();
 }
 
-/// Checks all vehicles again: some alerts end with time.
-fn watch(state: &mut State) {
-    let limits = SeparationLimits::of(&state.config.alerts);
+/// Looks for vehicles that are too close to each other. A mission has its own rules about distances.
+fn watch_separation(state: &mut State) {
     let session = &mut state.session;
-    // A mission has its own rules about distances.
     if matches!(
         session.activity,
         Some(Activity::Free | Activity::Connected { .. })
     ) {
+        let limits = SeparationLimits::of(&state.config.alerts);
         let close = too_close(&session.vehicles, limits);
         session.alarms.note_close(close);
     }
+}
+
+/// Checks all vehicles again: some alerts end with time.
+fn watch(state: &mut State) {
+    let session = &mut state.session;
     for vehicle in session.vehicles.values() {
         session.alarms.observe(vehicle, state.now);
     }

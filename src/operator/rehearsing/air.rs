@@ -4,6 +4,9 @@ use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{Vehicle, VehicleId, Wind};
 
+/// The default of `SIM_WIND_DIR`.
+const USUAL_FROM_DEG: f32 = 180.0;
+
 /// The wind, from the best source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct KnownAir {
@@ -56,9 +59,9 @@ impl KnownAir {
         if self.source != AirSource::Unknown {
             return;
         }
-        if let Some((speed_m_s, from_deg)) = value("SIM_WIND_SPD").zip(value("SIM_WIND_DIR")) {
+        if let Some(speed_m_s) = value("SIM_WIND_SPD") {
             self.wind = Wind {
-                from_deg,
+                from_deg: value("SIM_WIND_DIR").unwrap_or(USUAL_FROM_DEG),
                 speed_m_s,
             };
             self.source = AirSource::Simulator;

@@ -101,6 +101,11 @@ fn rows(rehearsed: &Rehearsed) -> Vec<(RowState, String)> {
 fn the_wind_is_that_of_the_best_source_and_named() {
     let calm = prepared("1 plan rehearse", [carrying(1, 60.0)]);
     assert!(
+        conditions(&calm).contains("parameters of 1 not read"),
+        "{}",
+        conditions(&calm)
+    );
+    assert!(
         conditions(&calm).contains("the wind is unknown"),
         "{}",
         conditions(&calm)
@@ -186,8 +191,31 @@ fn a_fence_that_was_switched_on_after_its_parameter_was_read_counts() {
     let (state, words) = rows(&broken).remove(0);
     assert_eq!(state, RowState::NoEffect);
     assert!(words.contains("fence"), "{words}");
+    assert!(!broken.notices[0].text.to_string().contains("not read"));
     let [failed] = &broken.findings.failed[..] else {
         panic!("{:?}", broken.findings)
     };
     assert_eq!((failed.vehicle, broken.findings.passed.len()), (1, 0));
+}
+
+/// Limits that have not been read are not judged, those that have been are.
+#[test]
+fn only_the_known_limits_of_a_fence_count() {
+    let rehearsed = |read: &[(&str, f32)]| {
+        let mut vehicle = carrying(1, 300.0);
+        vehicle.health = Some(Health {
+            present: Health::FENCE,
+            enabled: Health::FENCE,
+            healthy: Health::FENCE,
+            load_percent: 0.0,
+            at: Duration::ZERO,
+        });
+        let mut rehearsal = prepared("1 plan rehearse", [vehicle]);
+        rehearsal.set_parameters(1, &parameters(read));
+        rows(&rehearsal.fly(Duration::ZERO)).remove(0).0
+    };
+    assert_eq!(rehearsed(&[]), RowState::Done);
+    assert_eq!(rehearsed(&[("FENCE_TYPE", 2.0)]), RowState::Done);
+    let circle = [("FENCE_TYPE", 2.0), ("FENCE_RADIUS", 100.0)];
+    assert_eq!(rehearsed(&circle), RowState::NoEffect);
 }
