@@ -1,5 +1,8 @@
 //! Plans that are rehearsed as the console does, and then flown in the same wind.
 
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
 use super::*;
 use crate::language::Context;
 use crate::operator::{Dispatch, Operator, OperatorScene, PlanRehearsal, read_order};
