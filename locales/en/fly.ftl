@@ -31,6 +31,7 @@ fly-safe = safe
 fly-ground = ground
 fly-air = air
 fly-takeoff = takeoff
+fly-paused = paused
 fly-landing = landing
 fly-lost = LOST
 fly-done = done
@@ -127,6 +128,8 @@ telemetry-vibrations = { $levels } m/s²  clipped { $clipped }
 telemetry-below = { $metres } m below
 telemetry-item = item { $item } of { $total }
 telemetry-item-times = { $item }/{ $total }: { $way }, end { $end }
+telemetry-item-paused = { $item }/{ $total }: paused, { $way }
+telemetry-paused = paused
 
 landed-unknown = unknown
 landed-ground = on ground

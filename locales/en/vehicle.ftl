@@ -17,6 +17,7 @@ vehicle-armed = ARMED
 vehicle-disarmed = disarmed
 vehicle-on-ground = on ground
 vehicle-in-air = in air
+vehicle-paused = paused
 vehicle-taking-off = taking off
 vehicle-landing = landing
 vehicle-ready = condition
@@ -79,6 +80,7 @@ vehicle-grade-old = old
 
 vehicle-plan = plan
 vehicle-plan-at = plan: item { $item } of { $last }
+vehicle-plan-paused = plan: paused at item { $item } of { $last }
 vehicle-plan-empty = empty
 vehicle-plan-coming = reading { $received } of { $total }
 vehicle-plan-unsupported = not offered by the vehicle

@@ -31,6 +31,7 @@ fly-safe = вимк.
 fly-ground = земля
 fly-air = повітря
 fly-takeoff = зліт
+fly-paused = пауза
 fly-landing = посадка
 fly-lost = НЕМАЄ
 fly-done = виконано
@@ -128,6 +129,8 @@ telemetry-vibrations = { $levels } m/s²  зрізів { $clipped }
 telemetry-below = { $metres } m під апаратом
 telemetry-item = пункт { $item } з { $total }
 telemetry-item-times = { $item }/{ $total }: { $way }, кінець { $end }
+telemetry-item-paused = { $item }/{ $total }: пауза, { $way }
+telemetry-paused = пауза
 
 landed-unknown = невідомо
 landed-ground = на землі

@@ -33,6 +33,7 @@ map-legend-fence = геозона
 map-legend-keep-out = заборонена зона
 map-legend-plan = план, точка w3
 map-legend-leg = до пункту 3 з 12 (w3/12)
+map-legend-paused = пауза в плані
 map-legend-rally = точка збору (R1)
 map-legend-course = маневр, назване місце (p3)
 map-legend-meeting = заблизько у випробуванні (!1/2)

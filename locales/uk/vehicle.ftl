@@ -17,6 +17,7 @@ vehicle-armed = АКТИВНИЙ
 vehicle-disarmed = неактивний
 vehicle-on-ground = на землі
 vehicle-in-air = у повітрі
+vehicle-paused = пауза
 vehicle-taking-off = злітає
 vehicle-landing = сідає
 vehicle-ready = готовність
@@ -79,6 +80,7 @@ vehicle-grade-old = давнє
 
 vehicle-plan = план
 vehicle-plan-at = план: пункт { $item } з { $last }
+vehicle-plan-paused = план: пауза на пункті { $item } з { $last }
 vehicle-plan-empty = порожньо
 vehicle-plan-coming = читання { $received } з { $total }
 vehicle-plan-unsupported = апарат цього не має

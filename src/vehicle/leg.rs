@@ -60,6 +60,11 @@ impl Vehicle {
         self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
     }
 
+    /// Whether it has paused on the way of the plan that it flies.
+    pub fn has_paused(&self) -> bool {
+        self.flies_plan() && self.plan.phase == Some(PlanPhase::Paused)
+    }
+
     /// The current leg; `None` unless it flies a plan that has been read. Times are estimates from its speed on the
     /// way, the speeds in the plan, and the default climb and descent of `ArduCopter`; in a pause they are unknown.
     pub fn plan_leg(&self) -> Option<PlanLeg> {

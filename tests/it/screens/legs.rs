@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::app::event::TerminalEvent;
+use sortie::app::room::map::{SketchKind, sketches};
 use sortie::config::Symbols;
 use sortie::plan::Item;
 use sortie::text::Language;
@@ -109,4 +110,52 @@ fn the_room_of_a_vehicle_shows_the_leg_that_is_flown() {
     let mut console = swarm();
     console.press("V");
     check("vehicle_plan", &console);
+}
+
+#[test]
+fn a_pause_is_shown_in_the_table_on_the_map_and_for_the_vehicle() {
+    let mut console = swarm();
+    let row = |screen: &str, id: &str| {
+        let mut rows = screen.lines();
+        rows.find(|row| row.contains(id))
+            .unwrap_or_default()
+            .to_owned()
+    };
+    let paused = row(&console.screen(80, 24), "  2 AUTO");
+    assert!(
+        paused.contains("AUTO ||") && paused.contains("5/12"),
+        "{paused}"
+    );
+    let others = row(&console.screen(80, 24), "  1 AUTO");
+    assert!(
+        !others.contains("||") && others.contains("2/12"),
+        "{others}"
+    );
+    assert!(row(&console.screen(200, 50), "▲  2").contains("paused"));
+    console.press("j");
+    assert!(console.screen(80, 24).contains("5/12: paused"));
+    console.press("M");
+    assert!(console.screen(120, 40).contains("w5/12 ||"));
+    console.press("V");
+    assert!(console.screen(80, 24).contains("AUTO ARMED paused"));
+}
+
+#[test]
+fn plans_on_the_map_have_the_colours_and_signs_of_their_vehicles() {
+    let mut console = swarm();
+    console.press("*").press("M");
+    let (columns, rows) = (120, 40);
+    console.hear(TerminalEvent::Resize { columns, rows });
+    console.press("z");
+    let own = sketches(console.state()).into_iter();
+    let own = own.filter(|it| it.kind == SketchKind::Plan && it.points.len() > 1);
+    let vehicles: Vec<Option<u16>> = own.map(|it| it.vehicle).collect();
+    assert_eq!(vehicles, [Some(1), Some(2), Some(3)]);
+    let size = (columns, rows);
+    let braille = map::drawn(&console, Symbols::Braille, Language::English, size);
+    assert!(!braille.contains("■:w"), "colours tell them apart");
+    let ascii = map::drawn(&console, Symbols::Ascii, Language::English, size);
+    for sign in ["o:w", "^:w", "#:w"] {
+        assert!(ascii.contains(sign), "{sign} in {ascii}");
+    }
 }

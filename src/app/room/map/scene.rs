@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::AreaKind;
 use crate::swarm::Path;
-use crate::vehicle::{FencePlan, FenceShape, Vehicle};
+use crate::vehicle::{FencePlan, FenceShape, Vehicle, VehicleId};
 
 /// A line on the map, or a single point.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +17,12 @@ pub struct Sketch {
     pub points: Vec<LatLon>,
     /// Whether the last point is joined to the first.
     pub closed: bool,
+    /// The vehicle whose plan it belongs to.
+    pub vehicle: Option<VehicleId>,
 }
+
+/// The sign of a vehicle that has paused in its plan.
+pub const PAUSED: &str = "||";
 
 /// The meaning of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,6 +74,7 @@ impl Sketch {
             label: label.to_owned(),
             points: outline.corners(),
             closed: true,
+            vehicle: None,
         }
     }
 
@@ -78,6 +84,15 @@ impl Sketch {
             label,
             points: vec![place],
             closed: false,
+            vehicle: None,
+        }
+    }
+
+    /// The same, as part of a vehicle's plan.
+    fn of_plan(self, vehicle: &Vehicle) -> Self {
+        Self {
+            vehicle: Some(vehicle.id),
+            ..self
         }
     }
 }
@@ -127,6 +142,7 @@ fn course(state: &State, path: &Path) -> Option<Sketch> {
             label: String::new(),
             points: points.to_vec(),
             closed: false,
+            vehicle: None,
         }),
     }
 }
@@ -177,15 +193,14 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
             label: String::new(),
             points: plan.path().map(|(_, place)| place).collect(),
             closed: false,
+            vehicle: Some(vehicle.id),
         });
         let current = vehicle.plan_leg().filter(|leg| leg.to.is_some());
         let is_current = |number: usize| current.is_some_and(|leg| usize::from(leg.item) == number);
         let others = plan.path().filter(|(number, _)| !is_current(*number));
-        sketches.extend(
-            others.map(|(number, place)| {
-                Sketch::point(SketchKind::Plan, format!("w{number}"), place)
-            }),
-        );
+        sketches.extend(others.map(|(number, place)| {
+            Sketch::point(SketchKind::Plan, format!("w{number}"), place).of_plan(vehicle)
+        }));
     }
     sketches.extend(flown(vehicle).into_iter().flatten());
     if let Some(rally) = &plans.rally.content {
@@ -206,9 +221,14 @@ fn flown(vehicle: &Vehicle) -> Option<[Sketch; 2]> {
         label: String::new(),
         points: vec![here, to],
         closed: false,
+        vehicle: Some(vehicle.id),
     };
-    let label = format!("w{}/{}", leg.item, leg.last);
-    Some([way, Sketch::point(SketchKind::Leg, label, to)])
+    let mut label = format!("w{}/{}", leg.item, leg.last);
+    if vehicle.has_paused() {
+        label.extend([" ", PAUSED]);
+    }
+    let end = Sketch::point(SketchKind::Leg, label, to).of_plan(vehicle);
+    Some([way, end])
 }
 
 fn fenced(fence: &FencePlan) -> impl Iterator<Item = Sketch> {

@@ -28,11 +28,14 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     let (vehicle, look) = (subject.vehicle, subject.look);
     let stored = &vehicle.plans.plan;
     let title = match stored.content.as_deref() {
-        Some(plan) if !plan.flown().is_empty() => look.text(&text!(
-            "vehicle-plan-at",
-            item = u32::from(vehicle.plan.current),
-            last = plan.items.len() - 1
-        )),
+        Some(plan) if !plan.flown().is_empty() => {
+            let (item, last) = (u32::from(vehicle.plan.current), plan.items.len() - 1);
+            look.text(&if vehicle.has_paused() {
+                text!("vehicle-plan-paused", item = item, last = last)
+            } else {
+                text!("vehicle-plan-at", item = item, last = last)
+            })
+        }
         _ => look.say("vehicle-plan"),
     };
     let inner = Panel::new(look, area).titled(&title, buffer);

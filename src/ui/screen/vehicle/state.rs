@@ -86,12 +86,18 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
     let landed = match vehicle.landed {
         LandedState::Undefined => String::new(),
         LandedState::OnGround => look.say("vehicle-on-ground"),
+        LandedState::InAir if vehicle.has_paused() => look.say("vehicle-paused"),
         LandedState::InAir => look.say("vehicle-in-air"),
         LandedState::Takeoff => look.say("vehicle-taking-off"),
         LandedState::Landing => look.say("vehicle-landing"),
     };
     let value = format!("{} {armed} {landed}", heartbeat.mode);
-    ("vehicle-mode", value, Role::Accent)
+    let role = if vehicle.has_paused() {
+        Role::Warning
+    } else {
+        Role::Accent
+    };
+    ("vehicle-mode", value, role)
 }
 
 /// The alert, or whether it can be armed.

@@ -13,9 +13,10 @@ use crate::app::room::map::{Sketch, SketchKind, sketches};
 use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, GridSize, LatLon, Outline, Viewport};
 use crate::mission::{MoverKind, NEXT_PLACE};
-use crate::ui::look::Look;
+use crate::ui::look::{Badge, Look};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
+use crate::vehicle::VehicleId;
 
 /// The cells of a survey.
 const CELL: Stroke = Stroke::dotted(Role::Muted);
@@ -37,6 +38,15 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Rally => Stroke::dotted(Role::Title),
         SketchKind::Course => Stroke::sparse(Role::Accent),
     }
+}
+
+/// The stroke of a sketch: plans have the colours of their vehicles.
+pub fn stroke_of(sketch: &Sketch) -> Stroke {
+    let usual = stroke(sketch.kind);
+    sketch.vehicle.map_or(usual, |vehicle| Stroke {
+        role: Badge::of_vehicle(vehicle).role,
+        ..usual
+    })
 }
 
 /// The sign before an area's name, so that its kind is visible without colours.
@@ -65,15 +75,16 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     let sketches = sketches(state);
     let (legs, others): (Vec<_>, Vec<_>) =
         (sketches.iter()).partition(|sketch| sketch.kind == SketchKind::Leg);
+    let are_signed = are_signed(&sketches, look);
     for sketch in others {
-        draw_sketch(sketch, view, &mut canvas, &mut labels);
+        draw_sketch(sketch, are_signed, view, &mut canvas, &mut labels);
     }
     let ghosts = ways::draw_ghost(state, view, &mut canvas);
     ways::draw_trails(state, look, view, &mut canvas, &mut labels);
     ways::draw_targets(state, view, &mut canvas, &mut labels);
     // A leg covers trails and the targets of other vehicles.
     for sketch in legs {
-        draw_sketch(sketch, view, &mut canvas, &mut labels);
+        draw_sketch(sketch, are_signed, view, &mut canvas, &mut labels);
     }
     draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
@@ -128,8 +139,20 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
     }
 }
 
-fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
-    let stroke = stroke(sketch.kind);
+/// Whether labels of plans need the signs of their vehicles, because colours do not tell the plans apart.
+fn are_signed(sketches: &[Sketch], look: &Look) -> bool {
+    let vehicles: BTreeSet<VehicleId> = sketches.iter().filter_map(|it| it.vehicle).collect();
+    vehicles.len() > 1 && !ways::tells_by_colour(look)
+}
+
+fn draw_sketch(
+    sketch: &Sketch,
+    is_signed: bool,
+    view: &Viewport,
+    canvas: &mut Canvas,
+    labels: &mut Vec<Label>,
+) {
+    let stroke = stroke_of(sketch);
     let points = &sketch.points;
     if sketch.closed {
         outline(points, view, canvas, stroke);
@@ -141,9 +164,12 @@ fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &m
     // The name is at the northernmost of the western corners.
     let corner = points.iter().filter_map(|&point| view.cell(point));
     if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
+        let vehicle = sketch.vehicle.filter(|_| is_signed && points.len() == 1);
+        let own = vehicle.map(|id| format!("{}:", Badge::of_vehicle(id).sign));
+        let sign = own.unwrap_or_else(|| sign(sketch.kind).to_owned());
         labels.push(Label {
             cell: (column + u16::from(points.len() > 1), row),
-            text: format!("{}{}", sign(sketch.kind), sketch.label),
+            text: format!("{sign}{}", sketch.label),
             role: stroke.role,
         });
     }

@@ -14,7 +14,7 @@ use crate::app::State;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task,
 };
-use crate::app::room::map::{leg, shows_leg, sketches};
+use crate::app::room::map::{PAUSED, leg, shows_leg, sketches};
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -113,6 +113,10 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
     let movers = mission
         .filter(|it| !it.movers.is_empty())
         .map(|_| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
+    let mut vehicles = state.session().vehicles().values();
+    let pause = vehicles
+        .any(|vehicle| vehicle.has_paused())
+        .then(|| (PAUSED.to_owned(), Role::Warning, "map-legend-paused"));
     let strokes = strokes(state)
         .into_iter()
         .filter(|(shown, ..)| *shown)
@@ -121,6 +125,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .into_iter()
         .chain(finds)
         .chain(movers)
+        .chain(pause)
         .chain(shades(state, look))
         .chain(strokes)
         .map(row)
@@ -150,6 +155,11 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
+    // The colours are those of the vehicles, as with trails.
+    let plan = |kind| Stroke {
+        role: trail(FIRST).role,
+        ..stroke(kind)
+    };
     let trails = !map.hides_trails() && !map.trails().is_empty();
     let mut vehicles = state.session().vehicles().values();
     let ghost = state.ghost_time().is_some();
@@ -165,8 +175,8 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
         (has(Jamming), stroke(Jamming), "map-legend-jamming"),
         (has(People), stroke(People), "map-legend-people"),
         (has(Radio), stroke(Radio), "map-legend-radio"),
-        (has(Plan), stroke(Plan), "map-legend-plan"),
-        (has(Leg), stroke(Leg), "map-legend-leg"),
+        (has(Plan), plan(Plan), "map-legend-plan"),
+        (has(Leg), plan(Leg), "map-legend-leg"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
         (has(Course), stroke(Course), "map-legend-course"),
         (has(Meeting), stroke(Meeting), "map-legend-meeting"),

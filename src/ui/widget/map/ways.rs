@@ -142,7 +142,7 @@ fn along(dots: &[Dot]) -> Vec<Dot> {
 }
 
 /// Whether the trails of two vehicles differ in colour.
-fn tells_by_colour(look: &Look) -> bool {
+pub fn tells_by_colour(look: &Look) -> bool {
     let [first, second] = [1, 2].map(|id| look.style(Badge::of_vehicle(id).role));
     look.symbols != Symbols::Ascii && first != second
 }

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::alert::AlertKind;
 use crate::app::State;
+use crate::app::room::map::PAUSED;
 use crate::app::state::{FlightView, Standing};
 use crate::config::Column;
 use crate::ledger::RowState;
@@ -39,6 +40,7 @@ pub struct Words {
     pub air: String,
     pub takeoff: String,
     pub landing: String,
+    pub paused: String,
     pub lost: String,
     pub done: String,
     pub over: String,
@@ -56,6 +58,7 @@ impl Words {
             air: look.say("fly-air"),
             takeoff: look.say("fly-takeoff"),
             landing: look.say("fly-landing"),
+            paused: look.say("fly-paused"),
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
             over: look.say("fly-over"),
@@ -150,8 +153,14 @@ fn teams(row: &Row<'_>) -> Cell {
 }
 
 fn mode(vehicle: &Vehicle) -> Cell {
-    let mode = vehicle.mode();
-    mode.map_or_else(unknown, |mode| (mode.to_string(), Role::Text))
+    let Some(mode) = vehicle.mode() else {
+        return unknown();
+    };
+    if vehicle.has_paused() {
+        (format!("{mode} {PAUSED}"), Role::Warning)
+    } else {
+        (mode.to_string(), Role::Text)
+    }
 }
 
 fn armed(row: &Row<'_>) -> Cell {
@@ -180,6 +189,9 @@ fn landed(row: &Row<'_>) -> Cell {
     let text = match row.vehicle.landed {
         LandedState::Undefined => return unknown(),
         LandedState::OnGround => return (words.ground.clone(), Role::Muted),
+        LandedState::InAir if row.vehicle.has_paused() => {
+            return (words.paused.clone(), Role::Warning);
+        }
         LandedState::InAir => &words.air,
         LandedState::Takeoff => &words.takeoff,
         LandedState::Landing => &words.landing,

@@ -51,7 +51,7 @@ const FORMS: &[ColumnForm] = &[
     form(Column::Home, "column-home", 6, 11, true),
     // Wide enough for `takeoff timed out`.
     form(Column::Command, "column-command", 17, 6, false),
-    form(Column::Item, "column-item", 5, 8, true),
+    form(Column::Item, "column-item", 5, 7, true),
     form(Column::Next, "column-next", 11, 12, true),
     form(Column::End, "column-end", 6, 10, true),
     form(Column::ToGo, "column-to-go", 7, 14, true),
@@ -141,7 +141,14 @@ fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>,
     let mut by_rank: Vec<(u8, Shown)> = FORMS
         .iter()
         .filter(is_offered)
-        .map(|form| (form.rank, form.shown(words, look)))
+        .map(|form| {
+            // While a plan is flown, its item says more than the state.
+            let rank = match form.column {
+                Column::State if flies_plan => MORE_RANK,
+                _ => form.rank,
+            };
+            (rank, form.shown(words, look))
+        })
         .collect();
     by_rank.sort_by_key(|(rank, _)| *rank);
     let mut left = room;
@@ -168,7 +175,13 @@ impl ColumnForm {
         let title = look.say(self.title);
         let said: &[&String] = match self.column {
             Column::Armed => &[&words.armed, &words.ready, &words.safe],
-            Column::State => &[&words.ground, &words.air, &words.takeoff, &words.landing],
+            Column::State => &[
+                &words.ground,
+                &words.air,
+                &words.takeoff,
+                &words.landing,
+                &words.paused,
+            ],
             Column::Link => &[&words.lost],
             _ => &[],
         };

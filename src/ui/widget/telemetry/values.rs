@@ -135,7 +135,11 @@ fn mode(vehicle: &Vehicle) -> Vec<(Text, Role)> {
     vec![
         (mode, Role::Text),
         armed,
-        (landed(vehicle.landed), Role::Text),
+        if vehicle.has_paused() {
+            (text!("telemetry-paused"), Role::Warning)
+        } else {
+            (landed(vehicle.landed), Role::Text)
+        },
     ]
 }
 
@@ -349,6 +353,14 @@ fn ground(vehicle: &Vehicle) -> Text {
 fn plan(vehicle: &Vehicle) -> Text {
     if let Some(leg) = vehicle.plan_leg() {
         let unknown = || "-".to_owned();
+        if vehicle.has_paused() {
+            return text!(
+                "telemetry-item-paused",
+                item = leg.item,
+                total = leg.last,
+                way = leg::way(&leg).unwrap_or_else(unknown)
+            );
+        }
         return text!(
             "telemetry-item-times",
             item = leg.item,
