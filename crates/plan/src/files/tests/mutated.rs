@@ -1,7 +1,9 @@
 //! Damaged files: a fault with a place in the text, or loaded; never a panic.
 
 use super::examples::{GEOJSON, KML, OLD_FENCE, OLD_RALLY, PLAN, WPL, zip};
-use crate::{ReadOptions, read};
+use crate::check::{CheckOptions, check};
+use crate::generate::source::areas;
+use crate::{Document, FileFormat, ListKind, ReadOptions, read, write};
 
 /// Numbers that are always the same (Knuth's MMIX).
 struct Dice(u64);
@@ -43,28 +45,81 @@ fn damage(file: &[u8], dice: &mut Dice) -> Vec<u8> {
     bytes
 }
 
-#[test]
-fn two_hundred_damaged_files_of_each_format_are_read_or_have_a_place_for_each_fault() {
-    let kmz = zip(KML.as_bytes());
-    let files = [WPL, PLAN, OLD_FENCE, OLD_RALLY, KML, GEOJSON];
-    let files = files.map(str::as_bytes).into_iter().chain([kmz.as_slice()]);
-    let mut dice = Dice(20);
-    let (mut read_well, mut faulty) = (0, 0);
-    for file in files {
-        for _ in 0..200 {
-            let bytes = damage(file, &mut dice);
-            match read(&bytes, &ReadOptions::default()) {
-                Ok(_) => read_well += 1,
-                Err((text, faults)) => {
-                    faulty += 1;
-                    assert!(!faults.is_empty());
-                    for fault in faults {
-                        let span = fault.span.clone();
-                        assert!(text.get(span).is_some(), "{fault:?}");
-                    }
+/// Files of the list format with fence items and rally points, as MAVProxy writes them now.
+fn lists() -> [String; 2] {
+    let mut loaded = read(PLAN.as_bytes(), &ReadOptions::default()).expect("a good file");
+    [ListKind::Fence, ListKind::Rally].map(|kind| {
+        let mut alone = Document::default();
+        alone
+            .list_mut(kind)
+            .clone_from(loaded.document.list_mut(kind));
+        let text = write(&alone, FileFormat::Wpl(kind)).expect("a list");
+        assert!(text.lines().count() > 1, "{text}");
+        text
+    })
+}
+
+/// The number of damaged files of each format; `SORTIE_MUTATIONS` asks for more of them, with other dice.
+fn wanted() -> usize {
+    let asked = std::env::var("SORTIE_MUTATIONS").ok();
+    asked.and_then(|asked| asked.parse().ok()).unwrap_or(200)
+}
+
+/// Reads damaged files; returns how many were read, and how many had faults.
+fn try_damaged(file: &[u8], count: usize, dice: &mut Dice) -> [usize; 2] {
+    let mut outcomes = [0, 0];
+    for _ in 0..count {
+        let bytes = damage(file, dice);
+        match read(&bytes, &ReadOptions::default()) {
+            Ok(loaded) => {
+                outcomes[0] += 1;
+                // Neither the rules of the vehicle nor the writers may fail on what was read.
+                drop(check(&loaded.document, &CheckOptions::default()));
+                drop(areas(&loaded.document));
+                for format in [FileFormat::QgcPlan, FileFormat::Kml, FileFormat::GeoJson] {
+                    drop(write(&loaded.document, format));
+                }
+            }
+            Err((text, faults)) => {
+                outcomes[1] += 1;
+                assert!(!faults.is_empty());
+                for fault in faults {
+                    let span = fault.span.clone();
+                    assert!(text.get(span).is_some(), "{fault:?}");
                 }
             }
         }
     }
-    assert!(read_well > 150 && faulty > 400, "{read_well} {faulty}");
+    outcomes
+}
+
+#[test]
+fn two_hundred_damaged_files_of_each_format_are_read_or_have_a_place_for_each_fault() {
+    let kmz = zip(KML.as_bytes());
+    let older = WPL.replacen("WPL 110", "WPL 120", 1);
+    assert_ne!(older, WPL);
+    let [fence, rally] = lists();
+    let files: [(&str, &[u8]); 10] = [
+        ("QGC WPL 110", WPL.as_bytes()),
+        ("QGC WPL 120", older.as_bytes()),
+        (".plan", PLAN.as_bytes()),
+        ("MAVProxy fence", fence.as_bytes()),
+        ("MAVProxy rally", rally.as_bytes()),
+        ("MAVProxy old fence", OLD_FENCE.as_bytes()),
+        ("MAVProxy old rally", OLD_RALLY.as_bytes()),
+        ("KML", KML.as_bytes()),
+        ("KMZ", &kmz),
+        ("GeoJSON", GEOJSON.as_bytes()),
+    ];
+    let count = wanted();
+    let mut dice = Dice(20);
+    for (name, file) in files {
+        let [read_well, faulty] = try_damaged(file, count, &mut dice);
+        println!("{name}: {count} damaged files, {read_well} read, {faulty} with faults");
+        assert_eq!(read_well + faulty, count);
+        assert!(
+            read_well.min(faulty) * 50 > count,
+            "{name}: {read_well} {faulty}"
+        );
+    }
 }
