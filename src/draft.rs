@@ -10,23 +10,27 @@ use crate::text::Text;
 use crate::vehicle_id::VehicleId;
 
 mod apply;
+mod area;
 mod edit;
 mod fence;
 mod place;
 mod plan;
 mod profile;
 mod shelf;
+mod squares;
 #[cfg(test)]
 mod tests;
 
+pub use area::drawn_areas;
 pub use edit::{
     Edit, Edited, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
     Surroundings,
 };
 pub use fence::areas;
 pub use place::place;
-pub use profile::{Pace, Profile, Stop, height_above_home, profile};
+pub use profile::{Pace, Profile, Stop, ground_above_home, height_above_home, profile};
 pub use shelf::Drafts;
+pub use squares::squares;
 
 /// The maximum number of changes that can be undone.
 const MOST_CHANGES: usize = 1000;
@@ -36,6 +40,8 @@ const MOST_CHANGES: usize = 1000;
 pub struct Draft {
     name: String,
     vehicle: Option<VehicleId>,
+    /// The file that it was read from or last written to.
+    file: Option<String>,
     now: Arc<Document>,
     past: Vec<Arc<Document>>,
     undone: Vec<Arc<Document>>,
@@ -52,6 +58,7 @@ impl Draft {
         Self {
             name: name.into(),
             vehicle,
+            file: None,
             now: document,
             past: Vec::new(),
             undone: Vec::new(),
@@ -66,8 +73,27 @@ impl Draft {
         self
     }
 
+    /// A draft that was read from a file, under the file's name.
+    pub fn of_file(path: impl Into<String>, document: Arc<Document>) -> Self {
+        let path = path.into();
+        Self {
+            file: Some(path.clone()),
+            ..Self::new(path, document, None).kept()
+        }
+    }
+
+    /// The file that it was read from or last written to.
+    pub fn file(&self) -> Option<&str> {
+        self.file.as_deref()
+    }
+
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Its name without the folder of its file.
+    pub fn short_name(&self) -> &str {
+        self.name.rsplit(['/', '\\']).next().unwrap_or_default()
     }
 
     /// The vehicle that it is meant for, if it is meant for one alone.
@@ -87,9 +113,12 @@ impl Draft {
         self.now.kinds().next().is_none() || self.kept.as_ref().is_some_and(is_same)
     }
 
-    /// Notes that one of its contents has been written to a file.
-    pub fn note_kept(&mut self, document: Arc<Document>) {
-        self.kept = Some(document);
+    /// Takes over another draft of the same name; undo goes back to the content before.
+    fn become_draft(&mut self, other: Self) {
+        self.note_change(other.now);
+        self.vehicle = other.vehicle;
+        self.file = other.file.or(self.file.take());
+        self.kept = other.kept;
     }
 
     /// Changes its content, and returns the item that the change is about, counted from 0.
@@ -98,13 +127,16 @@ impl Draft {
     /// The reason why the change is not possible; nothing changes.
     pub fn edit(&mut self, edit: &Edit, around: &Surroundings) -> Result<Option<usize>, Text> {
         let Edited { document, item } = edit.apply(&self.now, around)?;
+        self.note_change(Arc::new(document));
+        Ok(item)
+    }
+
+    fn note_change(&mut self, document: Arc<Document>) {
         if self.past.len() == MOST_CHANGES {
             self.past.remove(0);
         }
-        self.past
-            .push(std::mem::replace(&mut self.now, Arc::new(document)));
+        self.past.push(std::mem::replace(&mut self.now, document));
         self.undone.clear();
-        Ok(item)
     }
 
     /// Goes back to the content before the last change; false if there is none.

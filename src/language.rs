@@ -37,11 +37,11 @@ mod wait;
 #[cfg(test)]
 mod tests;
 
-pub use argument::{Argument, Kind, Unit};
+pub use argument::{Argument, Kind, Unit, field_text};
 pub use choice::VehicleChoice;
-pub use complete::{Completion, begun, complete, hint, lines, vehicle_verbs};
+pub use complete::{Completion, begun, complete, file_begun, hint, lines, vehicle_verbs};
 pub use console::{
-    AlertLine, ConsoleLine, DraftLine, ForwardLine, GhostLine, GhostSource, LoopTarget,
+    AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LoopTarget,
     ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
 };
 pub use lexer::{Word, comment_start, words};

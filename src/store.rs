@@ -31,6 +31,7 @@ mod runs;
 mod sharing;
 mod signature;
 mod source;
+mod terrain;
 #[cfg(test)]
 mod tests;
 
@@ -53,7 +54,8 @@ pub use records::{
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, read, read_bytes, read_start, user_path};
+pub use source::{Source, StoreError, names_in, read, read_bytes, read_start, user_path};
+pub use terrain::add_square;
 
 mod shipped {
     //! The embedded files: `build.rs` lists `missions/`, so that a new mission needs no further entry.

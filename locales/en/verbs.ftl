@@ -37,6 +37,7 @@ argument-wind-from = direction that the wind comes from
 argument-wind-speed = mean speed of the wind
 argument-plan-item = number of an item in `plan show`
 argument-plan-survey = parallel lines over an area, divided among the targets
+argument-plan-sweep = lines along the longer side of the area (parallel) or along the shorter one (creeping)
 argument-plan-search = a search pattern, divided among the targets
 argument-plan-orbit = circles around a place, evenly spaced
 argument-plan-height = height above home; 30 m by default

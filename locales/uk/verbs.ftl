@@ -37,6 +37,7 @@ argument-wind-from = напрямок, звідки дме вітер
 argument-wind-speed = середня швидкість вітру
 argument-plan-item = номер пункту в `plan show`
 argument-plan-survey = паралельні лінії над ділянкою, поділені між апаратами
+argument-plan-sweep = лінії вздовж довшого боку ділянки (parallel) чи вздовж коротшого (creeping)
 argument-plan-search = схема пошуку, поділена між апаратами
 argument-plan-orbit = кола навколо місця; апарати на рівних відстанях один від одного
 argument-plan-height = висота над домом; типово 30 m

@@ -6,6 +6,7 @@ use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::forward::ForwardSpec;
+use crate::geo::Square;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
@@ -138,6 +139,15 @@ impl IntoIterator for Effects {
 /// A file to read or write. Paths are as the user typed them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {
+    /// List a folder, for the command line; an empty path is the working directory.
+    List {
+        folder: String,
+    },
+    /// Read the height of the ground of these squares from a folder.
+    Ground {
+        folder: String,
+        squares: Vec<Square>,
+    },
     Read {
         kind: FileKind,
         path: String,

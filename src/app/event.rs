@@ -15,7 +15,7 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Terrain};
 use crate::ledger::{Risk, RowUpdate};
 use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
@@ -220,6 +220,10 @@ pub enum FileEvent {
         path: String,
         text: String,
     },
+    /// A folder was listed; a name of a folder in it ends with `/`. Empty if it cannot be read.
+    Listed { folder: String, names: Vec<String> },
+    /// The ground of the squares that have files in a folder.
+    Ground { folder: String, terrain: Terrain },
     /// A file was written.
     Written { path: String },
     /// A file was not written because it exists already.

@@ -18,9 +18,12 @@ impl Names for NamesInFiles<'_> {
         match list {
             NameList::Room => Room::listed(),
             NameList::Theme => themes(self.themes),
-            NameList::Mission | NameList::Inject | NameList::Macro | NameList::Draft => {
-                Listed::Anything
-            }
+            NameList::Mission
+            | NameList::Inject
+            | NameList::Macro
+            | NameList::Draft
+            | NameList::ItemField
+            | NameList::PlanFile => Listed::Anything,
         }
     }
 }

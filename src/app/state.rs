@@ -70,6 +70,7 @@ pub use session_ledger::SessionLedger;
 pub use time::SessionTime;
 pub use timing::{TimeFlow, Timing};
 pub use training::{Trainee, Training};
+pub(in crate::app) use typing::Folder;
 pub use typing::Typing;
 
 /// How long a message stays on the last line of the screen: one that needs attention, and a confirmation.

@@ -53,6 +53,8 @@ pub fn update(state: &mut State, event: Event) -> Effects {
         state.hush();
     }
     effects.extend(telemetry::signals(state));
+    effects.extend(palette::wanted(state));
+    effects.extend(plans::wanted_ground(state));
     if let Some(reason) = watch.and_then(|before| pace::news(state, before)) {
         effects.extend(pace::fall_back(state, reason));
     }
@@ -232,6 +234,8 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
             FileKind::Plan => plans::read(state, &path, &text),
             FileKind::Review => {}
         },
+        FileEvent::Ground { folder, terrain } => plans::ground_read(state, &folder, terrain),
+        FileEvent::Listed { folder, names } => palette::listed(state, folder, names),
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),
     }

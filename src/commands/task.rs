@@ -3,6 +3,7 @@
 //! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into plans.
 
 use super::{Datum, Ground, Pattern};
+use crate::plan::generate::Course;
 
 /// What the plans of several vehicles do together.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,8 +15,8 @@ pub enum PlanTask {
         spacing_m: Option<f64>,
         /// Height above home; `None` for the usual one.
         up_m: Option<f64>,
-        /// Course of the lines, degrees clockwise from north; `None` for the least energy.
-        course_deg: Option<f64>,
+        /// The direction of the lines.
+        course: Course,
     },
     /// A search around a place.
     Search {

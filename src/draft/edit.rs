@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use strum::{EnumString, VariantNames};
 
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::HeightChange;
 use crate::plan::{Document, HeightFrame, Home, Item, ListKind};
 
@@ -205,12 +205,14 @@ impl Edit {
 }
 
 /// What lies around a draft.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surroundings {
     /// The cursor of the map.
     pub cursor: Option<LatLon>,
     /// The home of the vehicle, for a document without one.
     pub home: Option<Home>,
+    /// The ground, as far as it is known.
+    pub ground: Terrain,
 }
 
 /// The document after an edit.

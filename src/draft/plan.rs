@@ -2,7 +2,7 @@
 
 use super::edit::{Insertion, Items, NewItem, PlanEdit, PlanFrame, Spot, Surroundings};
 use super::place::{found, known, place, refused};
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::{self, FrameChange};
 use crate::plan::{Document, Item, command};
 use crate::text::Text;
@@ -32,7 +32,7 @@ pub(super) fn change(
             at
         }
         PlanEdit::Frame { items, frame } => {
-            change_frame(document, *items, *frame)?;
+            change_frame(document, *items, *frame, &around.ground)?;
             return Ok(None);
         }
         PlanEdit::Command { item, command } => change_command(document, *item, *command, around)?,
@@ -96,18 +96,25 @@ fn built(
     })
 }
 
-/// Changes the frame of items. Numbers stay between home and terrain, where the ground counts as level; to or from sea
-/// level, the flight stays at its height.
-fn change_frame(document: &mut Document, items: Items, frame: PlanFrame) -> Result<(), Text> {
+/// Changes the frame of items. The flight stays at its height; only between home and terrain the number stays instead
+/// where the ground is not known, which then counts as level.
+fn change_frame(
+    document: &mut Document,
+    items: Items,
+    frame: PlanFrame,
+    ground: &Terrain,
+) -> Result<(), Text> {
     let home = document.home;
     for at in known(&document.plan, items)? {
         let before = PlanFrame::of(&document.plan[at]);
         let keep = FrameChange::KeepHeights {
             home,
-            ground_amsl_m: &|_| None,
+            ground_amsl_m: &|item| ground.height_m(place(item)?).map(|metres| metres as f32),
         };
+        let is_known = place(&document.plan[at]).is_some_and(|at| ground.height_m(at).is_some());
         let change = match (before, frame) {
             (Some(PlanFrame::Sea), _) | (_, PlanFrame::Sea) => keep,
+            _ if is_known && home.is_some() => keep,
             _ => FrameChange::KeepNumbers,
         };
         document.plan = edit::change_frame(&document.plan, at..at + 1, frame.number(), &change)

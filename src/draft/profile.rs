@@ -1,6 +1,7 @@
 //! The profile of a plan: the legs with their lengths, times and slopes, and the heights along them.
 
-use crate::geo::LatLon;
+use super::place::place;
+use crate::geo::{LatLon, Terrain};
 use crate::plan::{Document, HeightFrame, Item, command};
 
 /// The radius of a loiter that names none, in metres.
@@ -34,7 +35,7 @@ pub struct Stop {
     /// The item, counted from 0.
     pub item: usize,
     pub place: LatLon,
-    /// Metres above home, on arrival. Heights above terrain count as if the ground were level.
+    /// Metres above home, on arrival. Heights above terrain count as if unknown ground were level.
     pub height_m: f64,
     /// The length of the leg over the ground, in metres.
     pub leg_m: f64,
@@ -58,6 +59,8 @@ impl Stop {
 /// The course of a plan, without the repetitions of its jumps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Profile {
+    /// Where the way begins.
+    pub start: Option<LatLon>,
     pub stops: Vec<Stop>,
     pub length_m: f64,
     pub time_s: f64,
@@ -66,35 +69,67 @@ pub struct Profile {
 }
 
 impl Profile {
+    /// The place at a distance from the start of the way.
+    pub fn place_at(&self, along_m: f64) -> Option<LatLon> {
+        let to = self.stops.iter().position(|stop| stop.along_m >= along_m)?;
+        let end = self.stops[to];
+        let start = to.checked_sub(1).map(|at| self.stops[at].place);
+        let from = start.or(self.start).unwrap_or(end.place);
+        let (north_m, east_m) = from.offset_to(end.place);
+        let share = if end.leg_m > 0.0 {
+            1.0 - (end.along_m - along_m) / end.leg_m
+        } else {
+            1.0
+        };
+        Some(from.moved(north_m * share, east_m * share))
+    }
+
     /// The stop of an item.
     pub fn at(&self, item: usize) -> Option<&Stop> {
         self.stops.iter().find(|stop| stop.item == item)
     }
 }
 
-/// The height of an item above home; `None` if that needs the height of home and it is not known.
-pub fn height_above_home(document: &Document, item: &Item) -> Option<f64> {
+/// The height of an item above home; `None` if that needs the height of home and it is not known. Where the ground is
+/// not known, it counts as level.
+pub fn height_above_home(document: &Document, item: &Item, ground: &Terrain) -> Option<f64> {
     match item.height_frame() {
         HeightFrame::SeaLevel => Some(f64::from(item.z - document.home?.z)),
-        HeightFrame::Home | HeightFrame::Terrain | HeightFrame::Other => Some(f64::from(item.z)),
+        HeightFrame::Terrain => {
+            let below_m = ground_above_home(document, place(item)?, ground).unwrap_or(0.0);
+            Some(f64::from(item.z) + below_m)
+        }
+        HeightFrame::Home | HeightFrame::Other => Some(f64::from(item.z)),
     }
 }
 
-struct Course {
+/// The height of the ground at a place above the ground at home, in metres; `None` if either is not known.
+pub fn ground_above_home(document: &Document, at: LatLon, ground: &Terrain) -> Option<f64> {
+    let home = document.home?;
+    let home_m = ground.height_m(LatLon::from_e7(home.x, home.y))?;
+    Some(ground.height_m(at)? - home_m)
+}
+
+struct Course<'a> {
+    ground: &'a Terrain,
     at: Option<LatLon>,
     height_m: f64,
     pace: Pace,
     profile: Profile,
 }
 
-/// The course of a document's plan.
-pub fn profile(document: &Document, pace: Pace) -> Profile {
+/// The course of a document's plan over a ground.
+pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let mut course = Course {
         at: home,
         height_m: 0.0,
         pace,
-        profile: Profile::default(),
+        profile: Profile {
+            start: home,
+            ..Profile::default()
+        },
+        ground,
     };
     for (index, item) in document.plan.iter().enumerate() {
         match item.command {
@@ -117,20 +152,20 @@ pub fn profile(document: &Document, pace: Pace) -> Profile {
     course.profile
 }
 
-impl Course {
+impl Course<'_> {
     fn fly(&mut self, document: &Document, index: usize, item: &Item) {
         let lands = matches!(
             item.command,
             command::LAND | command::VTOL_LAND | command::PAYLOAD_PLACE
         );
         let has_place = (item.x, item.y) != (0, 0) && !command::is_takeoff(item.command);
-        let place = has_place.then(|| item.point()).or(self.at);
+        let goal = has_place.then(|| item.point()).or(self.at);
         let height_m = if lands {
             self.height_m
         } else {
-            height_above_home(document, item).unwrap_or(self.height_m)
+            height_above_home(document, item, self.ground).unwrap_or(self.height_m)
         };
-        self.go(index, place, height_m, self.stay_s(item));
+        self.go(index, goal, height_m, self.stay_s(item));
         if lands {
             self.land();
         }

@@ -1,6 +1,10 @@
 //! The drafts that are open at the same time.
 
+use std::sync::Arc;
+
 use super::Draft;
+use crate::plan::Document;
+use crate::vehicle_id::VehicleId;
 
 /// Drafts in the order in which they were opened; one of them is the current one, if there are any.
 #[derive(Debug, Clone, Default)]
@@ -27,20 +31,30 @@ impl Drafts {
         self.all.get_mut(self.current)
     }
 
-    pub fn get_mut(&mut self, name: &str) -> Option<&mut Draft> {
-        self.all.iter_mut().find(|draft| draft.name == name)
+    /// Notes that a content of a draft has been written to a file, which from now on is its file. Unless the draft is
+    /// meant for a vehicle or another one has that name, it is also named after the file.
+    pub fn note_saved(&mut self, name: &str, path: &str, document: Arc<Document>) {
+        let is_free = name == path || self.all.iter().all(|draft| draft.name != path);
+        let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) else {
+            return;
+        };
+        draft.kept = Some(document);
+        draft.file = Some(path.to_owned());
+        if is_free && draft.vehicle.is_none() {
+            path.clone_into(&mut draft.name);
+        }
     }
 
-    /// Adds drafts, and makes the first of them the current one. Each takes the place of one of the same name.
+    /// Adds drafts, and makes the first of them the current one. One of the same name takes over the new content, so that
+    /// nothing is lost that could not be undone.
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
         for draft in drafts {
             let known = self.all.iter().position(|it| it.name == draft.name);
             let at = known.unwrap_or(self.all.len());
-            if known.is_some() {
-                self.all[at] = draft;
-            } else {
-                self.all.push(draft);
+            match known {
+                Some(at) => self.all[at].become_draft(draft),
+                None => self.all.push(draft),
             }
             first.get_or_insert(at);
         }
@@ -60,6 +74,15 @@ impl Drafts {
         if count > 0 {
             self.current = (self.current as isize + by).rem_euclid(count) as usize;
         }
+    }
+
+    /// Closes those that are meant for one of these vehicles.
+    pub fn drop_of(&mut self, vehicles: &[VehicleId]) {
+        let is_theirs = |draft: &Draft| draft.vehicle.is_some_and(|id| vehicles.contains(&id));
+        let before = self.all.iter().take(self.current);
+        self.current -= before.filter(|draft| is_theirs(draft)).count();
+        self.all.retain(|draft| !is_theirs(draft));
+        self.current = self.current.min(self.all.len().saturating_sub(1));
     }
 
     /// Closes the current one.

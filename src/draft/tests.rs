@@ -3,7 +3,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 
 use super::*;
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::HeightChange;
 use crate::plan::{Fence, Home, Item, ListKind, command};
 
@@ -14,6 +14,7 @@ fn around() -> Surroundings {
     Surroundings {
         cursor: Some(HOME.moved(100.0, 0.0)),
         home: Some(Home { x, y, z: 170.0 }),
+        ground: Terrain::default(),
     }
 }
 
@@ -88,7 +89,7 @@ fn the_profile_has_lengths_times_and_slopes() {
         change: ItemsChange::Height(HeightChange::To(30.0)),
     });
     let draft = drawn(&edits);
-    let course = profile(draft.document(), Pace::default());
+    let course = profile(draft.document(), Pace::default(), &Terrain::default());
     let [up, north, east, south, home] = course.stops[..] else {
         panic!("five stops: {course:?}");
     };
@@ -118,7 +119,11 @@ fn a_speed_in_the_plan_counts_from_there_on() {
         item: slow,
         at: Insertion::Before(3),
     }));
-    let course = profile(drawn(&edits).document(), Pace::default());
+    let course = profile(
+        drawn(&edits).document(),
+        Pace::default(),
+        &Terrain::default(),
+    );
     let legs: Vec<f64> = course.stops.iter().map(|stop| stop.leg_s.round()).collect();
     assert_eq!(legs[1..4], [10.0, 20.0, 20.0]);
 }
@@ -152,7 +157,7 @@ fn jumps_lead_to_the_same_item_after_every_change() {
         plan[target - 1].point().to_e7(),
         HOME.moved(100.0, 100.0).to_e7()
     );
-    assert!(profile(draft.document(), Pace::default()).repeats);
+    assert!(profile(draft.document(), Pace::default(), &Terrain::default()).repeats);
     let into = Edit::Items {
         list: ListKind::Plan,
         items: Items::one(target),

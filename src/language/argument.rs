@@ -8,7 +8,7 @@ mod unit;
 
 pub(super) use given::{Arguments, Problem, Value};
 pub use kind::{Kind, Switch};
-pub use unit::Unit;
+pub use unit::{Unit, field_text};
 
 /// One argument of a [`Form`](super::Form).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -57,6 +57,27 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .collect()
 }
 
+/// The beginning of the file name at the cursor, if a plan's file may stand there.
+pub fn file_begun<'a>(line: &'a str, cursor: usize, context: &Context) -> Option<&'a str> {
+    let cursor = floor_boundary(line, cursor);
+    let mut before = words(&line[..cursor]);
+    let partial = before.pop_if(|word| word.span.end == cursor);
+    let written = partial.map_or("", |word| word.text);
+    let head = head(&before, context).ok()?;
+    let rest = &before[head.len..];
+    let takes_file = |form: &&'static Form| {
+        let expected = fit(form, rest, context).expected.into_iter();
+        expected
+            .filter_map(|it| match it {
+                Expected::Value(argument) => Some(argument.kind),
+                Expected::Keyword(_) => None,
+            })
+            .any(|kind| kind == Kind::PlanFile)
+    };
+    let mut forms = head.row.forms.iter();
+    forms.any(|form| takes_file(&form)).then_some(written)
+}
+
 /// A hint for the next word. If the line fits one form of the verb, the hint is that form with the next argument
 /// between ‹ and › and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several forms fit, it
 /// lists the possible next arguments. If the line is complete, it is the verb's summary. `None` without a verb, and

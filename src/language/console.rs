@@ -5,10 +5,13 @@ use std::time::Duration;
 use super::VehicleChoice;
 use super::targets::Targets;
 use crate::alert::AlertKind;
+use crate::commands::Pattern;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::draft::Edit;
+use crate::geo::{LatLon, Outline};
 use crate::moment::{Alignment, MomentKind};
 use crate::plan::ListKind;
+use crate::plan::generate::Course;
 use crate::vehicle::VehicleId;
 
 /// A line that the console carries out itself, without any vehicle.
@@ -243,6 +246,11 @@ pub enum DraftLine {
     /// Make the draft with this name the current one.
     Use(String),
     Close,
+    /// Make a plan for each of these vehicles, otherwise of the addressed ones, as drafts.
+    Divide {
+        work: DraftWork,
+        vehicles: Option<VehicleChoice>,
+    },
     /// Upload the current draft to these vehicles, otherwise to the selected ones.
     Upload(Option<VehicleChoice>),
     /// Put each one that is meant for a vehicle on board of that vehicle.
@@ -251,7 +259,33 @@ pub enum DraftLine {
     Redo,
     /// Count times at this speed in m/s; `None` for that of the vehicle.
     Speed(Option<f64>),
+    /// Take the height of the ground from files in this folder; `None` counts it as level.
+    Ground(Option<String>),
     Edit(Edit),
+}
+
+/// Work that is divided among several vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DraftWork {
+    /// Parallel lines over an area.
+    Sweep {
+        /// `None` for the area of the current draft.
+        area: Option<Outline>,
+        /// The line spacing; `None` for the usual one.
+        spacing_m: Option<f64>,
+        /// Height above home; `None` for the usual one.
+        up_m: Option<f64>,
+        course: Course,
+    },
+    /// A search around a place.
+    Search {
+        pattern: Pattern,
+        /// The most likely position of the object; `None` for the cursor of the map.
+        datum: Option<LatLon>,
+        radius_m: Option<f64>,
+        spacing_m: Option<f64>,
+        up_m: Option<f64>,
+    },
 }
 
 /// A command about alerts.

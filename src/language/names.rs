@@ -20,6 +20,10 @@ pub enum NameList {
     Macro,
     /// The drafts of plans that are open.
     Draft,
+    /// The parameters of the item under the cursor of the room of plans.
+    ItemField,
+    /// The files of plans in the folder that is being typed.
+    PlanFile,
 }
 
 /// A name that a line may contain.
@@ -83,7 +87,9 @@ impl Listed {
             | NameList::Theme
             | NameList::Inject
             | NameList::Macro
-            | NameList::Draft => words.iter().copied().find(|word| *word == written),
+            | NameList::Draft
+            | NameList::ItemField
+            | NameList::PlanFile => words.iter().copied().find(|word| *word == written),
         };
         let unknown = || text!("grammar-no-name", word = written);
         found.map(str::to_owned).ok_or_else(unknown)

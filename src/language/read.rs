@@ -5,6 +5,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use super::modes::{mode_named, mode_names, mode_summary};
+use super::names::NameList;
 use super::targets::Targets;
 use super::{Context, VehicleChoice};
 use crate::commands::{command_by_name, command_names};
@@ -108,7 +109,9 @@ impl Kind {
             Self::Items => Value::Items(items(text)?),
             Self::PlanCommand => Value::Number(f64::from(plan_command(text)?)),
             Self::PlanField => Value::Word(plan_field(text)?.to_owned()),
-            Self::Rest => return Ok((Value::Word(first.tail.to_owned()), words.len())),
+            Self::Rest | Self::PlanFile => {
+                return Ok((Value::Word(first.tail.to_owned()), words.len()));
+            }
         };
         Ok((value, 1))
     }
@@ -141,10 +144,7 @@ impl Kind {
                 .collect(),
             Self::MavCommand => mav_commands(),
             Self::Parameter => parameters(context),
-            Self::Name(list) => {
-                let listed = context.names.listed(list).names().into_iter();
-                listed.map(|named| (named.name, named.meaning)).collect()
-            }
+            Self::Name(list) => listed(list, context),
             Self::Group => context
                 .groups
                 .iter()
@@ -159,9 +159,8 @@ impl Kind {
             Self::PlanCommand => field::plan_words()
                 .map(|(word, name)| (word.to_owned(), Text::verbatim(name)))
                 .collect(),
-            Self::PlanField => field::field_names()
-                .map(|(name, unit)| (name.to_owned(), Unit::of_field(unit).symbol().into()))
-                .collect(),
+            Self::PlanField => plan_fields(context),
+            Self::PlanFile => listed(NameList::PlanFile, context),
             Self::Flag
             | Self::Number(..)
             | Self::Whole(..)
@@ -170,6 +169,22 @@ impl Kind {
             | Self::Rest => Vec::new(),
         }
     }
+}
+
+fn listed(list: NameList, context: &Context) -> Vec<(String, Text)> {
+    let listed = context.names.listed(list).names().into_iter();
+    listed.map(|named| (named.name, named.meaning)).collect()
+}
+
+/// The parameters of the item at hand with their values, otherwise all parameters with their units.
+fn plan_fields(context: &Context) -> Vec<(String, Text)> {
+    let own = listed(NameList::ItemField, context);
+    if !own.is_empty() {
+        return own;
+    }
+    field::field_names()
+        .map(|(name, unit)| (name.to_owned(), Unit::of_field(unit).symbol().into()))
+        .collect()
 }
 
 fn unexplained<'a>(words: &'a [&'a str]) -> impl Iterator<Item = (String, Text)> {

@@ -3,13 +3,23 @@
 use super::Console;
 use crate::app::effect::{FileEffect, FileKind};
 use crate::app::event::{Event, FileEvent};
+use crate::geo::{Square, Terrain};
 use crate::store::{self, Source, StoreError};
+use crate::text;
 use crate::text::Text;
 
 impl Console {
     /// Reads or writes a file of parameters or of a design.
     pub(super) fn handle_file(&mut self, effect: FileEffect) {
         let event = match effect {
+            FileEffect::List { folder } => {
+                let names = store::names_in(&store::user_path(&folder));
+                FileEvent::Listed { folder, names }.into()
+            }
+            FileEffect::Ground { folder, squares } => match ground(&folder, &squares) {
+                Ok(terrain) => FileEvent::Ground { folder, terrain }.into(),
+                Err(reason) => Event::Failed(reason),
+            },
             FileEffect::Read { kind, path } => {
                 let file = store::user_path(&path);
                 let content = match kind {
@@ -53,6 +63,19 @@ impl Console {
             });
         }
     }
+}
+
+/// The ground of the squares that have files in a folder.
+fn ground(folder: &str, squares: &[Square]) -> Result<Terrain, Text> {
+    let path = store::user_path(folder);
+    if !path.is_dir() {
+        return Err(text!("plan-terrain-no-folder", path = folder));
+    }
+    let mut terrain = Terrain::default();
+    for square in squares {
+        store::add_square(&mut terrain, &path, *square)?;
+    }
+    Ok(terrain)
 }
 
 /// The message that names such a file in an error.

@@ -141,6 +141,28 @@ pub fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, StoreError> {
     Ok(bytes)
 }
 
+/// The most names of one folder that are offered.
+const MOST_NAMES: usize = 1000;
+
+/// The names in a folder in order, without hidden ones; those of folders end with `/`. Empty if it cannot be read. An
+/// empty path is the working directory.
+pub fn names_in(folder: &Path) -> Vec<String> {
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let named = entries.take(MOST_NAMES).filter_map(|entry| {
+        let name = entry.file_name().into_string().ok()?;
+        let is_folder = fs::metadata(entry.path()).is_ok_and(|it| it.is_dir());
+        (!name.starts_with('.')).then(|| if is_folder { name + "/" } else { name })
+    });
+    let mut names: Vec<String> = named.collect();
+    names.sort();
+    names
+}
+
 /// A path as typed: `~/` is the home folder.
 pub fn user_path(written: &str) -> PathBuf {
     let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());

@@ -5,7 +5,7 @@ use super::site::Site;
 use super::{Conductor, Rules};
 use crate::commands::{Datum, Ground, Pattern, PlanTask};
 use crate::geo::{LatLon, Outline};
-use crate::plan::generate::{Course, GenerateError, Manner, Task, generate};
+use crate::plan::generate::{GenerateError, Manner, Task, generate};
 use crate::plan::{Document, Home, Item};
 use crate::preflight::ungenerated;
 use crate::text;
@@ -90,13 +90,13 @@ impl<'a> Draft<'a> {
                 ground,
                 spacing_m,
                 up_m,
-                course_deg,
+                course,
             } => {
                 let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
                 let task = Task::Survey {
                     rings: vec![self.outline(ground)?],
                     spacing_m: self.spacing_m(*spacing_m, height_m),
-                    course: course_deg.map_or(Course::Best, Course::Degrees),
+                    course: *course,
                 };
                 Ok((task, height_m))
             }

@@ -45,9 +45,9 @@ impl Badge {
         Self::at(place)
     }
 
-    /// The badge of a draft, by its index among the drafts.
-    pub fn of_draft(place: usize) -> Self {
-        Self::at(place)
+    /// The badge of a draft: that of the vehicle that it is meant for, otherwise by its index among the drafts.
+    pub fn of_draft(place: usize, vehicle: Option<VehicleId>) -> Self {
+        vehicle.map_or_else(|| Self::at(place), Self::of_vehicle)
     }
 
     fn at(place: usize) -> Self {

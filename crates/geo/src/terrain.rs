@@ -3,6 +3,7 @@
 //! metres above mean sea level. The name is the south-west corner: `N50E030.hgt`.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::LatLon;
 
@@ -98,10 +99,10 @@ impl Grid {
     }
 }
 
-/// The ground of several squares.
+/// The ground of several squares. Cheap to clone: the heights are shared.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Terrain {
-    squares: BTreeMap<Square, Grid>,
+    squares: BTreeMap<Square, Arc<Grid>>,
 }
 
 impl Terrain {
@@ -110,8 +111,18 @@ impl Terrain {
     /// # Errors
     /// The number of bytes is that of neither resolution.
     pub fn add(&mut self, square: Square, bytes: &[u8]) -> Result<(), WrongSize> {
-        self.squares.insert(square, Grid::read(bytes)?);
+        self.squares.insert(square, Arc::new(Grid::read(bytes)?));
         Ok(())
+    }
+
+    /// Adds the squares of another ground.
+    pub fn join(&mut self, other: Self) {
+        self.squares.extend(other.squares);
+    }
+
+    /// Whether it has no squares.
+    pub fn is_empty(&self) -> bool {
+        self.squares.is_empty()
     }
 
     /// The height of the ground above mean sea level, in metres; `None` where there is no file, or no measurement.

@@ -77,6 +77,8 @@ pub enum PlansAction {
     NextItem,
     /// Go to the previous item of the list.
     PreviousItem,
+    /// Mark from the item under the cursor on, or end that.
+    MarkItems,
     PlanList,
     FenceList,
     RallyList,
@@ -92,6 +94,8 @@ pub enum PlansAction {
     SaveDraft,
     /// Write a line that uploads the draft.
     UploadDraft,
+    /// Write a line that divides the area drawn among vehicles.
+    SurveyDraft,
     UndoEdit,
     RedoEdit,
     /// Write a line that changes heights.

@@ -1,7 +1,13 @@
 //! Views of the state that depend on the rooms' own state.
 
+use std::collections::BTreeMap;
+
 use super::State;
-use crate::language::{Channel, Context, Listed, NameList, Named, Names, VehicleChoice};
+use crate::geo::Outline;
+use crate::language::{
+    Channel, Context, Listed, NameList, Named, Names, VehicleChoice, field_text,
+};
+use crate::plan::field;
 use crate::preflight::summary;
 use crate::text;
 use crate::text::Text;
@@ -13,19 +19,54 @@ struct Known<'a>(&'a State);
 
 impl Names for Known<'_> {
     fn listed(&self, list: NameList) -> Listed {
-        if list != NameList::Draft {
-            return self.0.listed(list);
+        match list {
+            NameList::Draft => drafts(self.0),
+            NameList::ItemField => Listed::Names(item_fields(self.0)),
+            NameList::Room
+            | NameList::Theme
+            | NameList::Mission
+            | NameList::Inject
+            | NameList::Macro
+            | NameList::PlanFile => self.0.listed(list),
         }
-        let drafts = self.0.rooms.plans.drafts().all();
-        if drafts.is_empty() {
-            return Listed::Nothing(text!("draft-none"));
-        }
-        let named = drafts.iter().map(|draft| Named {
-            name: draft.name().to_owned(),
-            meaning: summary(draft.document()),
-        });
-        Listed::Names(named.collect())
     }
+}
+
+fn drafts(state: &State) -> Listed {
+    let drafts = state.rooms.plans.drafts().all();
+    if drafts.is_empty() {
+        return Listed::Nothing(text!("draft-none"));
+    }
+    let named = drafts.iter().map(|draft| Named {
+        name: draft.name().to_owned(),
+        meaning: summary(draft.document()),
+    });
+    Listed::Names(named.collect())
+}
+
+/// The parameters of the item under the cursor of the room of plans, with their values.
+fn item_fields(state: &State) -> Vec<Named> {
+    let room = &state.rooms.plans;
+    let item = room.row().and_then(|row| room.items().get(row));
+    let fields = item.map_or(&[][..], |item| field::fields(item.command));
+    let value = |field: &field::Field| item.map_or(0.0, |item| field.value(item));
+    let named = fields.iter().map(|field| Named {
+        name: field.name.to_owned(),
+        meaning: Text::verbatim(field_text(value(field), field.unit)),
+    });
+    named.collect()
+}
+
+/// The name of the area that is drawn in the current draft.
+const DRAWN: &str = "drawn";
+
+/// The areas of the current draft by name: the one under the cursor, and each by its number if there are several.
+fn drawn(state: &State) -> Vec<(String, Outline)> {
+    let (areas, at) = state.rooms.plans.drawn();
+    let own = areas.get(at).map(|area| (DRAWN.to_owned(), area.clone()));
+    let numbered = areas.iter().enumerate().filter(|_| areas.len() > 1);
+    let numbered = numbered.map(|(at, area)| (format!("{DRAWN}-{}", at + 1), area.clone()));
+    own.into_iter().chain(numbered).collect()
 }
 
 impl State {
@@ -33,9 +74,9 @@ impl State {
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
         let named = self.session.task.areas.iter();
-        let areas = named
-            .map(|area| (area.name.clone(), area.outline.clone()))
-            .collect();
+        let named = named.map(|area| (area.name.clone(), area.outline.clone()));
+        // Of two areas with the same name, that of the mission counts.
+        let areas: BTreeMap<String, Outline> = drawn(self).into_iter().chain(named).collect();
         let first = self.addressed().first().copied();
         let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
         work(&Context {

@@ -6,24 +6,30 @@ use std::sync::Arc;
 
 use crossterm::event::KeyCode;
 
+use self::ground::GroundFiles;
 use super::map::Map;
 use crate::app::State;
-use crate::app::action::{Action, DrawAction, PlansAction, SelectAction, Step};
-use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
-use crate::app::room::{Answer, RoomModel, footer_keys};
+use crate::app::action::{Action, DrawAction, PlansAction, Step};
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, key};
+use crate::app::room::{Answer, RoomModel};
 use crate::draft::{Draft, Drafts, Items};
 use crate::ledger::EntryId;
 use crate::plan::{Document, Item, ListKind};
 
 mod act;
 mod change;
+mod divide;
 mod files;
+mod ground;
+mod hints;
 mod judge;
 mod line;
 mod view;
 
 pub(super) use act::{act, draw};
-pub use files::{ask_close, close, fill, is_kept, read, uploads, written};
+pub use files::{ask_close, close, fill, is_elsewhere, is_kept, read, uploads, written};
+pub use ground::{ground_read, wanted_ground};
+pub use hints::of_items as room_hints;
 pub use judge::{findings, pace};
 pub use line::carry_out;
 pub use view::{PlansLayout, click, layout};
@@ -46,6 +52,7 @@ pub struct Drawing {
     saving: Option<(String, String, Arc<Document>)>,
     /// The ledger's entries of the last upload.
     uploads: Vec<EntryId>,
+    ground: GroundFiles,
 }
 
 impl Default for Drawing {
@@ -59,6 +66,7 @@ impl Default for Drawing {
             speed_m_s: None,
             saving: None,
             uploads: Vec::new(),
+            ground: GroundFiles::default(),
         }
     }
 }
@@ -133,74 +141,6 @@ const fn drawing(action: DrawAction) -> Action {
     Action::Draw(action)
 }
 
-const HINTS: &[KeyHint] = &[
-    footer_keys::COMMAND,
-    footer_keys::HELP,
-    hint(&[drawing(DrawAction::AddItem)], "plans-hint-add"),
-    hint(&[drawing(DrawAction::MoveItem)], "plans-hint-move"),
-    hint(
-        &[own(PlansAction::NextItem), own(PlansAction::PreviousItem)],
-        "plans-hint-item",
-    ),
-    hint(&[drawing(DrawAction::DeleteItem)], "plans-hint-delete"),
-    hint(
-        &[drawing(DrawAction::Higher), drawing(DrawAction::Lower)],
-        "plans-hint-height",
-    ),
-    hint(&[own(PlansAction::UndoEdit)], "plans-hint-undo"),
-    hint(&[own(PlansAction::SaveDraft)], "plans-hint-save"),
-    hint(&[own(PlansAction::UploadDraft)], "plans-hint-upload"),
-    hint(&[own(PlansAction::SetField)], "plans-hint-set"),
-    hint(&[drawing(DrawAction::AddTakeoff)], "plans-hint-takeoff"),
-    hint(&[drawing(DrawAction::AddReturn)], "plans-hint-return"),
-    hint(&[drawing(DrawAction::AddLand)], "plans-hint-land"),
-    hint(
-        &[
-            own(PlansAction::PlanList),
-            own(PlansAction::FenceList),
-            own(PlansAction::RallyList),
-        ],
-        "plans-hint-lists",
-    ),
-    hint(&[own(PlansAction::NextDraft)], "plans-hint-draft"),
-    hint(
-        &[own(PlansAction::CloserDraft), own(PlansAction::WiderDraft)],
-        "plans-hint-zoom",
-    ),
-];
-
-const FENCE_HINTS: &[KeyHint] = &[
-    footer_keys::COMMAND,
-    footer_keys::HELP,
-    hint(&[drawing(DrawAction::BeginPolygon)], "plans-hint-area"),
-    hint(&[drawing(DrawAction::AddItem)], "plans-hint-corner"),
-    hint(&[drawing(DrawAction::AddCircle)], "plans-hint-circle"),
-    hint(&[drawing(DrawAction::MoveItem)], "plans-hint-move"),
-    hint(&[drawing(DrawAction::DeleteItem)], "plans-hint-delete"),
-    hint(&[drawing(DrawAction::NextFrame)], "plans-hint-reverse"),
-    hint(
-        &[drawing(DrawAction::Higher), drawing(DrawAction::Lower)],
-        "plans-hint-radius",
-    ),
-    hint(&[own(PlansAction::UndoEdit)], "plans-hint-undo"),
-    hint(
-        &[
-            own(PlansAction::PlanList),
-            own(PlansAction::FenceList),
-            own(PlansAction::RallyList),
-        ],
-        "plans-hint-lists",
-    ),
-];
-
-const EMPTY_HINTS: &[KeyHint] = &[
-    footer_keys::COMMAND,
-    footer_keys::HELP,
-    hint(&[own(PlansAction::NewDraft)], "plans-hint-new"),
-    hint(&[own(PlansAction::OpenDraft)], "plans-hint-open"),
-    hint(&[own(PlansAction::TakePlan)], "plans-hint-take"),
-];
-
 impl RoomModel for Drawing {
     const KEYS: &'static [KeyRow] = &[
         does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
@@ -218,7 +158,7 @@ impl RoomModel for Drawing {
             drawing(DrawAction::DeleteItem),
         ),
         does(key('s'), drawing(DrawAction::SplitLeg)),
-        does(key(' '), Action::Select(SelectAction::Toggle)),
+        does(key(' '), own(PlansAction::MarkItems)),
         does(key('+'), drawing(DrawAction::Higher)),
         does(key('='), drawing(DrawAction::Higher)),
         does(key('-'), drawing(DrawAction::Lower)),
@@ -247,6 +187,7 @@ impl RoomModel for Drawing {
         does(key('y'), own(PlansAction::TakePlan)),
         does(key('w'), own(PlansAction::SaveDraft)),
         does(key('U'), own(PlansAction::UploadDraft)),
+        does(key('S'), own(PlansAction::SurveyDraft)),
         does(key(']'), own(PlansAction::CloserDraft)),
         does(key('['), own(PlansAction::WiderDraft)),
         does(key('z'), own(PlansAction::FitDrafts)),
@@ -254,12 +195,7 @@ impl RoomModel for Drawing {
     ];
 
     fn hints(state: &State) -> &'static [KeyHint] {
-        let room = &state.rooms.plans;
-        match (room.drafts.current(), room.list) {
-            (None, _) => EMPTY_HINTS,
-            (Some(_), ListKind::Fence) => FENCE_HINTS,
-            (Some(_), ListKind::Plan | ListKind::Rally) => HINTS,
-        }
+        hints::of_drafts(state)
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
@@ -273,20 +209,6 @@ impl RoomModel for Drawing {
 
     fn escape(state: &mut State) -> Answer {
         state.rooms.plans.mark.take().map(|_| Vec::new())
-    }
-
-    fn select(state: &mut State, action: SelectAction) -> Answer {
-        match action {
-            SelectAction::Toggle => {
-                let room = &mut state.rooms.plans;
-                room.mark = match room.mark {
-                    Some(_) => None,
-                    None => room.row(),
-                };
-                Some(Vec::new())
-            }
-            SelectAction::SelectAll | SelectAction::Invert | SelectAction::Erase => None,
-        }
     }
 
     fn entered(state: &mut State) {

@@ -20,7 +20,8 @@ impl<R: fmt::Debug> Names for State<R> {
             }
             NameList::Inject => self.injects(),
             // The rooms know their own names.
-            NameList::Draft => Listed::Anything,
+            NameList::Draft | NameList::ItemField => Listed::Anything,
+            NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));

@@ -3,6 +3,10 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use crate::language::Named;
+use crate::plan::FileFormat;
+use crate::text::Text;
+
 /// The length of the command line's history.
 const HISTORY_KEPT: usize = 200;
 
@@ -15,8 +19,20 @@ pub struct Typing {
     pub(in crate::app) macro_lines: VecDeque<String>,
     /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
+    /// The folder whose files the command line offers; `None` while it needs none.
+    pub(in crate::app) folder: Option<Folder>,
     /// When the previous key answered a question that changed the session, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
+}
+
+/// A folder as the user typed it, up to the last `/`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(in crate::app) struct Folder {
+    pub path: String,
+    /// Its files and folders; `None` until they are known.
+    pub names: Option<Vec<String>>,
+    /// Whether the shell has been asked for them.
+    pub is_asked: bool,
 }
 
 impl Typing {
@@ -44,6 +60,21 @@ impl Typing {
         self.history.back().map(String::as_str)
     }
 
+    /// The files of plans in the folder that is being typed, and the folders in it.
+    pub(in crate::app) fn plan_files(&self) -> Vec<Named> {
+        let Some(folder) = &self.folder else {
+            return Vec::new();
+        };
+        let names = folder.names.iter().flatten();
+        let offered = names.filter(|name| name.ends_with('/') || is_plan_file(name));
+        offered
+            .map(|name| Named {
+                name: format!("{}{name}", folder.path),
+                meaning: Text::default(),
+            })
+            .collect()
+    }
+
     /// Adds a line to the history, without duplicates.
     pub(in crate::app) fn remember(&mut self, line: &str) {
         self.history.retain(|known| known != line);
@@ -52,4 +83,13 @@ impl Typing {
             self.history.pop_front();
         }
     }
+}
+
+/// Whether a file may hold a plan, by its ending.
+fn is_plan_file(name: &str) -> bool {
+    let Some((_, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    // Compressed KML can only be read, so it is no format to write.
+    FileFormat::of_ending(ending).is_some() || ending.eq_ignore_ascii_case("kmz")
 }

@@ -8,9 +8,9 @@ use super::order::Given;
 use super::{offer, order, typing};
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
-use crate::app::effect::Effects;
+use crate::app::effect::{Effect, Effects, FileEffect};
 use crate::app::keymap::{Place, latin};
-use crate::app::state::{Overlay, Palette};
+use crate::app::state::{Folder, Overlay, Palette};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion, VehicleChoice, words};
 use crate::text;
@@ -27,6 +27,8 @@ pub fn open(state: &mut State, line: String) {
         input: Input::new(line),
         ..Palette::default()
     };
+    // Files may have come and gone since the last line.
+    state.typing.folder = None;
     edited(state, palette);
 }
 
@@ -67,6 +69,7 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     let line = palette.input.value().to_owned();
     let cursor = byte_cursor(&palette.input);
     palette.chosen = None;
+    look_into_folder(state, &line, cursor);
     judge(state, &mut palette);
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     // Exact matches come first, then prefixes, then words that contain the letters; commands before modes.
@@ -95,6 +98,50 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     palette.completions = found;
     palette.before_tab = line;
     state.overlay = Some(Overlay::Palette(palette));
+}
+
+/// Notes the folder of the file name at the cursor.
+fn look_into_folder(state: &mut State, line: &str, cursor: usize) {
+    let begun = state.with_context(|context| language::file_begun(line, cursor, context));
+    let folder = begun.map(|begun| begun.rfind('/').map_or("", |at| &begun[..=at]));
+    if folder
+        != state
+            .typing
+            .folder
+            .as_ref()
+            .map(|known| known.path.as_str())
+    {
+        state.typing.folder = folder.map(|path| Folder {
+            path: path.to_owned(),
+            names: None,
+            is_asked: false,
+        });
+    }
+}
+
+/// The question for the files of the folder that is being typed.
+pub fn wanted(state: &mut State) -> Option<Effect> {
+    let folder = state.typing.folder.as_mut().filter(|it| !it.is_asked)?;
+    folder.is_asked = true;
+    Some(Effect::File(FileEffect::List {
+        folder: folder.path.clone(),
+    }))
+}
+
+/// Handles the answer to it.
+pub fn listed(state: &mut State, path: String, names: Vec<String>) {
+    let Some(folder) = &mut state.typing.folder else {
+        return;
+    };
+    if folder.path != path {
+        return;
+    }
+    folder.names = Some(names);
+    match state.overlay.take() {
+        // A completion that Tab has inserted stays.
+        Some(Overlay::Palette(palette)) if palette.chosen.is_none() => edited(state, palette),
+        other => state.overlay = other,
+    }
 }
 
 /// A line typed in the Ukrainian layout, converted to the Latin keys, if that is a valid command.
@@ -154,7 +201,13 @@ fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let line = &palette.before_tab;
     let head = line.get(..completion.replaces.start).unwrap_or(line);
     let tail = line.get(completion.replaces.end..).unwrap_or_default();
-    let gap = if tail.starts_with(' ') { "" } else { " " };
+    // The name of a folder goes on with that of a file in it.
+    let is_whole = !completion.text.ends_with('/');
+    let gap = if is_whole && !tail.starts_with(' ') {
+        " "
+    } else {
+        ""
+    };
     let start = format!("{head}{}{gap}", completion.text);
     let cursor = start.chars().count();
     palette.input = Input::new(format!("{start}{tail}")).with_cursor(cursor);

@@ -1,22 +1,17 @@
 //! The ground below plans, from files.
 
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use super::{Failure, invalid};
-use crate::geo::{Extent, LatLon, Square, Terrain};
+use crate::draft::squares;
+use crate::geo::Terrain;
+use crate::plan::Document;
 use crate::plan::check::{Finding, check_terrain, legs};
-use crate::plan::{Document, Item};
-use crate::store::{self, StoreError};
+use crate::store;
 use crate::text;
-use crate::text::{Locale, Text};
-
-/// More than the largest file: 3601 by 3601 points of two bytes.
-const MOST_BYTES: u64 = 26_000_000;
-/// The most squares that are read for one plan.
-const MOST_SQUARES: usize = 36;
+use crate::text::Locale;
 
 /// Options about the ground.
 #[derive(Debug, Clone, Args)]
@@ -77,48 +72,12 @@ impl GroundArguments {
         }
         let mut terrain = Terrain::default();
         for square in squares(document) {
-            read_square(&mut terrain, folder, square, locale)?;
+            store::add_square(&mut terrain, folder, square)
+                .map_err(|reason| invalid(&reason, locale))?;
         }
         Ok(Some(Ground {
             terrain,
             clearance_m: self.clearance,
         }))
     }
-}
-
-/// The squares over which a plan leads.
-fn squares(document: &Document) -> Vec<Square> {
-    let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
-    let places = document.plan.iter().filter_map(Item::place);
-    let Some(extent) = Extent::around(places.chain(home)) else {
-        return Vec::new();
-    };
-    let [south_west, _, north_east, _] = extent.corners().map(Square::of);
-    let squares = (south_west.lat..=north_east.lat)
-        .flat_map(|lat| (south_west.lon..=north_east.lon).map(move |lon| Square { lat, lon }));
-    squares.take(MOST_SQUARES).collect()
-}
-
-/// Reads the file of a square, if there is one.
-fn read_square(
-    terrain: &mut Terrain,
-    folder: &Path,
-    square: Square,
-    locale: &Locale,
-) -> Result<(), Failure> {
-    let path = folder.join(square.file_name());
-    let bytes = match store::read_start(&path, MOST_BYTES) {
-        Ok(bytes) => bytes,
-        Err(StoreError::Unreadable { error, .. }) if error.kind() == ErrorKind::NotFound => {
-            return Ok(());
-        }
-        Err(error) => return Err(invalid(&Text::from(&error), locale)),
-    };
-    terrain.add(square, &bytes).map_err(|wrong| {
-        let path = path.display().to_string();
-        invalid(
-            &text!("plan-terrain-size", path = path, bytes = wrong.0),
-            locale,
-        )
-    })
 }

@@ -136,12 +136,21 @@ impl Arguments {
         }
     }
 
+    pub fn area(&self, name: &str) -> Option<&Outline> {
+        match self.get(name)? {
+            Value::Area(outline) => Some(outline),
+            Value::Flag
+            | Value::Number(_)
+            | Value::Word(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Items(_) => None,
+        }
+    }
+
     /// An area that the form requires.
     pub fn required_area(&self, name: &'static str) -> Result<&Outline, Problem> {
-        match self.get(name) {
-            Some(Value::Area(outline)) => Ok(outline),
-            _ => Err(Problem::missing(name)),
-        }
+        self.area(name).ok_or_else(|| Problem::missing(name))
     }
 
     /// Items that the form requires.

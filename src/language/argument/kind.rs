@@ -54,6 +54,8 @@ pub enum Kind {
     Sort,
     /// The rest of the line, as typed.
     Rest,
+    /// The file of a plan: the rest of the line, as typed.
+    PlanFile,
     /// Items of a list: a number or a range, `3-5`.
     Items,
     /// A command of a plan by its word, such as `waypoint`, or by its name in MAVLink.

@@ -56,3 +56,8 @@ impl Unit {
         }
     }
 }
+
+/// The value of an item's parameter with its unit, as a line may contain it.
+pub fn field_text(value: f32, unit: FieldUnit) -> String {
+    format!("{value}{}", Unit::of_field(unit).symbol())
+}

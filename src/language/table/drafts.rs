@@ -14,6 +14,8 @@ use crate::plan::edit::HeightChange;
 use crate::plan::{ListKind, command};
 use crate::verb::Verb;
 
+mod work;
+
 pub(super) static ROWS: &[VerbRow] = &[DRAFT];
 
 /// The lists of a draft, in the order of [`ListKind::ALL`].
@@ -203,6 +205,10 @@ const DRAFT: VerbRow = VerbRow {
         "draft jump 6 to 2 times 3",
         "draft fence circle 150 n 0 e 0",
         "draft rally n 20 e 20",
+        "draft survey all",
+        "draft survey 1-6 spacing 20 up 40 course 90",
+        "draft search parallel 1-4",
+        "draft ground srtm",
         "draft undo",
         "draft upload 1-4",
     ],
@@ -219,13 +225,13 @@ const FORMS: &[Form] = &[
         |given| line(DraftLine::New(rest(given, "name"))),
     ),
     Form::new(
-        &[Argument::keyed("open", "file", Kind::Rest, FILE)],
+        &[Argument::keyed("open", "file", Kind::PlanFile, FILE)],
         |given| line(DraftLine::Open(rest(given, "file").unwrap_or_default())),
     ),
     Form::new(
         &[
             says("save", "argument-draft-save"),
-            Argument::value("file", Kind::Rest, FILE).optional(),
+            Argument::value("file", Kind::PlanFile, FILE).optional(),
         ],
         |given| line(DraftLine::Save(rest(given, "file"))),
     ),
@@ -255,6 +261,9 @@ const FORMS: &[Form] = &[
         ],
         |_| line(DraftLine::UploadEach),
     ),
+    work::SURVEY_AREA,
+    work::SEARCH_AREA,
+    work::SEARCH_AROUND,
     Form::new(&[says("undo", "argument-draft-undo")], |_| {
         line(DraftLine::Undo)
     }),
@@ -272,6 +281,13 @@ const FORMS: &[Form] = &[
             .optional(),
         ],
         |given| line(DraftLine::Speed(given.number("pace"))),
+    ),
+    Form::new(
+        &[
+            says("ground", "argument-draft-ground"),
+            Argument::value("folder", Kind::Rest, "argument-draft-ground-folder").optional(),
+        ],
+        |given| line(DraftLine::Ground(rest(given, "folder"))),
     ),
     Form::new(
         &[ADD, COMMAND.optional(), POINT, NORTH, EAST, UP, FRAME],

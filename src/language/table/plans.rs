@@ -12,7 +12,7 @@ use crate::plan::ListKind;
 use crate::vehicle::Wind;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
-mod tasks;
+pub(super) mod tasks;
 
 /// The table's rows of this group.
 pub(super) const ROWS: &[VerbRow] = &[PLAN, FENCE, RALLY];
@@ -35,8 +35,9 @@ const ITEM: Kind = Kind::Whole(Unit::None, 1.0, u16::MAX as f64);
 /// The mean wind of a rehearsal.
 const WIND_SPEED: Kind = Kind::Number(Unit::MetresPerSecond, 0.0, 60.0);
 
-const UPLOAD: Argument = Argument::keyed("upload", "file", Kind::Rest, "argument-plan-file");
-const DOWNLOAD: Argument = Argument::keyed("download", "file", Kind::Rest, "argument-plan-file");
+const UPLOAD: Argument = Argument::keyed("upload", "file", Kind::PlanFile, "argument-plan-file");
+const DOWNLOAD: Argument =
+    Argument::keyed("download", "file", Kind::PlanFile, "argument-plan-file");
 
 fn deed(kind: ListKind, deed: PlanDeed) -> Built {
     command(Command::Plan(PlanCommand { kind, deed }))
@@ -127,6 +128,7 @@ const PLAN: VerbRow = VerbRow {
         "1-4 plan start",
         "plan goto 7",
         "1-6 plan survey lane spacing 20 up 40",
+        "1-4 plan search parallel lane",
         "1-3 plan search square around 50.4501 30.5234 radius 200",
         "1-4 plan orbit 50.4501 30.5234 radius 40 turns 3",
         "all plan rehearse",
@@ -143,6 +145,7 @@ const PLAN: VerbRow = VerbRow {
         tasks::SURVEY_BETWEEN,
         tasks::SURVEY_AROUND,
         tasks::SURVEY_AREA,
+        tasks::SEARCH_AREA,
         tasks::SEARCH_AROUND,
         tasks::SEARCH_FROM_ORIGIN,
         tasks::ORBIT,

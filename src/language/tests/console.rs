@@ -24,6 +24,8 @@ impl Names for Known {
             NameList::Mission => &["01-air-sample", "02-grid"],
             NameList::Macro => &["up"],
             NameList::Draft => &["north", "south"],
+            NameList::ItemField => &["hold", "radius"],
+            NameList::PlanFile => &["plans/", "survey.plan"],
             NameList::Inject if self.has_injects => &["gust"],
             NameList::Inject => return Listed::Nothing(text!("console-no-mission")),
         };

@@ -1,29 +1,32 @@
 //! The drafts of plans: the items of a list, a map with a cursor, the heights, and the faults.
 
 use ratatui::buffer::Buffer;
-use ratatui::text::{Line, Span};
+use ratatui::layout::Rect;
+use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::action::{Action, PlansAction};
-use crate::app::room::plans::{Drawing, findings, layout, pace};
-use crate::draft::{Draft, Pace, Profile, profile};
+use crate::app::action::{Action, DrawAction, PlansAction};
+use crate::app::room::plans::{Drawing, findings, layout, pace, room_hints};
+use crate::draft::{Pace, Profile, profile};
+use crate::plan::Document;
 use crate::plan::check::Finding;
-use crate::plan::{Document, ListKind};
-use crate::preflight::list_words;
 use crate::text;
-use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_drafts;
-use crate::ui::widget::{below, columns, put, row_of, upper, wrap};
+use crate::ui::widget::{below, columns, footer, put, row_of, upper, wrap};
+use crate::vehicle::VehicleId;
 
 mod detail;
 mod heights;
 mod list;
+mod tabs;
 
 /// What the parts of the screen show.
 struct Shown<'a> {
     room: &'a Drawing,
+    /// The vehicle that the draft is meant for.
+    vehicle: Option<VehicleId>,
     document: &'a Document,
     course: Profile,
     pace: Pace,
@@ -33,8 +36,11 @@ struct Shown<'a> {
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().plans();
     let sizes = layout(state.display().grid());
-    draw_tabs(state, panel.upper(1), buffer);
-    let body = below(panel.area, 1);
+    tabs::draw(state, panel.upper(1), buffer);
+    let (above, keys) = split_last(panel.area);
+    let line = footer::hints(state, room_hints(state).iter().copied(), panel.at(keys));
+    put(buffer, keys, 0, &line);
+    let body = below(above, 1);
     let middle = upper(body, sizes.rows);
     let map = columns(middle, sizes.list + 1, middle.width);
     draw_drafts(state, panel.at(map), buffer);
@@ -46,8 +52,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let pace = pace(state);
     let shown = Shown {
         room,
+        vehicle: draft.vehicle(),
         document: draft.document(),
-        course: profile(draft.document(), pace),
+        course: profile(draft.document(), pace, room.ground()),
         pace,
         findings: findings(state, draft.document()),
     };
@@ -58,60 +65,18 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     heights::draw(state, &shown, panel.at(below(rest, detail_rows)), buffer);
 }
 
+/// An area without its last row, and that row.
+fn split_last(area: Rect) -> (Rect, Rect) {
+    let rest = area.height.saturating_sub(1);
+    (upper(area, rest), row_of(area, rest))
+}
+
 /// A line between the list and the map.
 fn draw_border(panel: Panel<'_>, buffer: &mut Buffer) {
     for row in 0..panel.area.height {
         let line = Line::styled("│", panel.style(Role::Border));
         put(buffer, panel.area, row, &line);
     }
-}
-
-/// The drafts with their signs, and the lists of the current one.
-fn draw_tabs(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = state.rooms().plans();
-    let lists = lists(room, panel);
-    let room_left = panel.width().saturating_sub(lists.width() + 1);
-    let mut spans = vec![Span::raw(" ")];
-    for (index, draft) in room.drafts().all().iter().enumerate() {
-        let badge = Badge::of_draft(index);
-        let is_current = index == room.drafts().current_index();
-        let role = if is_current { Role::Title } else { Role::Muted };
-        spans.push(Span::styled(
-            format!("{} ", badge.sign),
-            panel.style(badge.role),
-        ));
-        spans.push(Span::styled(name(draft), panel.style(role)));
-        spans.push(Span::raw("  "));
-    }
-    let left = columns(panel.area, 0, room_left as u16);
-    put(buffer, left, 0, &Line::from(spans));
-    let right = columns(panel.area, room_left as u16, panel.area.width);
-    put(buffer, right, 0, &lists);
-}
-
-/// A draft's name; a star marks one whose content is nowhere else.
-fn name(draft: &Draft) -> String {
-    let star = if draft.is_kept() { "" } else { "*" };
-    format!("{}{star}", draft.name())
-}
-
-fn lists(room: &Drawing, panel: Panel<'_>) -> Line<'static> {
-    let Some(draft) = room.drafts().current() else {
-        return Line::default();
-    };
-    let mut spans = Vec::new();
-    for kind in ListKind::ALL {
-        let is_shown = kind == room.list();
-        let (open, close) = if is_shown { ("[", "]") } else { (" ", " ") };
-        let role = if is_shown { Role::Title } else { Role::Muted };
-        let words = panel.text(&list_words(kind));
-        let count = draft.document().list(kind).len();
-        spans.push(Span::styled(
-            format!("{open}{words} {count}{close}"),
-            panel.style(role),
-        ));
-    }
-    Line::from(spans)
 }
 
 /// Shows how to begin a draft while none is open.
@@ -121,7 +86,11 @@ fn draw_nothing(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         "plans-nothing",
         new = key(PlansAction::NewDraft),
         open = key(PlansAction::OpenDraft),
-        take = key(PlansAction::TakePlan)
+        take = key(PlansAction::TakePlan),
+        fence = key(PlansAction::FenceList),
+        begin = state.key(Action::Draw(DrawAction::BeginPolygon)),
+        add = state.key(Action::Draw(DrawAction::AddItem)),
+        survey = key(PlansAction::SurveyDraft)
     );
     let lines = wrap(&panel.text(&text), panel.width().saturating_sub(2));
     for (row, line) in (1..).zip(lines) {

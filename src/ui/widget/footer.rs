@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::keymap::{HintKeys, Place};
+use crate::app::keymap::{HintKeys, KeyHint, Place};
 use crate::app::room;
 use crate::app::state::ReplayView;
 use crate::text;
@@ -73,7 +73,7 @@ fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
 }
 
 fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
-    let (look, width) = (panel.look, panel.width());
+    let look = panel.look;
     let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     if !state.typing().targets().is_empty() {
         return Line::from(vec![
@@ -88,9 +88,20 @@ fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     if let Some(view) = state.replay() {
         return replay::bar(state, view, panel);
     }
+    hints(state, room::hints(state), panel)
+}
+
+/// Keys with their meaning, as far as there is room.
+pub fn hints<'a>(
+    state: &State,
+    hints: impl IntoIterator<Item = KeyHint>,
+    panel: Panel<'_>,
+) -> Line<'a> {
+    let (look, width) = (panel.look, panel.width());
+    let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for hint in room::hints(state) {
+    for hint in hints {
         let Some(key) = state
             .keymap()
             .hint_label(hint.keys, Place::In(state.room()))

@@ -1,6 +1,7 @@
 //! The room of plans: a survey with a fence, beside another draft.
 
-use sortie::app::event::TerminalEvent;
+use sortie::app::event::{FileEvent, TerminalEvent};
+use sortie::geo::{Square, Terrain};
 use sortie::text::Language;
 
 use super::check;
@@ -93,4 +94,54 @@ fn without_a_draft_the_room_says_how_to_begin() {
     ));
     alone.press("z").press("a");
     insta::assert_snapshot!("plans_without_vehicles_80x24", alone.screen(80, 24));
+}
+
+#[test]
+fn of_six_drafts_the_open_one_is_shown_with_its_name() {
+    let mut console = Console::flying(6);
+    console.press("E");
+    for name in ["north", "south", "survey", "long-search", "return", "sixth"] {
+        console.give(&format!("draft new {name}"));
+        console.give("draft add takeoff 20");
+    }
+    for name in ["sixth", "north", "long-search"] {
+        console.give(&format!("draft use {name}"));
+        let screen = console.screen(80, 24);
+        let tabs = screen.lines().nth(1).expect("a row of drafts");
+        assert!(tabs.contains(&format!("{name}*")), "{tabs}");
+        assert!(tabs.contains("[1 plan 1]"), "{tabs}");
+    }
+    insta::assert_snapshot!("plans_six_80x24", console.screen(80, 24));
+}
+
+/// Ground that rises from 170 m at home by 1 m for each 5 m to the north.
+fn slope() -> Terrain {
+    const SIDE: usize = 1201;
+    let square = Square::of(fixtures::HOME);
+    let heights = (0..SIDE).map(|row| {
+        let lat_deg = f64::from(square.lat) + 1.0 - row as f64 / (SIDE - 1) as f64;
+        let north_m = (lat_deg - fixtures::HOME.lat_deg) * 111_195.0;
+        (180.0 + north_m / 5.0).clamp(0.0, 9000.0) as i16
+    });
+    let bytes: Vec<u8> = heights
+        .flat_map(|height| std::iter::repeat_n(height.to_be_bytes(), SIDE))
+        .flatten()
+        .collect();
+    let mut terrain = Terrain::default();
+    terrain.add(square, &bytes).expect("the right size");
+    terrain
+}
+
+#[test]
+fn the_heights_show_the_ground_and_legs_that_come_too_close_to_it() {
+    let mut console = drawing(Language::English);
+    console.give("draft ground srtm");
+    console.hear(FileEvent::Ground {
+        folder: "srtm".to_owned(),
+        terrain: slope(),
+    });
+    console.press("k").press("j");
+    insta::assert_snapshot!("plans_ground_80x24", console.screen(80, 24));
+    let wide = sized(&console, 200, 50);
+    insta::assert_snapshot!("plans_ground_200x50", wide.screen(200, 50));
 }

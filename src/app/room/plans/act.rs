@@ -55,9 +55,18 @@ fn by_one(state: &mut State, forward: bool) {
 }
 
 pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<RoomRequest> {
+    // The last message is about another item or another draft.
+    state.hush();
     match action {
         PlansAction::NextItem => by_one(state, true),
         PlansAction::PreviousItem => by_one(state, false),
+        PlansAction::MarkItems => {
+            let room = &mut state.rooms.plans;
+            room.mark = match room.mark {
+                Some(_) => None,
+                None => room.row(),
+            };
+        }
         PlansAction::PlanList => show_list(state, ListKind::Plan),
         PlansAction::FenceList => show_list(state, ListKind::Fence),
         PlansAction::RallyList => show_list(state, ListKind::Rally),
@@ -76,7 +85,8 @@ pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<R
         PlansAction::CentreDraft => centre(state),
         PlansAction::OpenDraft => return write(Some("draft open ".to_owned())),
         PlansAction::SaveDraft => return write(saving(state)),
-        PlansAction::UploadDraft => return write(Some(uploading(state))),
+        PlansAction::UploadDraft => return write(uploading(state)),
+        PlansAction::SurveyDraft => return write(Some(surveying(state))),
         PlansAction::WriteHeight => return write(about_marked(state, "height")),
         PlansAction::SetField => return write(about_marked(state, "set")),
         PlansAction::WriteCommand => return write(about_item(state, "command", "")),
@@ -117,9 +127,24 @@ fn saving(state: &State) -> Option<String> {
     Some(format!("draft save {}", files::proposed(draft)))
 }
 
-fn uploading(state: &State) -> String {
+/// The beginning of a line that uploads: a draft for one vehicle goes to that vehicle, with those of the others.
+fn uploading(state: &State) -> Option<String> {
+    let drafts = &state.rooms.plans.drafts;
+    if drafts.current()?.vehicle().is_some() {
+        return Some("draft upload each".to_owned());
+    }
     let targets = ranges(state.addressed());
-    format!("draft upload {targets}")
+    Some(format!("draft upload {targets}"))
+}
+
+/// The beginning of a line that divides the area drawn: among the selected vehicles, otherwise among all.
+fn surveying(state: &State) -> String {
+    let selected = &state.session.choice.selection;
+    if selected.is_empty() {
+        "draft survey all ".to_owned()
+    } else {
+        format!("draft survey {} ", ranges(selected.iter().copied()))
+    }
 }
 
 /// The beginning of a line about the marked items.
@@ -151,6 +176,7 @@ fn words(items: Items) -> String {
 
 /// Changes the current draft.
 pub(in crate::app::room) fn draw(state: &mut State, action: DrawAction) -> Vec<RoomRequest> {
+    state.hush();
     if let Some(edit) = meant(state, action) {
         change::try_edit(state, &edit);
     }

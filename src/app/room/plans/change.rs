@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::view;
 use crate::app::State;
 use crate::draft::{Draft, Edit, Surroundings};
+use crate::geo::LatLon;
 use crate::plan::{Document, Home, ListKind};
 use crate::text;
 use crate::text::Text;
@@ -26,12 +27,18 @@ pub(super) fn home(state: &State) -> Option<Home> {
     })
 }
 
-fn surroundings(state: &State) -> Surroundings {
+/// The place under the cursor of the map.
+pub(super) fn cursor(state: &State) -> Option<LatLon> {
     let map = &state.rooms.plans.map;
     let view = map.view(view::layout(state.display.grid()).canvas);
+    view.map(|view| map.pointed(&view))
+}
+
+fn surroundings(state: &State) -> Surroundings {
     Surroundings {
-        cursor: view.map(|view| map.pointed(&view)),
+        cursor: cursor(state),
         home: home(state),
+        ground: state.rooms.plans.ground().clone(),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::state::Consequence;
 use crate::draft::Draft;
-use crate::plan::{self, Document, FileFormat, Home, ListKind, ReadOptions};
+use crate::plan::{self, ContentHash, Document, FileFormat, Home, ListKind, ReadOptions};
 use crate::preflight;
 use crate::text;
 use crate::text::Text;
@@ -17,9 +17,11 @@ use crate::vehicle_id::ranges;
 /// The extension for a file whose name has none: this format holds all lists.
 const ENDING: &str = "plan";
 
-/// The file to propose for a draft.
+/// The file to propose for a draft: its own, if it has one.
 pub(super) fn proposed(draft: &Draft) -> String {
-    if ending(draft.name()).is_some() {
+    if let Some(file) = draft.file() {
+        file.to_owned()
+    } else if ending(draft.name()).is_some() {
         draft.name().to_owned()
     } else {
         // Archives are read, and not written.
@@ -47,8 +49,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
         Ok(loaded) => {
             let mut document = loaded.document;
             document.home = document.home.or_else(|| change::home(state));
-            let draft = Draft::new(path, Arc::new(document), None).kept();
-            fill(state, [draft]);
+            fill(state, [Draft::of_file(path, Arc::new(document))]);
             say_summary(state);
         }
         Err((text, faults)) => {
@@ -86,7 +87,8 @@ pub(super) fn say_summary(state: &mut State) {
     }
 }
 
-/// Writes the current draft to a file; without a path, to the file that it comes from.
+/// Writes the current draft to a file; without a path, to the file that it was read from or last written to. That file
+/// is replaced without a question.
 ///
 /// # Errors
 /// There is no draft, or the format cannot hold it.
@@ -105,12 +107,13 @@ pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, T
     };
     let text =
         plan::write(&document, format).map_err(|_| text!("refused-plan-format", file = &path))?;
+    let replace = draft.file() == Some(&path);
     state.rooms.plans.saving = Some((path.clone(), draft.name().to_owned(), document));
     Ok(Effects::from(Effect::File(FileEffect::Write {
         kind: FileKind::Plan,
         path,
         text,
-        replace: false,
+        replace,
     })))
 }
 
@@ -118,10 +121,8 @@ pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, T
 pub fn written(state: &mut State, path: &str) {
     let room = &mut state.rooms.plans;
     let saved = room.saving.take_if(|(saving, ..)| saving == path);
-    if let Some((_, name, document)) = saved
-        && let Some(draft) = room.drafts.get_mut(&name)
-    {
-        draft.note_kept(document);
+    if let Some((path, name, document)) = saved {
+        room.drafts.note_saved(&name, &path, document);
     }
 }
 
@@ -147,6 +148,11 @@ fn on_board(vehicle: &Vehicle) -> Option<Document> {
     is_any.then_some(document)
 }
 
+/// The name of the draft for a vehicle.
+pub(super) fn name_of(vehicle: VehicleId) -> String {
+    format!("vehicle-{vehicle}")
+}
+
 /// Opens what vehicles have on board, a draft for each.
 ///
 /// # Errors
@@ -154,7 +160,7 @@ fn on_board(vehicle: &Vehicle) -> Option<Document> {
 pub(super) fn take(state: &mut State, vehicles: &[VehicleId]) -> Result<(), Text> {
     let known = vehicles.iter().filter_map(|id| {
         let document = on_board(state.session.vehicles.get(id)?)?;
-        let draft = Draft::new(format!("vehicle-{id}"), Arc::new(document), Some(*id));
+        let draft = Draft::new(name_of(*id), Arc::new(document), Some(*id));
         Some(draft.kept())
     });
     let drafts: Vec<Draft> = known.collect();
@@ -200,7 +206,25 @@ pub fn uploads(draft: &Draft, vehicles: &[VehicleId]) -> Result<Vec<String>, Tex
 
 /// Whether nothing would be lost if the program ended now.
 pub fn is_kept(state: &State) -> bool {
-    state.rooms.plans.drafts.all().iter().all(Draft::is_kept)
+    let drafts = state.rooms.plans.drafts.all();
+    drafts.iter().all(|draft| is_elsewhere(state, draft))
+}
+
+/// Whether the content of a draft is also in a file, or on board of the vehicle that it is meant for.
+pub fn is_elsewhere(state: &State, draft: &Draft) -> bool {
+    if draft.is_kept() {
+        return true;
+    }
+    let vehicle = draft
+        .vehicle()
+        .and_then(|id| state.session.vehicles.get(&id));
+    let Some(carried) = vehicle.and_then(|vehicle| on_board(vehicle)) else {
+        return false;
+    };
+    let document = draft.document();
+    let is_same =
+        |kind| ContentHash::of(document.list(kind)) == ContentHash::of(carried.list(kind));
+    document.kinds().all(is_same)
 }
 
 /// Closes the current draft; asks first if its content is nowhere else.
@@ -210,7 +234,7 @@ pub fn is_kept(state: &State) -> bool {
 pub fn ask_close(state: &mut State) -> Result<(), Text> {
     let draft = state.rooms.plans.drafts.current();
     let draft = draft.ok_or_else(|| text!("draft-none"))?;
-    if draft.is_kept() {
+    if is_elsewhere(state, draft) {
         close(state);
     } else {
         let question = text!("draft-ask-close", name = draft.name());

@@ -1,9 +1,10 @@
 //! What the vehicle would say about a draft, and how fast it would fly it.
 
+use super::ground::CLEARANCE_M;
 use crate::app::State;
 use crate::draft::Pace;
 use crate::plan::Document;
-use crate::plan::check::{CheckOptions, Finding, check};
+use crate::plan::check::{CheckOptions, Finding, check, check_terrain};
 use crate::vehicle::check_rules;
 
 /// A parameter of the vehicle under the cursor, if it is known.
@@ -39,5 +40,12 @@ pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
         has_terrain: parameter(state, "TERRAIN_ENABLE").is_some_and(|value| value > 0.0),
         ..check_rules(state.class(), reported, |name| parameter(state, name))
     };
-    check(document, &rules)
+    let mut findings = check(document, &rules);
+    let ground = state.rooms.plans.ground();
+    if !ground.is_empty() {
+        let height = |place| ground.height_m(place);
+        findings.extend(check_terrain(document, &height, CLEARANCE_M));
+        findings.sort_by_key(|finding| (finding.list, finding.item));
+    }
+    findings
 }

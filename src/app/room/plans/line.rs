@@ -1,6 +1,6 @@
 //! Lines about drafts.
 
-use super::{change, files};
+use super::{change, divide, files, ground};
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::language::DraftLine;
@@ -26,6 +26,13 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             };
             files::take(state, &ids)?;
         }
+        DraftLine::Divide { work, vehicles } => {
+            let ids = match vehicles {
+                Some(vehicles) => state.chosen(&vehicles)?,
+                None => state.addressed(),
+            };
+            divide::divide(state, work, &ids)?;
+        }
         DraftLine::Use(name) => {
             if !state.rooms.plans.drafts.choose(&name) {
                 return Err(text!("grammar-no-name", word = name));
@@ -40,6 +47,10 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         DraftLine::Redo => change::travel(state, false),
         DraftLine::Speed(speed_m_s) => {
             state.rooms.plans.speed_m_s = speed_m_s;
+            return Ok(Effects::none());
+        }
+        DraftLine::Ground(folder) => {
+            ground::choose(state, folder);
             return Ok(Effects::none());
         }
         DraftLine::Edit(edit) => change::edit(state, &edit)?,

@@ -14,6 +14,9 @@ use crate::vehicle::{
     Heartbeat, Mode, Place, Plan, Stored, SystemStatus, Transfer, Vehicle, VehicleClass, VehicleId,
 };
 
+mod area;
+mod files;
+
 const HOME: LatLon = LatLon::new(50.45, 30.52);
 
 struct Desk {
@@ -76,6 +79,14 @@ impl Desk {
     fn give(&mut self, line: &str) -> Vec<Effect> {
         let line = TerminalEvent::Line(line.to_owned());
         self.app.update(Event::from(line))
+    }
+
+    fn read(&mut self, path: &str, content: &str) {
+        let _ = self.app.update(Event::from(FileEvent::Read {
+            kind: FileKind::Plan,
+            path: path.to_owned(),
+            text: content.to_owned(),
+        }));
     }
 
     fn room(&self) -> &Drawing {
@@ -207,52 +218,6 @@ fn keys_begin_the_lines_that_need_words() {
     }
 }
 
-fn written(effects: &[Effect]) -> (String, String) {
-    match effects {
-        [
-            Effect::File(FileEffect::Write {
-                kind: FileKind::Plan,
-                path,
-                text,
-                ..
-            }),
-        ] => (path.clone(), text.clone()),
-        other => panic!("{other:?}"),
-    }
-}
-
-#[test]
-fn a_draft_is_saved_and_opened_again() {
-    let mut desk = Desk::new();
-    desk.press("ta");
-    assert!(!is_kept(desk.app.state()));
-    let (path, text) = written(&desk.give("draft save field"));
-    assert_eq!(path, "field.plan");
-    let _ = desk
-        .app
-        .update(Event::from(FileEvent::Written { path: path.clone() }));
-    assert!(is_kept(desk.app.state()));
-    let kind = FileKind::Plan;
-    let _ = desk
-        .app
-        .update(Event::from(FileEvent::Read { kind, path, text }));
-    assert_eq!(desk.room().drafts().all().len(), 2);
-    assert_eq!(desk.plan(), [command::TAKEOFF, command::WAYPOINT]);
-    desk.press("\t");
-    desk.give("draft use plan");
-    assert_eq!(
-        desk.room().drafts().current().map(Draft::name),
-        Some("plan")
-    );
-    let faulty = FileEvent::Read {
-        kind,
-        path: "bad.plan".to_owned(),
-        text: "QGC WPL 110\n0\tx\n".to_owned(),
-    };
-    let _ = desk.app.update(Event::from(faulty));
-    assert!(desk.said().starts_with("bad.plan:2:"), "{}", desk.said());
-}
-
 #[test]
 fn an_unsaved_draft_is_closed_only_after_a_question() {
     let mut desk = Desk::new();
@@ -374,4 +339,25 @@ fn drafts_outlive_the_session() {
     desk.press("ta");
     desk.give("leave");
     assert_eq!(desk.plan().len(), 2);
+}
+
+#[test]
+fn the_parameters_of_the_item_are_offered_with_their_values() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    desk.give("draft set 2 hold 5s");
+    desk.press("e");
+    let Some(Overlay::Palette(palette)) = desk.app.state().overlay() else {
+        panic!("no line");
+    };
+    let offered: Vec<(&str, String)> = palette
+        .completions()
+        .iter()
+        .map(|it| (it.text.as_str(), it.hint.to_string()))
+        .collect();
+    assert!(offered.contains(&("hold", "5s".to_owned())), "{offered:?}");
+    assert!(
+        offered.iter().all(|(name, _)| *name != "turns"),
+        "{offered:?}"
+    );
 }

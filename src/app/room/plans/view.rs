@@ -7,8 +7,8 @@ use crate::geo::{Extent, GridSize, LatLon};
 use crate::mission::AreaKind;
 use crate::plan::{Document, ListKind};
 
-/// Rows of the screen outside the room: the header, the footer.
-const OTHER_ROWS: u16 = 2;
+/// Rows of the screen for other things: the header, the keys, the footer.
+const OTHER_ROWS: u16 = 3;
 /// Rows of the details of an item, the cursor and the faults.
 pub const DETAIL_ROWS: u16 = 3;
 /// Rows of the heights with their rule, on small screens and on large ones.
@@ -20,8 +20,9 @@ const TALL: u16 = 36;
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 
-/// The shortest side of the ground that the map shows at first, in metres.
+/// The shortest side of the ground that the map shows at first, in metres, and with items to look at.
 const LEAST_SIDE_M: f64 = 300.0;
+const LEAST_DRAWN_M: f64 = 100.0;
 /// Rows of the screen above the map: the header, the drafts.
 const ROWS_ABOVE: u16 = 2;
 
@@ -66,6 +67,16 @@ fn places(document: &Document) -> Vec<LatLon> {
 pub fn fit(state: &mut State) {
     let room = &state.rooms.plans;
     let drawn = room.drafts.all().iter().map(Draft::document);
+    let is_drawn = room
+        .drafts
+        .all()
+        .iter()
+        .any(|it| it.document().kinds().next().is_some());
+    let least_m = if is_drawn {
+        LEAST_DRAWN_M
+    } else {
+        LEAST_SIDE_M
+    };
     let mut all: Vec<LatLon> = drawn.flat_map(|document| places(document)).collect();
     for vehicle in state.session.vehicles.values() {
         all.extend(vehicle.home.map(|home| home.at_point));
@@ -77,7 +88,7 @@ pub fn fit(state: &mut State) {
     all.extend(state.session.places.values());
     // Around a single place there is room for a first plan.
     if let Some(extent) = Extent::around(all.iter().copied())
-        && let missing_m = LEAST_SIDE_M - extent.size_m().into_iter().fold(0.0, f64::max)
+        && let missing_m = least_m - extent.size_m().into_iter().fold(0.0, f64::max)
         && missing_m > 0.0
     {
         let wider = extent.with_margin(0.0, missing_m / 2.0);

@@ -1,12 +1,15 @@
 //! The forms of `plan` that give each target a plan of its own.
 
+use strum::{EnumString, VariantNames};
+
 use super::super::swarm::{
     AROUND, COURSE, EAST, HEIGHT, LINES, NORTH, PATTERN, POINT, RADIUS, REACH, WAY, local,
 };
 use super::super::{Built, plans};
 use crate::commands::{Datum, Ground, PlanTask};
-use crate::language::argument::{Argument, Arguments, Kind, Unit};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::Form;
+use crate::plan::generate::Course;
 
 const SURVEY: Argument = Argument::flag("survey", "argument-plan-survey");
 const SEARCH: Argument = Argument::flag("search", "argument-plan-search");
@@ -59,12 +62,48 @@ pub(super) const SURVEY_AREA: Form = Form::new(
     |given| survey(given, Ground::Outline(given.required_area("area")?.clone())),
 );
 
+pub(super) const SEARCH_AREA: Form = Form::new(
+    &[
+        SEARCH,
+        SWEEP,
+        Argument::value("area", Kind::Area, "argument-area"),
+        LINES,
+        UP,
+    ],
+    |given| survey(given, Ground::Outline(given.required_area("area")?.clone())),
+);
+
 fn survey(given: &Arguments, ground: Ground) -> Built {
     plans(PlanTask::Survey {
         ground,
         spacing_m: given.number("spacing"),
         up_m: given.number("up"),
-        course_deg: given.number("course"),
+        course: course(given)?,
+    })
+}
+
+/// The searches that cover an area by parallel lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub(in crate::language::table) enum Sweep {
+    Parallel,
+    Creeping,
+}
+
+pub(in crate::language::table) const SWEEP: Argument = Argument::value(
+    "sweep",
+    Kind::Choice(Sweep::VARIANTS),
+    "argument-plan-sweep",
+);
+
+/// The direction of lines: by the kind of search, in degrees, otherwise the one of the least energy.
+pub(in crate::language::table) fn course(given: &Arguments) -> Result<Course, Problem> {
+    let sweep: Option<Sweep> = given.choice("sweep")?;
+    Ok(match (sweep, given.number("course")) {
+        (Some(Sweep::Parallel), _) => Course::Long,
+        (Some(Sweep::Creeping), _) => Course::Short,
+        (None, Some(degrees)) => Course::Degrees(degrees),
+        (None, None) => Course::Best,
     })
 }
 

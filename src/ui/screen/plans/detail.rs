@@ -11,7 +11,7 @@ use crate::app::State;
 use crate::app::room::plans::layout;
 use crate::draft::{Stop, place};
 use crate::geo::{GridSize, LatLon};
-use crate::plan::check::{Finding, Severity};
+use crate::plan::check::{Finding, Severity, legs};
 use crate::plan::{HeightFrame, Item, ListKind, command, field};
 use crate::preflight::finding_words;
 use crate::text;
@@ -44,6 +44,7 @@ fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Li
         .then(|| shown.course.at(row))
         .flatten();
     words.extend(stop.map(|stop| leg(stop, panel)));
+    words.extend(above_ground(shown, row).map(|text| panel.text(&text)));
     words.retain(|word| !word.is_empty());
     Line::raw(clip(&words.join("  "), panel.width()))
 }
@@ -58,6 +59,18 @@ fn leg(stop: &Stop, panel: Panel<'_>) -> String {
     let length = length(stop.leg_m.round());
     let text = text!("plans-leg", length = length, time = time);
     format!("{}, {}", panel.text(&text), percent(slope))
+}
+
+/// The least height above the ground on the leg to an item, where the ground is known.
+fn above_ground(shown: &Shown<'_>, row: usize) -> Option<Text> {
+    let ground = shown.room.ground();
+    if ground.is_empty() || shown.room.list() != ListKind::Plan {
+        return None;
+    }
+    let legs = legs(shown.document, &|place| ground.height_m(place));
+    let leg = legs.into_iter().find(|leg| leg.item == row)?;
+    let [height_m, _] = leg.lowest?;
+    Some(text!("plans-above-ground", height = figure(height_m, 0)))
 }
 
 /// The height of an item with its reference, if it has one.

@@ -6,7 +6,7 @@ use ratatui::text::Line;
 use super::Shown;
 use super::list::seconds;
 use crate::app::State;
-use crate::draft::{PlanFrame, Stop};
+use crate::draft::{PlanFrame, Stop, ground_above_home};
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
 use crate::ledger::RowState;
 use crate::plan::{ContentHash, ListKind};
@@ -24,6 +24,15 @@ const AXIS: u16 = 6;
 /// The least height at the top, in metres.
 const LEAST_TOP_M: f64 = 10.0;
 
+/// Places along the way whose ground decides the scale.
+const GROUND_STEPS: u32 = 200;
+
+/// The height of the ground above that of home at a distance along the way, if it is known.
+fn ground_m(shown: &Shown<'_>, along_m: f64) -> Option<f64> {
+    let at = shown.course.place_at(along_m)?;
+    ground_above_home(shown.document, at, shown.room.ground())
+}
+
 /// The scale of the curve.
 struct Scale {
     size: GridSize,
@@ -34,15 +43,30 @@ struct Scale {
 
 impl Scale {
     fn of(shown: &Shown<'_>, size: GridSize) -> Self {
-        let heights = shown.course.stops.iter().map(|stop| stop.height_m);
-        let high_m = heights.clone().fold(LEAST_TOP_M, f64::max);
-        let low_m = heights.fold(0.0, f64::min);
+        let length_m = shown.course.length_m.max(1.0);
+        let stops = shown.course.stops.iter().map(|stop| stop.height_m);
+        let ground = (0..=GROUND_STEPS).filter_map(|step| {
+            let along_m = length_m * f64::from(step) / f64::from(GROUND_STEPS);
+            ground_m(shown, along_m)
+        });
+        let (low_m, high_m) = stops
+            .chain(ground)
+            .fold((0.0_f64, LEAST_TOP_M), |(low, high), height_m| {
+                (low.min(height_m), high.max(height_m))
+            });
         Self {
             size,
-            length_m: shown.course.length_m.max(1.0),
+            length_m,
             low_m,
-            high_m: high_m * 1.2,
+            high_m: low_m + (high_m - low_m) * 1.2,
         }
+    }
+
+    /// The distance along the way of each column of dots.
+    fn columns(&self) -> impl Iterator<Item = f64> {
+        let count = self.size.columns * DOTS_ACROSS;
+        let step_m = self.length_m / (f64::from(count) - 1.0).max(1.0);
+        (0..count).map(move |at| f64::from(at) * step_m)
     }
 
     fn dot(&self, along_m: f64, height_m: f64) -> Dot {
@@ -64,8 +88,8 @@ pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &
     }
     let scale = Scale::of(shown, size);
     let mut canvas = Canvas::new(size, panel.look.symbols);
-    let role = Badge::of_draft(shown.room.drafts().current_index()).role;
-    draw_ground(&scale, &mut canvas);
+    let role = Badge::of_draft(shown.room.drafts().current_index(), shown.vehicle).role;
+    draw_ground(shown, &scale, &mut canvas);
     draw_course(shown, &scale, Stroke::solid(role), &mut canvas);
     canvas.draw(curve, buffer);
     draw_axis(&scale, inner, buffer);
@@ -104,35 +128,83 @@ fn upload(state: &State) -> Option<Text> {
     let count = rows.len();
     match (failed, count) {
         (_, 0) => None,
+        (0, _) if done == count => Some(text!("plans-upload-done")),
         (0, _) => Some(text!("plans-upload", done = done, count = count)),
         _ => Some(text!("plans-upload-failed", failed = failed, count = count)),
     }
 }
 
-fn draw_ground(scale: &Scale, canvas: &mut Canvas) {
+/// The ground where it is known, otherwise the height of home.
+fn draw_ground(shown: &Shown<'_>, scale: &Scale, canvas: &mut Canvas) {
     let home = Stroke::sparse(Role::Muted);
     canvas.line(scale.dot(0.0, 0.0), scale.dot(scale.length_m, 0.0), home);
+    if shown.room.ground().is_empty() {
+        return;
+    }
+    let mut before: Option<Dot> = None;
+    for along_m in scale.columns() {
+        let here = ground_m(shown, along_m).map(|height_m| scale.dot(along_m, height_m));
+        if let (Some(from), Some(to)) = (before, here) {
+            canvas.line(from, to, Stroke::solid(Role::Muted));
+        }
+        before = here;
+    }
 }
 
 fn draw_course(shown: &Shown<'_>, scale: &Scale, stroke: Stroke, canvas: &mut Canvas) {
     let mut at = scale.dot(0.0, 0.0);
+    let mut before: Option<&Stop> = None;
     for stop in &shown.course.stops {
         let next = scale.dot(stop.along_m, stop.height_m);
-        let is_over_terrain =
-            shown.document.plan.get(stop.item).and_then(PlanFrame::of) == Some(PlanFrame::Terrain);
-        let stroke = if is_over_terrain {
-            Stroke::dense(stroke.role)
+        if let Some(before) = before.filter(|before| follows_ground(shown, before, stop)) {
+            draw_over_ground(shown, scale, [before, stop], canvas);
         } else {
-            stroke
-        };
-        canvas.line(at, next, stroke);
+            let is_over_terrain = is_over_terrain(shown, stop);
+            let stroke = if is_over_terrain {
+                Stroke::dense(stroke.role)
+            } else {
+                stroke
+            };
+            canvas.line(at, next, stroke);
+        }
         at = next;
         if stop.lands {
             let ground = scale.dot(stop.along_m, 0.0);
             canvas.line(at, ground, stroke);
             at = ground;
         }
+        before = Some(stop);
     }
+}
+
+fn is_over_terrain(shown: &Shown<'_>, stop: &Stop) -> bool {
+    let item = shown.document.plan.get(stop.item);
+    item.and_then(PlanFrame::of) == Some(PlanFrame::Terrain)
+}
+
+/// Whether the vehicle follows the ground between two stops.
+fn follows_ground(shown: &Shown<'_>, from: &Stop, to: &Stop) -> bool {
+    !shown.room.ground().is_empty()
+        && is_over_terrain(shown, from)
+        && is_over_terrain(shown, to)
+        && to.leg_m >= 1.0
+}
+
+/// A leg at heights above the ground.
+fn draw_over_ground(shown: &Shown<'_>, scale: &Scale, [from, to]: [&Stop; 2], canvas: &mut Canvas) {
+    let role = Badge::of_draft(shown.room.drafts().current_index(), shown.vehicle).role;
+    let above = |stop: &Stop| stop.height_m - ground_m(shown, stop.along_m).unwrap_or(0.0);
+    let (start_m, end_m) = (above(from), above(to));
+    let mut at = scale.dot(from.along_m, from.height_m);
+    let own = |along_m: &f64| (from.along_m..=to.along_m).contains(along_m);
+    for along_m in scale.columns().filter(own) {
+        let share = (along_m - from.along_m) / to.leg_m;
+        let height_m = start_m + (end_m - start_m) * share;
+        let next = scale.dot(along_m, height_m + ground_m(shown, along_m).unwrap_or(0.0));
+        canvas.line(at, next, Stroke::dense(role));
+        at = next;
+    }
+    canvas.line(at, scale.dot(to.along_m, to.height_m), Stroke::dense(role));
 }
 
 fn draw_axis(scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {

@@ -37,7 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         board.other(state, index, draft);
     }
     for (_, draft) in drafts.filter(|(index, _)| *index == current) {
-        board.current(state, draft.document());
+        board.current(state, draft);
     }
     let Board { canvas, labels, .. } = board;
     canvas.draw(panel, buffer);
@@ -68,7 +68,11 @@ impl Board<'_> {
     /// Areas and homes, and without numbers what the vehicles have on board.
     fn ground(&mut self, state: &State) {
         for sketch in sketches(state) {
-            let stroke = stroke(sketch.kind);
+            // What is on board must not look like a draft.
+            let stroke = match sketch.kind {
+                SketchKind::Plan | SketchKind::Leg => Stroke::sparse(Role::Muted),
+                kind => stroke(kind),
+            };
             let points = &sketch.points;
             if sketch.closed {
                 outline(points, self.view, &mut self.canvas, stroke);
@@ -94,7 +98,7 @@ impl Board<'_> {
 
     /// Another draft than the current one: its line and its sign.
     fn other(&mut self, state: &State, index: usize, draft: &Draft) {
-        let badge = Badge::of_draft(index);
+        let badge = Badge::of_draft(index, draft.vehicle());
         let way = way(state, draft.document());
         for pair in way.windows(2) {
             self.line(pair[0], pair[1], Stroke::dense(badge.role));
@@ -102,13 +106,17 @@ impl Board<'_> {
         let first = way.first().copied();
         let is_away = |place: &&LatLon| first.is_some_and(|home| home.distance_m(**place) > 1.0);
         if let Some(away) = way.iter().find(is_away) {
-            self.label(*away, format!("{}{}", badge.sign, draft.name()), badge.role);
+            let name = match draft.vehicle() {
+                Some(vehicle) => vehicle.to_string(),
+                None => draft.short_name().to_owned(),
+            };
+            self.label(*away, format!("{}{name}", badge.sign), badge.role);
         }
     }
 
-    fn current(&mut self, state: &State, document: &Document) {
-        let room = state.rooms().plans();
-        let role = Badge::of_draft(room.drafts().current_index()).role;
+    fn current(&mut self, state: &State, draft: &Draft) {
+        let (room, document) = (state.rooms().plans(), draft.document());
+        let role = Badge::of_draft(room.drafts().current_index(), draft.vehicle()).role;
         self.fence(room, document);
         for pair in way(state, document).windows(2) {
             self.line(pair[0], pair[1], Stroke::solid(role));
@@ -190,7 +198,7 @@ impl Board<'_> {
 
 /// The places that a plan leads through, from home on.
 fn way(state: &State, document: &Document) -> Vec<LatLon> {
-    let course = profile(document, pace(state));
+    let course = profile(document, pace(state), state.rooms().plans().ground());
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let home = home.filter(|_| !course.stops.is_empty());
     let stops = course.stops.iter().map(|stop| stop.place);

@@ -1,0 +1,114 @@
+//! Work that is divided among several vehicles: a draft for each of them.
+
+use std::sync::Arc;
+
+use super::{Drawing, change, files};
+use crate::app::State;
+use crate::commands::{Datum, Ground, PlanTask};
+use crate::draft::{Draft, areas, drawn_areas};
+use crate::geo::Outline;
+use crate::language::DraftWork;
+use crate::plan::{ListKind, command};
+use crate::swarm::{Conductor, Rules};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
+
+impl Drawing {
+    /// The areas of the current draft, and the index of the one under the cursor of the list.
+    pub fn drawn(&self) -> (Vec<Outline>, usize) {
+        let Some(draft) = self.drafts.current() else {
+            return (Vec::new(), 0);
+        };
+        let fence = &draft.document().fence;
+        let row = self.row().filter(|_| self.list == ListKind::Fence);
+        let keeps_in = |at: usize| {
+            matches!(
+                fence[at].command,
+                command::FENCE_POLYGON_INCLUSION | command::FENCE_CIRCLE_INCLUSION
+            )
+        };
+        let inside = areas(fence).into_iter().filter(|area| keeps_in(area.start));
+        let at = inside
+            .enumerate()
+            .find(|(_, area)| row.is_some_and(|row| area.contains(&row)));
+        let drawn = drawn_areas(draft.document());
+        let at = at.map_or(0, |(at, _)| at);
+        (drawn, at)
+    }
+}
+
+/// Makes a plan for each vehicle that has something to do, and opens them as drafts.
+///
+/// # Errors
+/// No area is drawn, a vehicle has no position, or the work has no plans.
+pub(super) fn divide(
+    state: &mut State,
+    work: DraftWork,
+    vehicles: &[VehicleId],
+) -> Result<(), Text> {
+    let task = task(state, work)?;
+    let conductor = Conductor::new(Rules::default());
+    let plans = conductor.plans(&task, vehicles, &state.session.vehicles)?;
+    let idle: Vec<VehicleId> = vehicles
+        .iter()
+        .copied()
+        .filter(|id| plans.iter().all(|(busy, _)| busy != id))
+        .collect();
+    // Earlier plans of these would lead them through the parts of the others.
+    state.rooms.plans.drafts.drop_of(&idle);
+    let drafts = plans
+        .into_iter()
+        .map(|(id, document)| Draft::new(files::name_of(id), Arc::new(document), Some(id)));
+    let drafts: Vec<Draft> = drafts.collect();
+    let busy = ranges(drafts.iter().filter_map(Draft::vehicle));
+    files::fill(state, drafts);
+    let text = if idle.is_empty() {
+        text!("draft-divided", vehicles = busy)
+    } else {
+        text!("draft-divided-idle", vehicles = busy, idle = ranges(idle))
+    };
+    state.say(Severity::Info, text);
+    Ok(())
+}
+
+fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
+    Ok(match work {
+        DraftWork::Sweep {
+            area,
+            spacing_m,
+            up_m,
+            course,
+        } => {
+            let area = area.or_else(|| {
+                let (areas, at) = state.rooms.plans.drawn();
+                areas.into_iter().nth(at)
+            });
+            let area = area.ok_or_else(|| text!("draft-no-area"))?;
+            PlanTask::Survey {
+                ground: Ground::Outline(area),
+                spacing_m,
+                up_m,
+                course,
+            }
+        }
+        DraftWork::Search {
+            pattern,
+            datum,
+            radius_m,
+            spacing_m,
+            up_m,
+        } => {
+            let datum = datum.or_else(|| change::cursor(state));
+            let datum = datum.ok_or_else(|| text!("draft-no-cursor"))?;
+            PlanTask::Search {
+                pattern,
+                datum: Datum::Global(datum),
+                radius_m,
+                spacing_m,
+                up_m,
+            }
+        }
+    })
+}

@@ -1,0 +1,204 @@
+//! Areas that are drawn, their division among vehicles, and the ground.
+
+use super::*;
+use crate::geo::{Square, Terrain};
+use crate::plan::check::{Finding, FindingKind};
+use crate::vehicle::GlobalPosition;
+
+#[test]
+fn a_draft_on_board_of_its_vehicle_is_not_lost() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    draw_field(&mut desk);
+    desk.give("draft survey 1");
+    let plan = desk.room().items().to_vec();
+    let is_safe = |desk: &Desk| {
+        let draft = desk.room().drafts().current().expect("a draft");
+        is_elsewhere(desk.app.state(), draft)
+    };
+    assert!(!is_safe(&desk));
+    desk.vehicle(1, |vehicle| {
+        read_empty(vehicle);
+        let home = std::iter::once(Item::default());
+        vehicle.plans.plan.content = Some(Arc::new(Plan {
+            items: home.chain(plan).collect(),
+            home_first: true,
+        }));
+    });
+    assert!(is_safe(&desk));
+    desk.press("x");
+    assert!(!is_safe(&desk));
+}
+
+/// A vehicle that stands ready at a place.
+fn standing(desk: &mut Desk, id: VehicleId) {
+    desk.vehicle(id, |vehicle| {
+        read_empty(vehicle);
+        vehicle.global = Some(GlobalPosition {
+            at_point: HOME.moved(0.0, 8.0 * f64::from(id)),
+            altitude_amsl_m: 170.0,
+            altitude_m: 0.0,
+            north_m_s: 0.0,
+            east_m_s: 0.0,
+            down_m_s: 0.0,
+            heading_deg: None,
+            at: std::time::Duration::ZERO,
+        });
+    });
+}
+
+/// A field of 300 m by 200 m, drawn in the fence.
+fn draw_field(desk: &mut Desk) {
+    desk.give("draft new field");
+    desk.give("draft fence polygon n 50 e -100");
+    for corner in ["n 250 e -100", "n 250 e 200", "n 50 e 200"] {
+        desk.give(&format!("draft fence corner {corner}"));
+    }
+}
+
+#[test]
+fn the_area_drawn_is_divided_among_vehicles_by_a_key() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    standing(&mut desk, 2);
+    draw_field(&mut desk);
+    desk.press("S");
+    assert_eq!(desk.line(), "draft survey all ");
+    let _ = desk.key(KeyCode::Enter);
+    let drafts = desk.room().drafts();
+    let own: Vec<_> = drafts
+        .all()
+        .iter()
+        .map(|it| (it.name(), it.vehicle()))
+        .collect();
+    assert_eq!(
+        own,
+        [
+            ("field", None),
+            ("vehicle-1", Some(1)),
+            ("vehicle-2", Some(2))
+        ]
+    );
+    assert_eq!(drafts.current_index(), 1);
+    for draft in &drafts.all()[1..] {
+        assert!(draft.document().plan.len() > 6, "{draft:?}");
+    }
+    assert!(desk.said().contains("1-2"), "{}", desk.said());
+    desk.press("U");
+    assert_eq!(desk.line(), "draft upload each");
+    let orders = desk.key(KeyCode::Enter);
+    assert_eq!(orders.len(), 2, "{orders:?}");
+}
+
+#[test]
+fn a_second_division_replaces_the_first_and_can_be_undone() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    standing(&mut desk, 2);
+    draw_field(&mut desk);
+    desk.give("draft survey all spacing 40");
+    let few = desk.plan().len();
+    desk.give("draft use field");
+    desk.give("draft survey 1 spacing 20");
+    assert!(desk.plan().len() > few);
+    desk.press("u");
+    assert_eq!(desk.plan().len(), few);
+}
+
+#[test]
+fn lines_to_vehicles_know_the_area_drawn() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    standing(&mut desk, 2);
+    desk.give("draft new empty");
+    desk.give("draft survey all");
+    let fault = match desk.app.state().overlay() {
+        Some(Overlay::Palette(palette)) => palette.fault().map(|it| it.message.to_string()),
+        _ => None,
+    };
+    assert!(fault.is_some_and(|it| it.contains("no area is drawn")));
+    let _ = desk.key(KeyCode::Esc);
+    draw_field(&mut desk);
+    for line in [
+        "all plan survey drawn spacing 30",
+        "all plan search parallel drawn",
+        "all plan search creeping drawn up 40",
+    ] {
+        let effects = desk.give(line);
+        let [Effect::Order { order, .. }] = &effects[..] else {
+            panic!("{line}: {effects:?}");
+        };
+        assert!(matches!(order.act, Act::Plans(_)), "{order:?}");
+    }
+    desk.give("draft fence circle 40 n 300 e 0");
+    let two = desk.app.state().with_context(|context| {
+        let areas = context.areas.expect("known");
+        areas.keys().cloned().collect::<Vec<String>>()
+    });
+    assert_eq!(two, ["drawn", "drawn-1", "drawn-2"]);
+    desk.give("draft search square 1 around tower radius 60");
+    let name = desk.room().drafts().current().map(Draft::name);
+    assert_eq!(name, Some("vehicle-1"), "{}", desk.said());
+}
+
+/// A square whose ground rises by 1 m for each 10 m to the north, from 170 m at home.
+fn slope() -> Terrain {
+    const SIDE: usize = 1201;
+    let square = Square::of(HOME);
+    let rows = (0..SIDE).map(|row| {
+        let lat_deg = f64::from(square.lat) + 1.0 - row as f64 / (SIDE - 1) as f64;
+        let (north_m, _) = HOME.offset_to(LatLon::new(lat_deg, HOME.lon_deg));
+        (170.0 + north_m / 10.0).clamp(-400.0, 9000.0) as i16
+    });
+    let bytes: Vec<u8> = rows
+        .flat_map(|height| std::iter::repeat_n(height.to_be_bytes(), SIDE))
+        .flatten()
+        .collect();
+    let mut terrain = Terrain::default();
+    terrain.add(square, &bytes).expect("the right size");
+    terrain
+}
+
+#[test]
+fn the_ground_comes_from_files_of_a_folder() {
+    let mut desk = Desk::new();
+    desk.give("draft add takeoff 20");
+    desk.give("draft add n 50 e 0 up 20");
+    desk.give("draft add n 400 e 0 up 20");
+    let asked = desk.give("draft ground srtm");
+    let [Effect::File(FileEffect::Ground { folder, squares })] = &asked[..] else {
+        panic!("{asked:?}");
+    };
+    assert_eq!(
+        (folder.as_str(), &squares[..]),
+        ("srtm", &[Square::of(HOME)][..])
+    );
+    let (folder, terrain) = ("srtm".to_owned(), slope());
+    let _ = desk
+        .app
+        .update(Event::from(FileEvent::Ground { folder, terrain }));
+    assert!(desk.said().contains("srtm"), "{}", desk.said());
+    let faults = |desk: &Desk| {
+        let draft = desk.room().drafts().current().expect("a draft");
+        let found = findings(desk.app.state(), draft.document()).into_iter();
+        let is_low = |it: &Finding| matches!(it.kind, FindingKind::LowOverGround { .. });
+        found.filter(|it| it.item == Some(2) && is_low(it)).count()
+    };
+    assert_eq!(
+        faults(&desk),
+        1,
+        "20 m above home is below ground 400 m away"
+    );
+    desk.give("draft frame 2-3 terrain");
+    let heights: Vec<i32> = desk
+        .room()
+        .items()
+        .iter()
+        .map(|it| it.z.round() as i32)
+        .collect();
+    assert_eq!(heights, [20, 15, -20], "the flight stays where it is");
+    desk.give("draft height 2-3 20");
+    assert_eq!(faults(&desk), 0);
+    assert!(desk.give("draft ground").is_empty());
+    assert!(desk.room().ground().is_empty());
+}

@@ -1,0 +1,51 @@
+//! The forms of `draft` that divide work among vehicles.
+
+use super::super::plans::tasks::{SWEEP, course};
+use super::super::swarm::{COURSE, LINES, PATTERN, REACH};
+use super::{Built, TARGETS, UP, line, says};
+use crate::language::argument::{Argument, Arguments, Kind};
+use crate::language::console::{DraftLine, DraftWork};
+use crate::language::verb::Form;
+
+const SURVEY: Argument = says("survey", "argument-draft-survey");
+const SEARCH: Argument = says("search", "argument-draft-search");
+const DRAWN: Argument =
+    Argument::keyed("area", "area", Kind::Area, "argument-draft-drawn").optional();
+const AROUND: Argument =
+    Argument::keyed("around", "around", Kind::Point, "argument-draft-place").optional();
+
+pub(super) const SURVEY_AREA: Form = Form::new(&[SURVEY, TARGETS, LINES, UP, COURSE, DRAWN], sweep);
+
+pub(super) const SEARCH_AREA: Form = Form::new(&[SEARCH, SWEEP, TARGETS, LINES, UP, DRAWN], sweep);
+
+pub(super) const SEARCH_AROUND: Form = Form::new(
+    &[SEARCH, PATTERN, TARGETS, AROUND, REACH, LINES, UP],
+    search,
+);
+
+/// Plans over an area: that of the current draft unless another is named.
+fn sweep(given: &Arguments) -> Built {
+    line(DraftLine::Divide {
+        work: DraftWork::Sweep {
+            area: given.area("area").cloned(),
+            spacing_m: given.number("spacing"),
+            up_m: given.number("up"),
+            course: course(given)?,
+        },
+        vehicles: given.vehicles("targets"),
+    })
+}
+
+/// Plans around a place: the cursor of the map unless another is named.
+fn search(given: &Arguments) -> Built {
+    line(DraftLine::Divide {
+        work: DraftWork::Search {
+            pattern: given.required_choice("pattern")?,
+            datum: given.point("around"),
+            radius_m: given.number("radius"),
+            spacing_m: given.number("spacing"),
+            up_m: given.number("up"),
+        },
+        vehicles: given.vehicles("targets"),
+    })
+}

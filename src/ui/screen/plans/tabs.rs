@@ -1,0 +1,195 @@
+//! The drafts that are open with their signs, and the lists of the current one.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+
+use crate::app::State;
+use crate::app::action::{Action, PlansAction};
+use crate::app::room::plans::is_elsewhere;
+use crate::draft::Draft;
+use crate::plan::ListKind;
+use crate::preflight::list_words;
+use crate::ui::look::Badge;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, columns, put, width};
+
+/// Columns between two drafts.
+const GAP: usize = 2;
+/// Columns of a sign with a star or a blank, and of one alone with the gap after it.
+const SIGN: usize = 2;
+const ALONE: usize = SIGN + 1;
+/// Columns of a count of drafts that are not shown, such as `+12`.
+const COUNT: usize = 4;
+
+/// Draws the drafts at the left and the lists at the right.
+pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let lists = lists(state, panel);
+    let room_left = panel.width().saturating_sub(lists.width() + 1);
+    let left = columns(panel.area, 0, room_left as u16);
+    put(buffer, left, 0, &drafts(state, room_left, panel));
+    let right = columns(panel.area, room_left as u16, panel.area.width);
+    put(buffer, right, 0, &lists);
+}
+
+/// The drafts within a width: the current one always with its name, the others as far as there is room.
+fn drafts(state: &State, columns: usize, panel: Panel<'_>) -> Line<'static> {
+    let room = state.rooms().plans();
+    let all = room.drafts().all();
+    let current = room.drafts().current_index();
+    let names: Vec<String> = all.iter().map(|draft| name(state, draft)).collect();
+    let widths: Vec<usize> = names.iter().map(|name| width(name)).collect();
+    let mut spans = vec![Span::raw(" ")];
+    if all.len() > 1 {
+        let key = panel.text(&state.key(Action::Plans(PlansAction::NextDraft)));
+        spans.push(Span::styled(format!("{key} "), panel.style(Role::Key)));
+    }
+    let used: usize = spans.iter().map(Span::width).sum();
+    let shown = fitting(&widths, current, columns.saturating_sub(used));
+    let count = |hidden: usize, sign: &str| {
+        let text = format!("{sign}{hidden} ");
+        (hidden > 0).then(|| Span::styled(text, panel.style(Role::Muted)))
+    };
+    let first = shown.first().map_or(0, |tab| tab.index);
+    spans.extend(count(first, "-"));
+    let mut left = columns.saturating_sub(used);
+    for tab in &shown {
+        let draft = &all[tab.index];
+        let badge = Badge::of_draft(tab.index, draft.vehicle());
+        let is_current = tab.index == current;
+        let role = if is_current { Role::Title } else { Role::Muted };
+        let sign = Span::styled(badge.sign.to_string(), panel.style(badge.role));
+        spans.push(sign);
+        left = left.saturating_sub(SIGN);
+        if tab.is_named {
+            let name = clip(&names[tab.index], left);
+            left = left.saturating_sub(width(&name));
+            spans.push(Span::raw(" "));
+            spans.push(Span::styled(name, panel.style(role)));
+            spans.push(Span::raw(" ".repeat(GAP)));
+        } else {
+            let star = if is_elsewhere(state, draft) { " " } else { "*" };
+            spans.push(Span::styled(format!("{star} "), panel.style(role)));
+            left = left.saturating_sub(1);
+        }
+    }
+    let last = shown.last().map_or(0, |tab| tab.index + 1);
+    spans.extend(count(all.len() - last.min(all.len()), "+"));
+    Line::from(spans)
+}
+
+/// A draft that is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Tab {
+    index: usize,
+    /// Whether its name is shown, too, not only its sign.
+    is_named: bool,
+}
+
+/// The drafts that fit into a width, given the widths of their names. The current one has its name; its neighbours come
+/// with their signs, and then with their names, the nearest first.
+fn fitting(names: &[usize], current: usize, columns: usize) -> Vec<Tab> {
+    let Some(own) = names.get(current) else {
+        return Vec::new();
+    };
+    let mut by_distance: Vec<usize> = (0..names.len()).filter(|at| *at != current).collect();
+    by_distance.sort_by_key(|at| at.abs_diff(current));
+    let named = |at: usize| SIGN + names[at] + GAP;
+    let spare = |count: usize| if count < names.len() { 2 * COUNT } else { 0 };
+    let mut used = SIGN + own + GAP;
+    let mut shown = vec![current];
+    for &at in &by_distance {
+        if used + ALONE + spare(shown.len() + 1) > columns {
+            break;
+        }
+        used += ALONE;
+        shown.push(at);
+    }
+    let is_whole = shown.len() == names.len();
+    let mut with_name = vec![current];
+    for &at in by_distance.iter().filter(|_| is_whole) {
+        let more = named(at) - ALONE;
+        if used + more > columns {
+            break;
+        }
+        used += more;
+        with_name.push(at);
+    }
+    shown.sort_unstable();
+    let tab = |index| Tab {
+        index,
+        is_named: with_name.contains(&index),
+    };
+    shown.into_iter().map(tab).collect()
+}
+
+/// A draft's name without its folder; a star marks one whose content is nowhere else.
+fn name(state: &State, draft: &Draft) -> String {
+    let star = if is_elsewhere(state, draft) { "" } else { "*" };
+    format!("{}{star}", draft.short_name())
+}
+
+/// The lists of the current draft, each after the key that shows it.
+fn lists(state: &State, panel: Panel<'_>) -> Line<'static> {
+    let room = state.rooms().plans();
+    let Some(draft) = room.drafts().current() else {
+        return Line::default();
+    };
+    let mut spans = Vec::new();
+    for kind in ListKind::ALL {
+        let is_shown = kind == room.list();
+        let (open, close) = if is_shown { ("[", "]") } else { (" ", " ") };
+        let role = if is_shown { Role::Title } else { Role::Muted };
+        let key = match kind {
+            ListKind::Plan => PlansAction::PlanList,
+            ListKind::Fence => PlansAction::FenceList,
+            ListKind::Rally => PlansAction::RallyList,
+        };
+        let key = panel.text(&state.key(Action::Plans(key)));
+        let words = panel.text(&list_words(kind));
+        let count = draft.document().list(kind).len();
+        spans.extend([
+            Span::styled(open, panel.style(role)),
+            Span::styled(format!("{key} "), panel.style(Role::Key)),
+            Span::styled(format!("{words} {count}{close}"), panel.style(role)),
+        ]);
+    }
+    Line::from(spans)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(names: &[usize], current: usize, columns: usize) -> Vec<(usize, bool)> {
+        let tabs = fitting(names, current, columns).into_iter();
+        tabs.map(|tab| (tab.index, tab.is_named)).collect()
+    }
+
+    #[test]
+    fn all_drafts_are_named_where_there_is_room() {
+        assert_eq!(shown(&[4, 4], 1, 20), [(0, true), (1, true)]);
+        assert!(shown(&[], 0, 20).is_empty());
+    }
+
+    #[test]
+    fn the_current_draft_is_always_named() {
+        let six = [6; 6];
+        for current in 0..6 {
+            let tabs = shown(&six, current, 40);
+            assert_eq!(tabs.len(), 6, "every draft has its sign");
+            assert!(tabs.contains(&(current, true)), "{tabs:?}");
+            let used: usize = tabs.iter().map(|tab| if tab.1 { 10 } else { 3 }).sum();
+            assert!(used <= 40, "{tabs:?}");
+        }
+        assert_eq!(shown(&[60], 0, 10), [(0, true)]);
+    }
+
+    #[test]
+    fn of_many_drafts_those_around_the_current_one_are_shown() {
+        let many = [8; 40];
+        let tabs = shown(&many, 30, 40);
+        assert!(tabs.contains(&(30, true)) && tabs.contains(&(29, false)));
+        assert!(tabs.len() < 40 && tabs.windows(2).all(|pair| pair[0].0 + 1 == pair[1].0));
+    }
+}
