@@ -20,6 +20,7 @@ mod shelf;
 mod squares;
 #[cfg(test)]
 mod tests;
+mod trial;
 
 pub use area::drawn_areas;
 pub use edit::{
@@ -31,6 +32,7 @@ pub use place::place;
 pub use profile::{Pace, Profile, Stop, ground_above_home, height_above_home, profile};
 pub use shelf::Drafts;
 pub use squares::squares;
+pub use trial::{Trial, Tried};
 
 /// The maximum number of changes that can be undone.
 const MOST_CHANGES: usize = 1000;

@@ -41,6 +41,7 @@ mod replaying;
 mod session;
 mod sight;
 mod signals;
+mod trials;
 
 pub use api::ApiOptions;
 use api::Programs;
@@ -201,6 +202,8 @@ struct Console {
     is_cut_off: bool,
     /// The work on another flight of the mission, to show beside this one.
     ghost: Option<ghost::GhostWork>,
+    /// The drafts that are being flown in simulation.
+    trial: Option<trials::TrialWork>,
 }
 
 impl Console {
@@ -251,6 +254,7 @@ impl Console {
             over: false,
             is_cut_off: false,
             ghost: None,
+            trial: None,
         };
         console.open_careers(course);
         console
@@ -339,6 +343,7 @@ impl Console {
         self.feed(Event::Tick { now, wall }).await;
         self.go_on_replaying(wall).await;
         self.take_ghost();
+        self.take_trial();
         let Some(running) = &mut self.running else {
             return;
         };

@@ -16,6 +16,7 @@ action-take-plan = open what the vehicles have on board
 action-save-draft = save the draft to a file
 action-upload-draft = upload the draft to the vehicles
 action-survey-draft = divide the area drawn among vehicles
+action-try-drafts = fly the drafts together in simulation
 action-undo-edit = undo the last change
 action-redo-edit = redo the change
 action-write-height = write a height for the marked items
@@ -57,6 +58,7 @@ plans-hint-zoom = zoom
 plans-hint-mark = mark
 plans-hint-insert = insert
 plans-hint-survey = survey
+plans-hint-rehearse = rehearse
 plans-hint-split = split
 plans-hint-jump = jump
 plans-hint-command = command
@@ -172,3 +174,26 @@ draft-ground-none = { $path }: no file for this place; names are those of the so
 plans-above-ground = at least { $height } m above ground
 argument-draft-ground = take the height of the ground from SRTM files (`.hgt`) in a folder; without one, it counts as level
 argument-draft-ground-folder = folder
+draft-trial-flies = { $count ->
+    [one] { $count } plan flies in simulation
+   *[other] { $count } plans fly in simulation
+}
+draft-trial-none = no draft has a plan to fly
+draft-trial-busy = drafts are being flown: wait for the outcome
+draft-trial-broken = the simulation of the drafts has failed
+draft-trial-refused = { $name }: the vehicle would refuse the { $list }
+draft-trial-conflicts = { $count ->
+    [one] { $count } conflict
+   *[other] { $count } conflicts
+}: { $first }; `draft deconflict` keeps them apart
+draft-trial-fence = { $name } breaks its fence at { $time }
+draft-trial-unfinished = { $name } is not flown to its end
+draft-trial-figures = { $count ->
+    [one] { $count } plan
+   *[other] { $count } plans
+} flown in { $time }, at least { $left } % battery left
+draft-trial-delay = { $name } starts { $seconds } s later
+draft-trial-layer = { $name } flies { $height } m higher
+draft-trial-disarm = set DISARM_DELAY to 0 for the wait
+argument-draft-rehearse = fly the drafts of all vehicles together in simulation
+argument-draft-deconflict = find later starts or separate heights for drafts that come too close to each other

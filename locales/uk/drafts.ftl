@@ -16,6 +16,7 @@ action-take-plan = відкрити те, що є на борту апараті
 action-save-draft = зберегти чернетку у файл
 action-upload-draft = завантажити чернетку на борт апаратів
 action-survey-draft = поділити намальовану ділянку між апаратами
+action-try-drafts = разом пролетіти чернетки в симуляції
 action-undo-edit = скасувати останню зміну
 action-redo-edit = повторити скасовану зміну
 action-write-height = вписати висоту позначених пунктів
@@ -57,6 +58,7 @@ plans-hint-zoom = масштаб
 plans-hint-mark = позначити
 plans-hint-insert = вставити
 plans-hint-survey = покрити
+plans-hint-rehearse = випробувати
 plans-hint-split = поділити
 plans-hint-jump = перехід
 plans-hint-command = команда
@@ -173,3 +175,29 @@ draft-ground-none = { $path }: немає файлу для цього місц�
 plans-above-ground = щонайменше { $height } m над рельєфом
 argument-draft-ground = брати висоту рельєфу з файлів SRTM (`.hgt`) у теці; без теки рельєф вважається рівним
 argument-draft-ground-folder = тека
+draft-trial-flies = { $count ->
+    [one] { $count } план летить у симуляції
+    [few] { $count } плани летять у симуляції
+   *[other] { $count } планів летять у симуляції
+}
+draft-trial-none = жодна чернетка не має плану
+draft-trial-busy = чернетки ще летять: зачекайте на результат
+draft-trial-broken = симуляція чернеток не вдалася
+draft-trial-refused = { $name }: апарат відхилив би список: { $list }
+draft-trial-conflicts = { $count ->
+    [one] { $count } конфлікт
+    [few] { $count } конфлікти
+   *[other] { $count } конфліктів
+}: { $first }; `draft deconflict` розведе їх
+draft-trial-fence = { $name } порушує геозону о { $time }
+draft-trial-unfinished = { $name }: політ не доходить до кінця плану
+draft-trial-figures = { $count ->
+    [one] { $count } план виконано
+    [few] { $count } плани виконано
+   *[other] { $count } планів виконано
+} за { $time }, заряду лишається щонайменше { $left } %
+draft-trial-delay = { $name } стартує на { $seconds } s пізніше
+draft-trial-layer = { $name } летить на { $height } m вище
+draft-trial-disarm = задайте DISARM_DELAY 0 для очікування
+argument-draft-rehearse = разом пролетіти чернетки всіх апаратів у симуляції
+argument-draft-deconflict = знайти пізніші старти чи різні висоти для чернеток, що надто зближуються

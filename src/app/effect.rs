@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
+use crate::draft::Trial;
 use crate::forward::ForwardSpec;
 use crate::geo::Square;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
@@ -68,6 +69,8 @@ pub enum Effect {
     FetchParameters(Vec<VehicleId>),
     /// Read or write a file of the user.
     File(FileEffect),
+    /// Fly drafts together in simulation.
+    TryDrafts(Trial),
     /// Change the profile or its data.
     Career(CareerEffect),
     /// Start, change or end a session.

@@ -15,6 +15,7 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
+use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
 use crate::ledger::{Risk, RowUpdate};
 use crate::mission::{Area, Listing, Progress};
@@ -57,6 +58,8 @@ pub enum Event {
     Career(CareerEvent),
     /// A file was read or written by the shell.
     File(FileEvent),
+    /// Drafts were flown together in simulation.
+    Tried(Tried),
     /// A notice for the log.
     Notice(Notice),
     /// The number of notices dropped so far because the console was busy.

@@ -87,6 +87,11 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::Replay(event) => replay::happened(state, event),
         Event::Career(event) => career(state, event),
         Event::File(event) => return file(state, event),
+        Event::Tried(tried) => {
+            state.touch();
+            let notice = plans::tried(state, tried);
+            telemetry::notice(state, &notice);
+        }
         Event::Notice(notice) => telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => telemetry::dropped(state, count),
         Event::Answer(text) => telemetry::answer(state, text),

@@ -61,6 +61,13 @@ impl Drafts {
         self.current = first.unwrap_or(self.current);
     }
 
+    /// Changes the content of a draft; undo goes back to the one before.
+    pub fn change(&mut self, name: &str, document: Arc<Document>) {
+        if let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) {
+            draft.note_change(document);
+        }
+    }
+
     /// Makes a draft the current one; false if there is none of this name.
     pub fn choose(&mut self, name: &str) -> bool {
         let at = self.all.iter().position(|draft| draft.name == name);

@@ -259,6 +259,11 @@ pub enum DraftLine {
     Redo,
     /// Count times at this speed in m/s; `None` for that of the vehicle.
     Speed(Option<f64>),
+    /// Fly the drafts together in simulation.
+    Try {
+        /// Whether to change those that come too close to each other.
+        is_apart: bool,
+    },
     /// Take the height of the ground from files in this folder; `None` counts it as level.
     Ground(Option<String>),
     Edit(Edit),

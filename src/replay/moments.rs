@@ -111,6 +111,7 @@ impl Lookout {
                 | Event::Replay(_)
                 | Event::Career(_)
                 | Event::File(_)
+                | Event::Tried(_)
                 | Event::Notice(_)
                 | Event::NoticesDropped(_)
                 | Event::Answer(_)

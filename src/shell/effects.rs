@@ -45,6 +45,7 @@ impl Console {
                 }
             }
             Effect::File(effect) => self.handle_file(effect),
+            Effect::TryDrafts(trial) => self.begin_trial(trial),
             Effect::Career(change) => self.change_career(change),
             Effect::Session(effect) => self.steer(effect).await,
             Effect::Replay(effect) => self.steer_replay(effect),

@@ -23,7 +23,7 @@ pub use deconflict::{Proposal, Remedy, deconflict};
 pub use late::LATE_S;
 
 /// A vehicle and its plan.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Participant {
     /// The lists on board.
     pub document: Document,

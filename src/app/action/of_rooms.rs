@@ -96,6 +96,8 @@ pub enum PlansAction {
     UploadDraft,
     /// Write a line that divides the area drawn among vehicles.
     SurveyDraft,
+    /// Write a line that flies the drafts in simulation.
+    TryDrafts,
     UndoEdit,
     RedoEdit,
     /// Write a line that changes heights.

@@ -12,7 +12,7 @@ use crate::app::State;
 use crate::app::action::{Action, DrawAction, PlansAction, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, key};
 use crate::app::room::{Answer, RoomModel};
-use crate::draft::{Draft, Drafts, Items};
+use crate::draft::{Draft, Drafts, Items, Tried};
 use crate::ledger::EntryId;
 use crate::plan::{Document, Item, ListKind};
 
@@ -24,6 +24,7 @@ mod ground;
 mod hints;
 mod judge;
 mod line;
+mod trial;
 mod view;
 
 pub(super) use act::{act, draw};
@@ -32,6 +33,7 @@ pub use ground::{ground_read, wanted_ground};
 pub use hints::of_items as room_hints;
 pub use judge::{findings, pace};
 pub use line::carry_out;
+pub use trial::tried;
 pub use view::{PlansLayout, click, layout};
 
 /// The state of the room.
@@ -53,6 +55,8 @@ pub struct Drawing {
     /// The ledger's entries of the last upload.
     uploads: Vec<EntryId>,
     ground: GroundFiles,
+    /// The outcome of the last trial, until a draft changes.
+    tried: Option<Tried>,
 }
 
 impl Default for Drawing {
@@ -67,6 +71,7 @@ impl Default for Drawing {
             saving: None,
             uploads: Vec::new(),
             ground: GroundFiles::default(),
+            tried: None,
         }
     }
 }
@@ -125,6 +130,11 @@ impl Drawing {
     /// Notes the entries of an upload.
     pub(in crate::app) fn note_uploads(&mut self, entries: Vec<EntryId>) {
         self.uploads = entries;
+    }
+
+    /// The outcome of the last trial of the drafts as they are.
+    pub fn tried(&self) -> Option<&Tried> {
+        self.tried.as_ref()
     }
 
     /// The speed that the user has given, in m/s.
@@ -188,6 +198,7 @@ impl RoomModel for Drawing {
         does(key('w'), own(PlansAction::SaveDraft)),
         does(key('U'), own(PlansAction::UploadDraft)),
         does(key('S'), own(PlansAction::SurveyDraft)),
+        does(key('R'), own(PlansAction::TryDrafts)),
         does(key(']'), own(PlansAction::CloserDraft)),
         does(key('['), own(PlansAction::WiderDraft)),
         does(key('z'), own(PlansAction::FitDrafts)),

@@ -169,6 +169,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
         | Event::Replay(_)
         | Event::Career(_)
         | Event::File(_)
+        | Event::Tried(_)
         | Event::NoticesDropped(_)
         | Event::Answer(_)
         | Event::Failed(_) => None,

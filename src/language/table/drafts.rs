@@ -208,6 +208,8 @@ const DRAFT: VerbRow = VerbRow {
         "draft survey all",
         "draft survey 1-6 spacing 20 up 40 course 90",
         "draft search parallel 1-4",
+        "draft rehearse",
+        "draft deconflict",
         "draft ground srtm",
         "draft undo",
         "draft upload 1-4",
@@ -264,6 +266,12 @@ const FORMS: &[Form] = &[
     work::SURVEY_AREA,
     work::SEARCH_AREA,
     work::SEARCH_AROUND,
+    Form::new(&[says("rehearse", "argument-draft-rehearse")], |_| {
+        line(DraftLine::Try { is_apart: false })
+    }),
+    Form::new(&[says("deconflict", "argument-draft-deconflict")], |_| {
+        line(DraftLine::Try { is_apart: true })
+    }),
     Form::new(&[says("undo", "argument-draft-undo")], |_| {
         line(DraftLine::Undo)
     }),

@@ -86,6 +86,7 @@ pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<R
         PlansAction::OpenDraft => return write(Some("draft open ".to_owned())),
         PlansAction::SaveDraft => return write(saving(state)),
         PlansAction::UploadDraft => return write(uploading(state)),
+        PlansAction::TryDrafts => return write(Some("draft rehearse".to_owned())),
         PlansAction::SurveyDraft => return write(Some(surveying(state))),
         PlansAction::WriteHeight => return write(about_marked(state, "height")),
         PlansAction::SetField => return write(about_marked(state, "set")),

@@ -80,6 +80,7 @@ pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Text> {
         return Ok(());
     };
     let item = draft.edit(edit, &around)?;
+    room.tried = None;
     if !matches!(edit, Edit::Home(_)) {
         room.list = edit.list();
     }
@@ -104,7 +105,7 @@ pub(super) fn try_edit(state: &mut State, change: &Edit) {
 pub(super) fn travel(state: &mut State, back: bool) {
     let draft = state.rooms.plans.drafts.current_mut();
     let is_done = draft.is_some_and(|draft| if back { draft.undo() } else { draft.redo() });
-    state.rooms.plans.mark = None;
+    (state.rooms.plans.mark, state.rooms.plans.tried) = (None, None);
     if !is_done {
         let text = if back {
             text!("bench-nothing-to-undo")

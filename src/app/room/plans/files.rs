@@ -73,6 +73,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
 /// Opens drafts and shows the first of them: this is also how several documents, one for each vehicle, arrive.
 pub fn fill(state: &mut State, drafts: impl IntoIterator<Item = Draft>) {
     state.rooms.plans.drafts.put(drafts);
+    state.rooms.plans.tried = None;
     change::look_at(state, ListKind::Plan);
     view::fit(state);
     view::point_at_item(state);

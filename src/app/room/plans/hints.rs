@@ -26,6 +26,7 @@ const HEIGHT: KeyHint = hint(
 const MARK: KeyHint = hint(&[own(PlansAction::MarkItems)], "plans-hint-mark");
 const INSERT: KeyHint = hint(&[drawing(DrawAction::InsertItem)], "plans-hint-insert");
 const SURVEY: KeyHint = hint(&[own(PlansAction::SurveyDraft)], "plans-hint-survey");
+const REHEARSE: KeyHint = hint(&[own(PlansAction::TryDrafts)], "plans-hint-rehearse");
 const SAVE: KeyHint = hint(&[own(PlansAction::SaveDraft)], "plans-hint-save");
 const UPLOAD: KeyHint = hint(&[own(PlansAction::UploadDraft)], "plans-hint-upload");
 const NEXT: KeyHint = hint(&[own(PlansAction::NextDraft)], "plans-hint-draft");
@@ -82,9 +83,10 @@ const PLAN: &[KeyHint] = &[
     HEIGHT,
     hint(&[drawing(DrawAction::NextFrame)], "plans-hint-frame"),
     hint(&[own(PlansAction::SetField)], "plans-hint-set"),
-    SURVEY,
+    REHEARSE,
     UPLOAD,
     SAVE,
+    SURVEY,
     NEXT,
     NEW,
     OPEN,
@@ -96,6 +98,7 @@ const OTHERS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     SURVEY,
+    REHEARSE,
     UPLOAD,
     SAVE,
     NEXT,

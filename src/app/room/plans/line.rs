@@ -1,6 +1,6 @@
 //! Lines about drafts.
 
-use super::{change, divide, files, ground};
+use super::{change, divide, files, ground, trial};
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::language::DraftLine;
@@ -49,6 +49,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             state.rooms.plans.speed_m_s = speed_m_s;
             return Ok(Effects::none());
         }
+        DraftLine::Try { is_apart } => return trial::ask(state, is_apart),
         DraftLine::Ground(folder) => {
             ground::choose(state, folder);
             return Ok(Effects::none());

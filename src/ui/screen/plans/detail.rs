@@ -133,6 +133,15 @@ fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
     let own = findings.iter().find(is_own);
     let worst = || findings.iter().min_by_key(|it| Reverse(it.severity()));
     let Some(finding) = own.or_else(worst) else {
+        if let Some(tried) = shown.room.tried() {
+            let role = if tried.is_sound {
+                Role::Ok
+            } else {
+                Role::Warning
+            };
+            let text = format!(" {}", panel.text(&tried.text));
+            return Line::styled(clip(&text, panel.width()), panel.style(role));
+        }
         let is_empty = shown.document.kinds().next().is_none();
         let id = if is_empty {
             "plans-begin"

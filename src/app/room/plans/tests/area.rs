@@ -202,3 +202,35 @@ fn the_ground_comes_from_files_of_a_folder() {
     assert!(desk.give("draft ground").is_empty());
     assert!(desk.room().ground().is_empty());
 }
+
+#[test]
+fn drafts_fly_together_before_an_upload() {
+    let mut desk = Desk::new();
+    assert!(desk.give("draft rehearse").is_empty(), "nothing to fly");
+    let _ = desk.key(KeyCode::Esc);
+    standing(&mut desk, 1);
+    standing(&mut desk, 2);
+    draw_field(&mut desk);
+    desk.give("draft survey all");
+    desk.press("R");
+    assert_eq!(desk.line(), "draft rehearse");
+    let effects = desk.key(KeyCode::Enter);
+    let [Effect::TryDrafts(trial)] = &effects[..] else {
+        panic!("{effects:?}");
+    };
+    let names: Vec<&str> = trial.drafts.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["vehicle-1", "vehicle-2"], "the field has no plan");
+    let longer = Arc::clone(&trial.drafts[1].1);
+    let tried = Tried {
+        text: "vehicle-1 starts later".into(),
+        is_sound: true,
+        changed: vec![("vehicle-1".to_owned(), Arc::clone(&longer))],
+    };
+    let before = desk.plan();
+    let _ = desk.app.update(Event::Tried(tried));
+    assert_eq!(desk.plan().len(), longer.plan.len());
+    assert!(desk.said().contains("starts later") && desk.room().tried().is_some());
+    desk.press("u");
+    assert_eq!(desk.plan(), before);
+    assert!(desk.room().tried().is_none(), "the draft is another one");
+}

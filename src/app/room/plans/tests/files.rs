@@ -1,6 +1,7 @@
 //! Files of drafts: saved, opened, and their names on the command line.
 
 use super::*;
+use crate::vehicle::Severity;
 
 fn written(effects: &[Effect]) -> (String, String) {
     match effects {
@@ -181,11 +182,9 @@ fn damaged_files_become_drafts_or_a_fault_with_line_and_column() {
     let (mut opened, mut refused) = (0, 0);
     for (path, text) in texts {
         for _ in 0..DAMAGED {
-            let before = desk.room().drafts().all().len();
             desk.read(&path, &damaged(&text, &mut dice));
-            if desk.room().drafts().all().len() > before || !desk.said().starts_with(&path) {
-                opened += 1;
-            } else {
+            let severity = desk.app.state().message().map(|it| it.severity);
+            if severity == Some(Severity::Error) {
                 refused += 1;
                 let place = desk.said()[path.len() + 1..].to_owned();
                 let numbers = place
@@ -196,6 +195,8 @@ fn damaged_files_become_drafts_or_a_fault_with_line_and_column() {
                     numbers.into_iter().all(|it| it.is_ok_and(|it| it > 0)),
                     "{place}"
                 );
+            } else {
+                opened += 1;
             }
             desk.press("2jkz3j1jkz");
             let state = desk.app.state();

@@ -1,0 +1,256 @@
+//! Drafts flown together in simulation, before any vehicle gets them.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::plan::Document;
+use crate::preflight::list_words;
+use crate::rehearsal::{
+    Approach, Conditions, Ending, Outcome, Participant, RehearsalError, Remedy, deconflict,
+    rehearse,
+};
+use crate::text;
+use crate::text::{Text, clock, figure};
+
+/// Metres between separate heights.
+const LAYER_M: f32 = 6.0;
+
+/// Drafts to fly together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// The name and the content of each draft.
+    pub drafts: Vec<(String, Arc<Document>)>,
+    /// Whether to look for changes that keep them apart.
+    pub is_apart: bool,
+}
+
+/// The outcome of a trial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tried {
+    /// What became of it.
+    pub text: Text,
+    /// Whether all plans are flown to their ends, apart from each other and inside their fences.
+    pub is_sound: bool,
+    /// The drafts to change, by name, with their new content.
+    pub changed: Vec<(String, Arc<Document>)>,
+}
+
+impl Trial {
+    /// Flies the drafts. Takes about a second for many vehicles, and several for changes that keep them apart.
+    pub fn fly(&self) -> Tried {
+        let participant = |(_, document): &(String, Arc<Document>)| Participant {
+            document: Document::clone(document),
+            ..Participant::default()
+        };
+        let crew: Vec<Participant> = self.drafts.iter().map(participant).collect();
+        let conditions = Conditions::default();
+        if !self.is_apart {
+            return match rehearse(&crew, &conditions) {
+                Ok(outcome) => self.told(&outcome),
+                Err(error) => self.failed(&error),
+            };
+        }
+        match deconflict(&crew, &conditions, LAYER_M) {
+            Ok(Some(proposal)) => self.changed(&proposal.remedies, &proposal.outcome),
+            Ok(None) => unsound(text!("plan-deconflict-impossible")),
+            Err(error) => self.failed(&error),
+        }
+    }
+
+    fn name(&self, index: usize) -> &str {
+        self.drafts.get(index).map_or("", |(name, _)| name)
+    }
+
+    fn failed(&self, error: &RehearsalError) -> Tried {
+        unsound(match error {
+            RehearsalError::NoPlan(at) => {
+                text!("plan-rehearse-no-plan", file = self.name(*at))
+            }
+            RehearsalError::NoHome(_) => text!("draft-no-home"),
+            RehearsalError::Refused(at, kind) => {
+                let list = list_words(*kind);
+                text!("draft-trial-refused", name = self.name(*at), list = list)
+            }
+            RehearsalError::NoParameter(name) => text!("plan-rehearse-no-parameter", name = name),
+        })
+    }
+
+    /// The figures of a rehearsal, its first conflict, or the first plan that is not flown to its end.
+    fn told(&self, outcome: &Outcome) -> Tried {
+        if let Some(conflict) = outcome.conflicts().next() {
+            let count = outcome.conflicts().count();
+            let first = self.approach(conflict);
+            return unsound(text!("draft-trial-conflicts", count = count, first = first));
+        }
+        let flown = outcome.vehicles.iter().enumerate();
+        let is_good = |ending| matches!(ending, Ending::Landed | Ending::InAir);
+        let mut bad = flown.filter(|(_, it)| !is_good(it.ending) || it.broke_fence_s.is_some());
+        if let Some((at, it)) = bad.next() {
+            let name = self.name(at);
+            return unsound(match it.broke_fence_s {
+                Some(at_s) => text!("draft-trial-fence", name = name, time = time(at_s)),
+                None => text!("draft-trial-unfinished", name = name),
+            });
+        }
+        Tried {
+            text: self.summary(outcome),
+            is_sound: true,
+            changed: Vec::new(),
+        }
+    }
+
+    fn summary(&self, outcome: &Outcome) -> Text {
+        let vehicles = outcome.vehicles.iter();
+        let longest_s = vehicles.clone().map(|it| it.time_s).fold(0.0, f64::max);
+        let least = vehicles
+            .map(|it| it.energy_left_percent)
+            .fold(100.0, f64::min);
+        let figures = text!(
+            "draft-trial-figures",
+            count = self.drafts.len(),
+            time = time(longest_s),
+            left = figure(least, 0)
+        );
+        let closest = outcome.closest.first();
+        let closest = closest.map(|it| self.approach(it));
+        Text::joined("; ", std::iter::once(figures).chain(closest).collect())
+    }
+
+    /// How close two drafts come to each other.
+    fn approach(&self, closest: &Approach) -> Text {
+        let [a, b] = [closest.a, closest.b].map(|at| self.name(at));
+        let distances = [closest.horizontal_m, closest.vertical_m];
+        let [horizontal, vertical] = distances.map(|metres| figure(metres, 1));
+        let time = time(closest.at_s);
+        if closest.is_conflict() {
+            text!(
+                "plan-rehearse-conflict",
+                a = a,
+                b = b,
+                time = time,
+                horizontal = horizontal,
+                vertical = vertical
+            )
+        } else {
+            text!(
+                "plan-rehearse-closest",
+                a = a,
+                b = b,
+                time = time,
+                horizontal = horizontal,
+                vertical = vertical
+            )
+        }
+    }
+
+    fn changed(&self, remedies: &[Remedy], outcome: &Outcome) -> Tried {
+        let told = self.told(outcome);
+        let needed = remedies.iter().zip(&self.drafts);
+        let needed = needed.filter(|(remedy, _)| **remedy != Remedy::Nothing);
+        let changed: Vec<(String, Arc<Document>)> = needed
+            .clone()
+            .map(|(remedy, (name, document))| (name.clone(), Arc::new(remedy.apply(document))))
+            .collect();
+        if changed.is_empty() {
+            let text = Text::joined("; ", vec![text!("plan-deconflict-none"), told.text]);
+            return Tried { text, ..told };
+        }
+        let mut words: Vec<Text> = needed
+            .map(|(remedy, (name, _))| remedy_words(*remedy, name))
+            .collect();
+        let waits = remedies.iter().any(|it| matches!(it, Remedy::Delay(_)));
+        words.extend(waits.then(|| text!("draft-trial-disarm")));
+        Tried {
+            text: Text::joined("; ", words),
+            is_sound: told.is_sound,
+            changed,
+        }
+    }
+}
+
+fn unsound(text: Text) -> Tried {
+    Tried {
+        text,
+        is_sound: false,
+        changed: Vec::new(),
+    }
+}
+
+fn time(seconds: f64) -> String {
+    clock(Duration::from_secs_f64(seconds.max(0.0)))
+}
+
+fn remedy_words(remedy: Remedy, name: &str) -> Text {
+    match remedy {
+        Remedy::Nothing => Text::default(),
+        Remedy::Delay(seconds) => text!("draft-trial-delay", name = name, seconds = seconds),
+        Remedy::Layer(metres) => {
+            text!("draft-trial-layer", name = name, height = figure(metres, 0))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::LatLon;
+    use crate::plan::{Home, Item, command};
+
+    const HOME: LatLon = LatLon::new(50.45, 30.52);
+
+    /// A flight from a place to another at 20 m, and back to the ground there.
+    fn flight(name: &str, from_m: f64, to_m: f64) -> (String, Arc<Document>) {
+        let at = |east_m: f64| HOME.moved(0.0, east_m).to_e7();
+        let item = |command, (x, y), z| Item {
+            command,
+            frame: 3,
+            auto_continue: true,
+            x,
+            y,
+            z,
+            ..Item::default()
+        };
+        let (x, y) = at(from_m);
+        let document = Document {
+            home: Some(Home { x, y, z: 170.0 }),
+            plan: vec![
+                item(command::TAKEOFF, (0, 0), 20.0),
+                item(command::WAYPOINT, at(to_m), 20.0),
+                item(command::LAND, at(to_m), 0.0),
+            ],
+            ..Document::default()
+        };
+        (name.to_owned(), Arc::new(document))
+    }
+
+    #[test]
+    fn drafts_that_meet_are_found_and_kept_apart() {
+        let meeting = vec![flight("east", 0.0, 100.0), flight("west", 100.0, 0.0)];
+        let mut trial = Trial {
+            drafts: meeting,
+            is_apart: false,
+        };
+        let tried = trial.fly();
+        assert!(!tried.is_sound && tried.changed.is_empty());
+        assert!(tried.text.to_string().contains("east"), "{}", tried.text);
+        trial.is_apart = true;
+        let tried = trial.fly();
+        assert!(tried.is_sound, "{}", tried.text);
+        assert_eq!(tried.changed.len(), 1);
+        trial.drafts.retain(|(name, _)| *name != tried.changed[0].0);
+        trial.drafts.extend(tried.changed);
+        trial.is_apart = false;
+        let again = trial.fly();
+        assert!(again.is_sound, "{}", again.text);
+    }
+
+    #[test]
+    fn drafts_that_are_apart_stay_as_they_are() {
+        let trial = Trial {
+            drafts: vec![flight("north", 0.0, 60.0), flight("south", 200.0, 300.0)],
+            is_apart: true,
+        };
+        let tried = trial.fly();
+        assert!(tried.is_sound && tried.changed.is_empty(), "{}", tried.text);
+    }
+}
