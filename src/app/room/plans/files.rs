@@ -49,7 +49,13 @@ pub fn read(state: &mut State, path: &str, content: &str) {
         Ok(loaded) => {
             let mut document = loaded.document;
             document.home = document.home.or_else(|| change::home(state));
-            fill(state, [Draft::of_file(path, Arc::new(document))]);
+            let document = Arc::new(document);
+            // Compressed files can be read only.
+            let draft = match ending(path) {
+                Some(_) => Draft::of_file(path, document),
+                None => Draft::new(path, document, None).kept(),
+            };
+            fill(state, [draft]);
             say_summary(state);
         }
         Err((text, faults)) => {

@@ -3,10 +3,11 @@
 use super::{change, divide, files, ground, trial};
 use crate::app::State;
 use crate::app::effect::Effects;
-use crate::language::DraftLine;
+use crate::language::{DraftLine, VehicleChoice};
 use crate::plan::ListKind;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// Carries out a line about drafts, except uploads.
 ///
@@ -20,17 +21,11 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         DraftLine::Save(path) => return files::save(state, path),
         DraftLine::New(name) => change::begin(state, &plain_name(name)),
         DraftLine::Take(vehicles) => {
-            let ids = match vehicles {
-                Some(vehicles) => state.chosen(&vehicles)?,
-                None => state.addressed(),
-            };
+            let ids = meant(state, vehicles)?;
             files::take(state, &ids)?;
         }
         DraftLine::Divide { work, vehicles } => {
-            let ids = match vehicles {
-                Some(vehicles) => state.chosen(&vehicles)?,
-                None => state.addressed(),
-            };
+            let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
         }
         DraftLine::Use(name) => {
@@ -60,6 +55,14 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         files::say_summary(state);
     }
     Ok(Effects::none())
+}
+
+/// The vehicles that a line names, otherwise the addressed ones.
+fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Text> {
+    match vehicles {
+        Some(vehicles) => state.chosen(&vehicles),
+        None => Ok(state.addressed()),
+    }
 }
 
 /// A name that can stand in a line: one word, and no comment.

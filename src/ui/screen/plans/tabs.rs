@@ -54,28 +54,38 @@ fn drafts(state: &State, columns: usize, panel: Panel<'_>) -> Line<'static> {
     spans.extend(count(first, "-"));
     let mut left = columns.saturating_sub(used);
     for tab in &shown {
-        let draft = &all[tab.index];
-        let badge = Badge::of_draft(tab.index, draft.vehicle());
-        let is_current = tab.index == current;
-        let role = if is_current { Role::Title } else { Role::Muted };
-        let sign = Span::styled(badge.sign.to_string(), panel.style(badge.role));
-        spans.push(sign);
-        left = left.saturating_sub(SIGN);
-        if tab.is_named {
-            let name = clip(&names[tab.index], left);
-            left = left.saturating_sub(width(&name));
-            spans.push(Span::raw(" "));
-            spans.push(Span::styled(name, panel.style(role)));
-            spans.push(Span::raw(" ".repeat(GAP)));
-        } else {
-            let star = if is_elsewhere(state, draft) { " " } else { "*" };
-            spans.push(Span::styled(format!("{star} "), panel.style(role)));
-            left = left.saturating_sub(1);
-        }
+        let own = draft_spans(state, *tab, left, panel);
+        left = left.saturating_sub(own.iter().map(Span::width).sum());
+        spans.extend(own);
     }
     let last = shown.last().map_or(0, |tab| tab.index + 1);
     spans.extend(count(all.len() - last.min(all.len()), "+"));
     Line::from(spans)
+}
+
+/// The sign of a draft, and its name or the star of an unsaved one, within a width.
+fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec<Span<'static>> {
+    let drafts = state.rooms().plans().drafts();
+    let Some(draft) = drafts.all().get(tab.index) else {
+        return Vec::new();
+    };
+    let badge = Badge::of_draft(tab.index, draft.vehicle());
+    let is_current = tab.index == drafts.current_index();
+    let role = if is_current { Role::Title } else { Role::Muted };
+    let sign = Span::styled(badge.sign.to_string(), panel.style(badge.role));
+    if tab.is_named {
+        let words = clip(&name(state, draft), columns.saturating_sub(SIGN));
+        let gap = " ".repeat(GAP);
+        vec![
+            sign,
+            Span::raw(" "),
+            Span::styled(words, panel.style(role)),
+            Span::raw(gap),
+        ]
+    } else {
+        let star = if is_elsewhere(state, draft) { " " } else { "*" };
+        vec![sign, Span::styled(format!("{star} "), panel.style(role))]
+    }
 }
 
 /// A draft that is shown.
