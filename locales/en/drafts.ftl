@@ -185,7 +185,7 @@ draft-trial-refused = { $name }: the vehicle would refuse the { $list }
 draft-trial-conflicts = { $count ->
     [one] { $count } conflict
    *[other] { $count } conflicts
-}: { $first }; `draft deconflict` keeps them apart
+}: { $a } and { $b } at { $time }; `draft deconflict` parts them
 draft-trial-fence = { $name } breaks its fence at { $time }
 draft-trial-unfinished = { $name } is not flown to its end
 draft-trial-figures = { $count ->

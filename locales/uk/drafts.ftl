@@ -188,7 +188,7 @@ draft-trial-conflicts = { $count ->
     [one] { $count } конфлікт
     [few] { $count } конфлікти
    *[other] { $count } конфліктів
-}: { $first }; `draft deconflict` розведе їх
+}: { $a } і { $b } о { $time }; `draft deconflict` розведе їх
 draft-trial-fence = { $name } порушує геозону о { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану
 draft-trial-figures = { $count ->

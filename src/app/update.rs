@@ -240,7 +240,7 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
             FileKind::Review => {}
         },
         FileEvent::Ground { folder, terrain } => plans::ground_read(state, &folder, terrain),
-        FileEvent::Listed { folder, names } => palette::listed(state, folder, names),
+        FileEvent::Listed { folder, names } => palette::listed(state, &folder, names),
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),
     }

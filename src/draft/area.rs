@@ -12,13 +12,15 @@ pub fn drawn_areas(document: &Document) -> Vec<Outline> {
         .filter_map(|rings| {
             let mut rings = rings.into_iter();
             let outline = rings.next()?;
-            Some(Outline::Polygon(rings.fold(outline, joined)))
+            Some(Outline::Polygon(
+                rings.fold(outline, |line, hole| joined(line, &hole)),
+            ))
         })
         .collect()
 }
 
 /// An outline with a hole, joined at the two corners that are nearest to each other.
-fn joined(outline: Vec<LatLon>, hole: Vec<LatLon>) -> Vec<LatLon> {
+fn joined(outline: Vec<LatLon>, hole: &[LatLon]) -> Vec<LatLon> {
     let pairs = (0..outline.len()).flat_map(|at| (0..hole.len()).map(move |to| (at, to)));
     let way_m = |&(at, to): &(usize, usize)| outline[at].distance_m(hole[to]);
     let Some((at, to)) = pairs.min_by(|a, b| way_m(a).total_cmp(&way_m(b))) else {

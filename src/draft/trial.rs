@@ -22,6 +22,8 @@ pub struct Trial {
     pub drafts: Vec<(String, Arc<Document>)>,
     /// Whether to look for changes that keep them apart.
     pub is_apart: bool,
+    /// Whether the user has asked for it, and waits for the outcome.
+    pub is_awaited: bool,
 }
 
 /// The outcome of a trial.
@@ -33,11 +35,20 @@ pub struct Tried {
     pub is_sound: bool,
     /// The drafts to change, by name, with their new content.
     pub changed: Vec<(String, Arc<Document>)>,
+    /// Whether the user waits for it.
+    pub is_awaited: bool,
 }
 
 impl Trial {
     /// Flies the drafts. Takes about a second for many vehicles, and several for changes that keep them apart.
     pub fn fly(&self) -> Tried {
+        Tried {
+            is_awaited: self.is_awaited,
+            ..self.outcome()
+        }
+    }
+
+    fn outcome(&self) -> Tried {
         let participant = |(_, document): &(String, Arc<Document>)| Participant {
             document: Document::clone(document),
             ..Participant::default()
@@ -78,9 +89,14 @@ impl Trial {
     /// The figures of a rehearsal, its first conflict, or the first plan that is not flown to its end.
     fn told(&self, outcome: &Outcome) -> Tried {
         if let Some(conflict) = outcome.conflicts().next() {
-            let count = outcome.conflicts().count();
-            let first = self.approach(conflict);
-            return unsound(text!("draft-trial-conflicts", count = count, first = first));
+            let [a, b] = [conflict.a, conflict.b].map(|at| self.name(at));
+            return unsound(text!(
+                "draft-trial-conflicts",
+                count = outcome.conflicts().count(),
+                a = a,
+                b = b,
+                time = time(conflict.at_s)
+            ));
         }
         let flown = outcome.vehicles.iter().enumerate();
         let is_good = |ending| matches!(ending, Ending::Landed | Ending::InAir);
@@ -96,6 +112,7 @@ impl Trial {
             text: self.summary(outcome),
             is_sound: true,
             changed: Vec::new(),
+            is_awaited: false,
         }
     }
 
@@ -116,31 +133,19 @@ impl Trial {
         Text::joined("; ", std::iter::once(figures).chain(closest).collect())
     }
 
-    /// How close two drafts come to each other.
+    /// How close two drafts come to each other without a conflict.
     fn approach(&self, closest: &Approach) -> Text {
         let [a, b] = [closest.a, closest.b].map(|at| self.name(at));
         let distances = [closest.horizontal_m, closest.vertical_m];
         let [horizontal, vertical] = distances.map(|metres| figure(metres, 1));
-        let time = time(closest.at_s);
-        if closest.is_conflict() {
-            text!(
-                "plan-rehearse-conflict",
-                a = a,
-                b = b,
-                time = time,
-                horizontal = horizontal,
-                vertical = vertical
-            )
-        } else {
-            text!(
-                "plan-rehearse-closest",
-                a = a,
-                b = b,
-                time = time,
-                horizontal = horizontal,
-                vertical = vertical
-            )
-        }
+        text!(
+            "plan-rehearse-closest",
+            a = a,
+            b = b,
+            time = time(closest.at_s),
+            horizontal = horizontal,
+            vertical = vertical
+        )
     }
 
     fn changed(&self, remedies: &[Remedy], outcome: &Outcome) -> Tried {
@@ -162,8 +167,8 @@ impl Trial {
         words.extend(waits.then(|| text!("draft-trial-disarm")));
         Tried {
             text: Text::joined("; ", words),
-            is_sound: told.is_sound,
             changed,
+            ..told
         }
     }
 }
@@ -173,6 +178,7 @@ fn unsound(text: Text) -> Tried {
         text,
         is_sound: false,
         changed: Vec::new(),
+        is_awaited: false,
     }
 }
 
@@ -229,6 +235,7 @@ mod tests {
         let mut trial = Trial {
             drafts: meeting,
             is_apart: false,
+            is_awaited: true,
         };
         let tried = trial.fly();
         assert!(!tried.is_sound && tried.changed.is_empty());
@@ -249,6 +256,7 @@ mod tests {
         let trial = Trial {
             drafts: vec![flight("north", 0.0, 60.0), flight("south", 200.0, 300.0)],
             is_apart: true,
+            is_awaited: true,
         };
         let tried = trial.fly();
         assert!(tried.is_sound && tried.changed.is_empty(), "{}", tried.text);

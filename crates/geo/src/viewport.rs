@@ -133,8 +133,8 @@ impl Viewport {
     /// The dot after the last one, at the lower right corner.
     pub fn end(&self) -> Dot {
         Dot {
-            x: f64::from(self.columns * DOTS_ACROSS),
-            y: f64::from(self.rows * DOTS_DOWN),
+            x: f64::from(self.columns) * f64::from(DOTS_ACROSS),
+            y: f64::from(self.rows) * f64::from(DOTS_DOWN),
         }
     }
 
@@ -169,7 +169,10 @@ impl Viewport {
     pub fn cell(&self, place: LatLon) -> Option<(u16, u16)> {
         let (Dot { x, y }, end) = (self.dot(place), self.end());
         let inside = (0.0..end.x).contains(&x) && (0.0..end.y).contains(&y);
-        let cell = (x as u16 / DOTS_ACROSS, y as u16 / DOTS_DOWN);
+        let cell = (
+            (x / f64::from(DOTS_ACROSS)) as u16,
+            (y / f64::from(DOTS_DOWN)) as u16,
+        );
         inside.then_some(cell)
     }
 
@@ -292,6 +295,14 @@ mod tests {
 
     fn zooms() -> impl Strategy<Value = Zoom> {
         (Zoom::CLOSEST.0..=Zoom::WIDEST.0).prop_map(Zoom)
+    }
+
+    #[test]
+    fn the_largest_grid_has_cells_too() {
+        let size = GridSize::new(u16::MAX, u16::MAX);
+        let centre = LatLon::new(50.45, 30.52);
+        let view = Viewport::new(centre, Zoom::CLOSEST, size);
+        assert_eq!(view.cell(centre), Some((u16::MAX / 2, u16::MAX / 2)));
     }
 
     proptest! {

@@ -129,7 +129,7 @@ pub fn wanted(state: &mut State) -> Option<Effect> {
 }
 
 /// Handles the answer to it.
-pub fn listed(state: &mut State, path: String, names: Vec<String>) {
+pub fn listed(state: &mut State, path: &str, names: Vec<String>) {
     let Some(folder) = &mut state.typing.folder else {
         return;
     };

@@ -27,8 +27,11 @@ pub(super) fn home(state: &State) -> Option<Home> {
     })
 }
 
-/// The place under the cursor of the map.
+/// The place under the cursor of the map; `None` without a screen, where nothing shows a cursor.
 pub(super) fn cursor(state: &State) -> Option<LatLon> {
+    if !state.display.has_rooms {
+        return None;
+    }
     let map = &state.rooms.plans.map;
     let view = map.view(view::layout(state.display.grid()).canvas);
     view.map(|view| map.pointed(&view))

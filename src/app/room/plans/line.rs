@@ -2,7 +2,7 @@
 
 use super::{change, divide, files, ground, trial};
 use crate::app::State;
-use crate::app::effect::Effects;
+use crate::app::effect::{Effect, Effects};
 use crate::language::{DraftLine, VehicleChoice};
 use crate::plan::ListKind;
 use crate::text;
@@ -27,6 +27,8 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         DraftLine::Divide { work, vehicles } => {
             let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
+            let trial = trial::prepared(state)?;
+            return Ok(Effects::from(Effect::TryDrafts(trial)));
         }
         DraftLine::Use(name) => {
             if !state.rooms.plans.drafts.choose(&name) {

@@ -25,8 +25,12 @@ struct Desk {
 
 impl Desk {
     fn new() -> Self {
+        Self::with_rooms(true)
+    }
+
+    fn with_rooms(has_rooms: bool) -> Self {
         let mut app = App::new(Setup {
-            has_rooms: true,
+            has_rooms,
             ..Setup::default()
         });
         let _ = app.update(Event::Session(SessionEvent::Started(Box::new(Started {
@@ -360,4 +364,20 @@ fn the_parameters_of_the_item_are_offered_with_their_values() {
         offered.iter().all(|(name, _)| *name != "turns"),
         "{offered:?}"
     );
+}
+
+#[test]
+fn without_a_screen_lines_name_their_places() {
+    let mut desk = Desk::with_rooms(false);
+    let size = TerminalEvent::Resize {
+        columns: u16::MAX,
+        rows: u16::MAX,
+    };
+    let _ = desk.app.update(Event::from(size));
+    desk.give("draft new field");
+    desk.give("draft fence polygon n 50 e 50");
+    desk.give("draft add n 100 e 0");
+    assert_eq!(desk.plan(), [command::WAYPOINT]);
+    desk.give("draft add");
+    assert_eq!(desk.plan().len(), 1, "nothing shows a cursor");
 }

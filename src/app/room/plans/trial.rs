@@ -12,17 +12,30 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Asks the shell to fly the drafts with plans that are meant for vehicles, otherwise all drafts with plans.
+/// Asks the shell to fly the drafts.
+///
+/// # Errors
+/// No draft has a plan.
+pub(super) fn ask(state: &mut State, is_apart: bool) -> Result<Effects, Text> {
+    let trial = Trial {
+        is_apart,
+        is_awaited: true,
+        ..prepared(state)?
+    };
+    let text = text!("draft-trial-flies", count = trial.drafts.len());
+    state.say(Severity::Info, text);
+    Ok(Effects::from(Effect::TryDrafts(trial)))
+}
+
+/// A trial of the drafts with plans that are meant for vehicles, otherwise of all drafts with plans.
 ///
 /// # Errors
 /// There are none.
-pub(super) fn ask(state: &mut State, is_apart: bool) -> Result<Effects, Text> {
+pub(super) fn prepared(state: &State) -> Result<Trial, Text> {
     let all = state.rooms.plans.drafts.all().iter();
     let planned = all.filter(|draft| !draft.document().plan.is_empty());
-    let mut flown: Vec<&Draft> = planned
-        .clone()
-        .filter(|it| it.vehicle().is_some())
-        .collect();
+    let own = planned.clone().filter(|draft| draft.vehicle().is_some());
+    let mut flown: Vec<&Draft> = own.collect();
     if flown.is_empty() {
         flown = planned.collect();
     }
@@ -43,15 +56,11 @@ pub(super) fn ask(state: &mut State, is_apart: bool) -> Result<Effects, Text> {
     let drafts = flown
         .into_iter()
         .map(|draft| (draft.name().to_owned(), with_home(draft)));
-    let trial = Trial {
+    Ok(Trial {
         drafts: drafts.collect(),
-        is_apart,
-    };
-    state.say(
-        Severity::Info,
-        text!("draft-trial-flies", count = trial.drafts.len()),
-    );
-    Ok(Effects::from(Effect::TryDrafts(trial)))
+        is_apart: false,
+        is_awaited: false,
+    })
 }
 
 /// Handles the outcome of a trial, and returns the notice of it. Drafts that it changes can be undone one by one.
@@ -66,7 +75,10 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
         Severity::Warning
     };
     let text = tried.text.clone();
+    // What was said before may still be of use.
+    if tried.is_awaited || !tried.is_sound {
+        state.say(severity, text.clone());
+    }
     state.rooms.plans.tried = Some(tried);
-    state.say(severity, text.clone());
     Notice::general(state.now, severity, text)
 }

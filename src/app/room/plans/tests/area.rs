@@ -211,7 +211,11 @@ fn drafts_fly_together_before_an_upload() {
     standing(&mut desk, 1);
     standing(&mut desk, 2);
     draw_field(&mut desk);
-    desk.give("draft survey all");
+    let divided = desk.give("draft survey all");
+    let [Effect::TryDrafts(first)] = &divided[..] else {
+        panic!("{divided:?}");
+    };
+    assert!(!first.is_apart && !first.is_awaited, "{first:?}");
     desk.press("R");
     assert_eq!(desk.line(), "draft rehearse");
     let effects = desk.key(KeyCode::Enter);
@@ -224,6 +228,7 @@ fn drafts_fly_together_before_an_upload() {
     let tried = Tried {
         text: "vehicle-1 starts later".into(),
         is_sound: true,
+        is_awaited: true,
         changed: vec![("vehicle-1".to_owned(), Arc::clone(&longer))],
     };
     let before = desk.plan();
