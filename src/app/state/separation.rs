@@ -40,7 +40,8 @@ pub struct CloseVehicle {
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    home: Option<LatLon>,
+    /// Its pad, in metres north and east.
+    home: Option<[f64; 2]>,
 }
 
 /// The vehicles in the air, in cells as large as the limits: only vehicles in the same or in neighbouring cells can be
@@ -105,7 +106,14 @@ impl CellGrid {
         others.filter(|other| other.vehicle != flyer.vehicle)
     }
 
-    /// The distance of two vehicles, if they are too close. Vehicles whose pads are close together may be closer.
+    /// The pad that a vehicle is above.
+    fn pad_of(&self, flyer: &Flyer) -> Option<[f64; 2]> {
+        let [north_m, east_m, _] = flyer.point;
+        let is_above = |home: &[f64; 2]| apart_m(*home, [north_m, east_m]) < self.limits.across_m;
+        flyer.home.filter(is_above)
+    }
+
+    /// The distance of two vehicles, if they are too close. Above pads that are close together, they may be closer.
     fn close(&self, flyer: &Flyer, other: &Flyer) -> Option<CloseVehicle> {
         let [north, east, up] = [0, 1, 2].map(|axis| other.point[axis] - flyer.point[axis]);
         let close = CloseVehicle {
@@ -113,11 +121,15 @@ impl CellGrid {
             across_m: maths::hypot(north, east),
             height_m: up.abs(),
         };
-        let homes = flyer.home.zip(other.home);
-        let pads_m = homes.map_or(f64::INFINITY, |(own, other)| own.distance_m(other));
+        let pads = self.pad_of(flyer).zip(self.pad_of(other));
+        let pads_m = pads.map_or(f64::INFINITY, |(own, other)| apart_m(own, other));
         let limit_m = neighbours_limit_m(pads_m, self.limits.across_m);
         (close.across_m < limit_m && close.height_m < self.limits.height_m).then_some(close)
     }
+}
+
+fn apart_m(one: [f64; 2], other: [f64; 2]) -> f64 {
+    maths::hypot(one[0] - other[0], one[1] - other[1])
 }
 
 /// A vehicle, if it is in the air at a known place; the first one's place is the origin.
@@ -127,7 +139,8 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
     }
     let here = vehicle.global?;
     let origin = *origin.get_or_insert(here.at_point);
-    let (north_m, east_m) = origin.offset_to(here.at_point);
+    let metres = |place| <[f64; 2]>::from(origin.offset_to(place));
+    let [north_m, east_m] = metres(here.at_point);
     let point = [north_m, east_m, here.altitude_amsl_m];
     point
         .iter()
@@ -135,7 +148,7 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
         .then_some(Flyer {
             vehicle: vehicle.id,
             point,
-            home: vehicle.home.map(|home| home.at_point),
+            home: vehicle.home.map(|home| metres(home.at_point)),
         })
 }
 
@@ -223,6 +236,10 @@ mod tests {
         pads[1].home = home(4.0);
         assert_eq!(ids(&too_close(&swarm(pads.clone()), LIMITS)), []);
         pads[1].global = at(2, [0.0, 2.5, 5.0]).global;
+        assert_eq!(ids(&too_close(&swarm(pads.clone()), LIMITS)).len(), 2);
+        // Away from the pads, the usual limit applies.
+        pads[0].global = at(1, [80.0, 0.0, 5.0]).global;
+        pads[1].global = at(2, [80.0, 3.9, 5.0]).global;
         assert_eq!(ids(&too_close(&swarm(pads), LIMITS)).len(), 2);
     }
 
