@@ -35,7 +35,7 @@ pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
         buffer,
         panel.area,
         0,
-        &Line::styled(heading(panel), panel.style(Role::Muted)),
+        &Line::styled(heading(shown.room.list(), panel), panel.style(Role::Muted)),
     );
     let list = panel.below(1);
     let items = shown.room.items();
@@ -53,7 +53,8 @@ pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     list.mark_list(top, items.len(), true, buffer);
 }
 
-fn heading(panel: Panel<'_>) -> String {
+/// The names of the columns; only items of a plan have legs.
+fn heading(list: ListKind, panel: Panel<'_>) -> String {
     let word = |id, columns, right| aligned(&panel.say(id), columns, right);
     let mut heading = format!(
         "    # {} {} {}",
@@ -61,14 +62,14 @@ fn heading(panel: Panel<'_>) -> String {
         word("plans-column-place", PLACE, false),
         word("plans-column-height", HEIGHT, true),
     );
-    if panel.width() >= WITH_LEG {
+    if list == ListKind::Plan && panel.width() >= WITH_LEG {
         heading.extend([
             "   ".to_owned(),
             word("plans-column-leg", LEG, true),
             word("plans-column-slope", SLOPE, true),
         ]);
     }
-    if panel.width() >= WITH_PARAMETERS {
+    if list == ListKind::Plan && panel.width() >= WITH_PARAMETERS {
         heading.push_str(&word("plans-column-time", TIME, true));
         heading.push_str("  ");
         heading.push_str(&panel.say("plans-column-parameters"));
