@@ -54,7 +54,7 @@ fn upload(state: &mut State, drafts: &[(Draft, Vec<VehicleId>)]) -> Result<Effec
         if vehicles.is_empty() {
             return Err(text!("draft-no-vehicles"));
         }
-        for line in plans::uploads(draft, vehicles)? {
+        for line in plans::uploads(state, draft, vehicles)? {
             let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
             orders.push(with_content(order, draft));
         }

@@ -7,11 +7,11 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::state::Consequence;
 use crate::draft::Draft;
-use crate::plan::{self, ContentHash, Document, FileFormat, Home, ListKind, ReadOptions};
+use crate::plan::{self, ContentHash, Document, FileFormat, Home, Item, ListKind, ReadOptions};
 use crate::preflight;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, Transfer, Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
 
 /// The extension for a file whose name has none: this format holds all lists.
@@ -187,15 +187,20 @@ pub(super) fn take_by_key(state: &mut State) {
     }
 }
 
-/// The lines that upload each list of a draft to vehicles, like those for a file of that name.
+/// The lines that upload each list of a draft to vehicles, like those for a file of that name. With a plan, a
+/// fence and rally points that all of them carry already are left out.
 ///
 /// # Errors
 /// The draft is empty.
-pub fn uploads(draft: &Draft, vehicles: &[VehicleId]) -> Result<Vec<String>, Text> {
+pub fn uploads(state: &State, draft: &Draft, vehicles: &[VehicleId]) -> Result<Vec<String>, Text> {
     let targets = ranges(vehicles.iter().copied());
-    let lines: Vec<String> = draft
-        .document()
+    let document = draft.document();
+    let is_new = |kind: &ListKind| {
+        document.plan.is_empty() || !is_carried(state, document.list(*kind), *kind, vehicles)
+    };
+    let lines: Vec<String> = document
         .kinds()
+        .filter(is_new)
         .map(|kind| {
             let verb = match kind {
                 ListKind::Plan => "plan",
@@ -209,6 +214,29 @@ pub fn uploads(draft: &Draft, vehicles: &[VehicleId]) -> Result<Vec<String>, Tex
         return Err(text!("draft-empty"));
     }
     Ok(lines)
+}
+
+/// Whether all of some vehicles carry these limits. A plan is always sent: the vehicle may have to begin anew.
+fn is_carried(state: &State, list: &[Item], kind: ListKind, vehicles: &[VehicleId]) -> bool {
+    let mark = ContentHash::of(list);
+    vehicles.iter().all(|id| {
+        let Some(vehicle) = state.session.vehicles.get(id) else {
+            return false;
+        };
+        let plans = &vehicle.plans;
+        let (transfer, held) = match kind {
+            ListKind::Plan => return false,
+            ListKind::Fence => {
+                let held = plans.fence.content.as_ref();
+                (plans.fence.transfer, held.map(|it| it.items.as_slice()))
+            }
+            ListKind::Rally => {
+                let held = plans.rally.content.as_ref();
+                (plans.rally.transfer, held.map(|it| it.items.as_slice()))
+            }
+        };
+        transfer == Transfer::Done && held.is_some_and(|held| ContentHash::of(held) == mark)
+    })
 }
 
 /// Whether nothing would be lost if the program ended now.

@@ -11,7 +11,8 @@ use crate::commands::{Act, Command, PlanDeed, PlanSource};
 use crate::geo::LatLon;
 use crate::plan::command;
 use crate::vehicle::{
-    Heartbeat, Mode, Place, Plan, Stored, SystemStatus, Transfer, Vehicle, VehicleClass, VehicleId,
+    FencePlan, Heartbeat, Mode, Place, Plan, Stored, SystemStatus, Transfer, Vehicle, VehicleClass,
+    VehicleId,
 };
 
 mod area;
@@ -285,6 +286,24 @@ fn each_list_of_a_draft_is_uploaded_by_an_order() {
         lines.push(order.line);
     }
     assert_eq!(lines, ["1-2 plan upload plan", "1-2 fence upload plan"]);
+}
+
+#[test]
+fn a_fence_that_is_on_board_already_is_not_sent_again() {
+    let mut desk = Desk::new();
+    desk.vehicle(1, read_empty);
+    desk.press("ta");
+    desk.give("draft fence circle 200 n 0 e 0");
+    let fence = desk.room().drafts().current().map(|draft| {
+        let document = draft.document();
+        document.fence.clone()
+    });
+    desk.vehicle(2, |vehicle| {
+        read_empty(vehicle);
+        vehicle.plans.fence.content = fence.map(|items| Arc::new(FencePlan::from_items(items)));
+    });
+    assert_eq!(desk.give("draft upload 2").len(), 1, "only the plan");
+    assert_eq!(desk.give("draft upload 1-2").len(), 2, "1 has no fence yet");
 }
 
 #[test]
