@@ -116,6 +116,7 @@ argument-charge = charge left
 argument-satellites = satellites in use
 argument-reading = reading of the vehicle's first sensor, in its unit
 argument-contact-count = contacts of all vehicles together
+argument-alert-count = alerts of the mission without an answer
 
 # Commands of a mission
 verb-mark = report a find

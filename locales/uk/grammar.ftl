@@ -93,3 +93,5 @@ grammar-only-console = `{ $verb }` діє лише в консолі: у скр�
 grammar-script-selection = у скрипті немає вибраних апаратів
 grammar-say-who = назвіть апарати, як-от `{ $line }`
 grammar-wait-timed-out = рядок { $line }: `{ $wait }` — час очікування минув
+grammar-if-then = після `if` потрібні `then` і рядок: `if 3 alerted then 3 rtl`
+grammar-if-state = умова — це стан, як-от `if 3 alerted then 3 rtl`

@@ -116,6 +116,7 @@ argument-charge = залишок заряду
 argument-satellites = кількість супутників, що використовуються
 argument-reading = що показує перший датчик апарата, у його одиницях
 argument-contact-count = контактів усіх апаратів разом
+argument-alert-count = тривог завдання без відповіді
 
 # Команди завдання
 verb-mark = повідомити про знахідку

@@ -1,5 +1,6 @@
 //! Pilot scripts: lines of the language, in sequence.
 
+use std::ops::Range;
 use std::time::Duration;
 
 use super::lexer::words;
@@ -21,6 +22,16 @@ struct PilotStep {
     line: usize,
     statement: Statement,
     /// The target vehicles; `None` for all that exist when the line is reached.
+    vehicles: Option<Vec<VehicleId>>,
+    /// The condition without which the line is left out.
+    only_if: Option<Guard>,
+}
+
+/// The condition of a line: `if 3 alerted then 3 rtl`.
+#[derive(Debug, Clone, PartialEq)]
+struct Guard {
+    condition: Wait,
+    /// The vehicles of which it must hold; `None` for all.
     vehicles: Option<Vec<VehicleId>>,
 }
 
@@ -58,7 +69,61 @@ impl Script {
     }
 }
 
+/// The words of a line with a condition.
+const IF: &str = "if";
+const THEN: &str = "then";
+
+/// Reads a line, with its condition if it has one.
 fn step(line: &str, number: usize, context: &Context) -> Result<PilotStep, Diagnostic> {
+    let words = words(line);
+    let Some(first) = words.first().filter(|word| word.is(IF)) else {
+        return plain_step(line, number, context);
+    };
+    let Some(then) = words.iter().find(|word| word.is(THEN)) else {
+        return Err(Diagnostic::new(
+            first.span.clone(),
+            text!("grammar-if-then"),
+        ));
+    };
+    let guard = guard(line, first.span.end..then.span.start, number, context)?;
+    let rest = then.span.end;
+    let step = plain_step(&line[rest..], number, context).map_err(|fault| moved(fault, rest, 0))?;
+    Ok(PilotStep {
+        only_if: Some(guard),
+        ..step
+    })
+}
+
+/// Reads a condition, which is written like that of a wait.
+fn guard(
+    line: &str,
+    span: Range<usize>,
+    number: usize,
+    context: &Context,
+) -> Result<Guard, Diagnostic> {
+    let wait = format!("wait{}", line[span.clone()].trim_end());
+    let begin = span.start;
+    let step =
+        plain_step(&wait, number, context).map_err(|fault| moved(fault, begin, "wait".len()))?;
+    match step.statement.meaning {
+        Meaning::Wait(condition) if !is_pause(&condition) => Ok(Guard {
+            condition,
+            vehicles: step.vehicles,
+        }),
+        _ => Err(Diagnostic::new(span, text!("grammar-if-state"))),
+    }
+}
+
+/// A fault of a part of a line that begins at `start`; `before` characters of the part are not in the line.
+fn moved(fault: Diagnostic, start: usize, before: usize) -> Diagnostic {
+    let place = |at: usize| start + at.saturating_sub(before);
+    Diagnostic {
+        span: place(fault.span.start)..place(fault.span.end),
+        ..fault
+    }
+}
+
+fn plain_step(line: &str, number: usize, context: &Context) -> Result<PilotStep, Diagnostic> {
     let statement = parse(line, context)?;
     let needs_no_vehicle =
         matches!(&statement.meaning, Meaning::Wait(wait) if !wait.until.is_of_vehicles());
@@ -83,6 +148,7 @@ fn step(line: &str, number: usize, context: &Context) -> Result<PilotStep, Diagn
         line: number,
         statement,
         vehicles,
+        only_if: None,
     })
 }
 
@@ -134,10 +200,23 @@ impl Pilot {
         let mut events = Vec::new();
         let mut acted = false;
         while let Some(step) = self.script.steps.get(self.next) {
+            if let Some(guard) = &step.only_if
+                && self.waiting_since.is_none()
+            {
+                // A condition that follows a command sees its consequences only in the next step.
+                if acted {
+                    return events;
+                }
+                if !holds(&guard.condition, guard.vehicles.as_deref(), seen) {
+                    self.next += 1;
+                    continue;
+                }
+            }
             if let Meaning::Wait(wait) = &step.statement.meaning {
                 let since = *self.waiting_since.get_or_insert(now);
                 let waited = now.saturating_sub(since);
-                if !(is_over(wait, waited) || !acted && step.met(wait, seen)) {
+                if !(is_over(wait, waited) || !acted && holds(wait, step.vehicles.as_deref(), seen))
+                {
                     if acted || waited < wait.timeout || is_pause(wait) {
                         return events;
                     }
@@ -170,20 +249,18 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
     matches!(wait.until, Until::Passed(time) if waited >= time)
 }
 
-impl PilotStep {
-    /// Whether the condition holds for all targets, of which there must be at least one.
-    fn met(&self, wait: &Wait, seen: Seen<'_>) -> bool {
-        let vehicles = seen.vehicles;
-        match &self.vehicles {
-            None => {
-                let mut all = vehicles.values();
-                !vehicles.is_empty() && all.all(|vehicle| wait.until.holds(vehicle, seen))
-            }
-            Some(ids) => ids.iter().all(|id| {
-                let vehicle = vehicles.get(id);
-                vehicle.is_some_and(|vehicle| wait.until.holds(vehicle, seen))
-            }),
+/// Whether a condition holds for all of some vehicles (`None`: of all), of which there must be at least one.
+fn holds(wait: &Wait, vehicles: Option<&[VehicleId]>, seen: Seen<'_>) -> bool {
+    let known = seen.vehicles;
+    match vehicles {
+        None => {
+            let mut all = known.values();
+            !known.is_empty() && all.all(|vehicle| wait.until.holds(vehicle, seen))
         }
+        Some(ids) => ids.iter().all(|id| {
+            let vehicle = known.get(id);
+            vehicle.is_some_and(|vehicle| wait.until.holds(vehicle, seen))
+        }),
     }
 }
 

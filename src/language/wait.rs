@@ -39,6 +39,8 @@ pub struct Findings {
     pub contacts: usize,
     /// The reading of each vehicle's first sensor, in its unit.
     pub readings: BTreeMap<VehicleId, f64>,
+    /// The vehicle of each alert that waits for an answer, if the alert is about one.
+    pub alerts: Vec<Option<VehicleId>>,
 }
 
 /// The condition of a wait, for every target.
@@ -74,6 +76,8 @@ pub enum Situation {
     /// The vehicle is in the air.
     Airborne,
     Ready,
+    /// An alert of the mission about it waits for an answer.
+    Alerted,
 }
 
 /// A value that can be compared.
@@ -95,6 +99,8 @@ pub enum Field {
     Reading,
     /// The number of contacts of all vehicles.
     Contacts,
+    /// The number of alerts that wait for an answer.
+    Alerts,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
@@ -110,15 +116,16 @@ pub enum Relation {
 }
 
 impl Situation {
-    fn holds(self, vehicle: &Vehicle, ledger: &Ledger) -> bool {
+    fn holds(self, vehicle: &Vehicle, seen: Seen<'_>) -> bool {
         let heard = vehicle.heartbeat.is_some();
         match self {
             Self::Armed => vehicle.armed(),
             Self::Disarmed => heard && !vehicle.armed(),
-            Self::Arrived => arrived(vehicle, ledger),
+            Self::Arrived => arrived(vehicle, seen.ledger),
             Self::Landed => vehicle.is_on_the_ground(),
             Self::Airborne => vehicle.airborne(),
             Self::Ready => vehicle.ready_to_arm(),
+            Self::Alerted => seen.findings.alerts.contains(&Some(vehicle.id)),
         }
     }
 }
@@ -135,6 +142,7 @@ impl Field {
             Self::Satellites => vehicle.gps?.satellites.map(f64::from),
             Self::Reading => findings.readings.get(&vehicle.id).copied(),
             Self::Contacts => Some(findings.contacts as f64),
+            Self::Alerts => Some(findings.alerts.len() as f64),
         }
     }
 }
@@ -152,13 +160,13 @@ impl Relation {
 }
 
 impl Until {
-    /// Whether it concerns vehicles, so that a script must name them; a time and the contacts do not.
+    /// Whether it concerns vehicles, so that a script must name them; a time, the contacts and the alerts do not.
     pub(super) fn is_of_vehicles(&self) -> bool {
         !matches!(
             self,
             Self::Passed(_)
                 | Self::Compared {
-                    field: Field::Contacts,
+                    field: Field::Contacts | Field::Alerts,
                     ..
                 }
         )
@@ -168,7 +176,7 @@ impl Until {
     pub fn holds(&self, vehicle: &Vehicle, seen: Seen<'_>) -> bool {
         match self {
             Self::Passed(_) => false,
-            Self::Situation(situation) => situation.holds(vehicle, seen.ledger),
+            Self::Situation(situation) => situation.holds(vehicle, seen),
             Self::Mode(name) => vehicle.mode().is_some_and(|mode| {
                 mode.is(name)
                     || name

@@ -65,6 +65,8 @@ pub(crate) enum Action {
         /// The condition that answers it; `None` for an alert that needs no answer.
         ok: Option<Expression>,
         within: Duration,
+        /// The index of the vehicle that it is about, from 0.
+        about: Option<usize>,
     },
     Weather(Change),
     /// Switches a zone, by its index in the file, on or off.

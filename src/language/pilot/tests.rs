@@ -242,6 +242,7 @@ fn a_script_waits_for_what_sensors_have_found() {
     let findings = Findings {
         contacts: 3,
         readings: BTreeMap::from([(1, 20.5), (2, 4.0)]),
+        alerts: vec![Some(2), None],
     };
     for (line, met) in [
         ("wait contacts >= 3", true),
@@ -250,6 +251,10 @@ fn a_script_waits_for_what_sensors_have_found() {
         ("wait 2 reading > 20", false),
         ("wait all reading > 3.9 timeout 2min", true),
         ("wait 3 reading < 1", false),
+        ("wait alerts >= 2", true),
+        ("wait alerts > 2", false),
+        ("wait 2 alerted", true),
+        ("wait 1-2 alerted", false),
     ] {
         let seen = Seen {
             vehicles: &swarm,
@@ -259,4 +264,65 @@ fn a_script_waits_for_what_sensors_have_found() {
         let events = pilot(line).step(at(0.0), seen);
         assert_eq!(events.len(), usize::from(met), "{line}");
     }
+}
+
+#[test]
+fn a_line_with_a_condition_is_left_out_unless_it_holds() {
+    let (ledger, swarm) = (Ledger::new(), swarm(true));
+    let findings = Findings {
+        alerts: vec![Some(2)],
+        ..Findings::default()
+    };
+    let seen = Seen {
+        vehicles: &swarm,
+        ledger: &ledger,
+        findings: &findings,
+    };
+    let source =
+        "if 1 alerted then 1 land\nif 2 alerted then 2 land\nif alerts >= 1 then all rtl\n";
+    let mut pilot = pilot(source);
+    let mut lines = Vec::new();
+    for tenth in 0..4 {
+        let events = pilot.step(at(f64::from(tenth) / 10.0), seen);
+        lines.extend(events.into_iter().filter_map(|event| match event {
+            PilotEvent::Do(statement) => Some(statement.line),
+            PilotEvent::WaitTimedOut { .. } | PilotEvent::Finished => None,
+        }));
+    }
+    assert_eq!(lines, ["2 land", "all rtl"]);
+}
+
+#[test]
+fn a_condition_is_judged_once_before_a_wait() {
+    let (ledger, findings) = (Ledger::new(), Findings::default());
+    let mut pilot = pilot("if all armed then wait all disarmed timeout 20s\nall land\n");
+    let mut done = |armed: bool, s: f64| {
+        let swarm = swarm(armed);
+        let seen = Seen {
+            vehicles: &swarm,
+            ledger: &ledger,
+            findings: &findings,
+        };
+        let events = pilot.step(at(s), seen);
+        events
+            .iter()
+            .filter(|it| matches!(it, PilotEvent::Do(_)))
+            .count()
+    };
+    assert_eq!(
+        (done(true, 0.0), done(true, 1.0), done(false, 2.0)),
+        (0, 0, 1)
+    );
+}
+
+#[test]
+fn faults_of_a_condition_are_where_they_are_written() {
+    let source =
+        "if 1 alarmed then 1 rtl\nif 1 armed 1 rtl\nif 1 armed then 1 rtll\nif 5s then all rtl\n";
+    let faults = Script::parse(source, &Context::default()).expect_err("four faults");
+    let found: Vec<&str> = faults
+        .iter()
+        .map(|fault| source[fault.span.clone()].trim())
+        .collect();
+    assert_eq!(found, ["alarmed", "if", "rtll", "5s"]);
 }

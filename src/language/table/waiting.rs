@@ -30,6 +30,7 @@ const WAIT: VerbRow = VerbRow {
         "wait all disarmed timeout 3min",
         "wait contacts >= 3 timeout 2min",
         "wait 1 reading > 20",
+        "wait alerts >= 1 timeout 2min",
     ],
     forms: &[
         Form::new(
@@ -126,6 +127,19 @@ const WAIT: VerbRow = VerbRow {
                     "field",
                     Kind::Choice(&[Field::Contacts.into_str()]),
                     "argument-contact-count",
+                ),
+                RELATION,
+                Argument::value("value", Kind::Whole(Unit::None, 0.0, 1e6), ""),
+                TIMEOUT,
+            ],
+            compare,
+        ),
+        Form::new(
+            &[
+                Argument::value(
+                    "field",
+                    Kind::Choice(&[Field::Alerts.into_str()]),
+                    "argument-alert-count",
                 ),
                 RELATION,
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 1e6), ""),

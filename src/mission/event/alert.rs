@@ -6,13 +6,24 @@ use std::time::Duration;
 use super::expression::Expression;
 use crate::scoring::{AlertFact, AlertLevel};
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// All alerts of a flight.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Alerts {
     facts: Vec<AlertFact>,
-    /// The unanswered alerts: the index among the facts, and the condition that answers the alert.
-    open: Vec<(usize, Expression)>,
+    open: Vec<AlertQuestion>,
+}
+
+/// An alert without an answer.
+#[derive(Debug, Clone)]
+struct AlertQuestion {
+    /// Its index among the facts.
+    place: usize,
+    /// The condition that answers it.
+    ok: Expression,
+    /// The vehicle that it is about, if it is about one.
+    vehicle: Option<VehicleId>,
 }
 
 /// An alert that waits for its answer.
@@ -26,28 +37,28 @@ pub struct OpenAlert {
 
 impl Alerts {
     /// Records an alert that must be answered; returns its index among the facts.
-    pub fn raise(&mut self, fact: AlertFact, ok: Expression) -> usize {
+    pub fn raise(&mut self, fact: AlertFact, ok: Expression, vehicle: Option<VehicleId>) -> usize {
         let place = self.facts.len();
-        self.open.push((place, ok));
+        self.open.push(AlertQuestion { place, ok, vehicle });
         self.facts.push(fact);
         place
     }
 
     /// The conditions that answer the open alerts, in the order of [`Self::answer`].
     pub fn conditions(&self) -> impl Iterator<Item = &Expression> {
-        self.open.iter().map(|(_, ok)| ok)
+        self.open.iter().map(|question| &question.ok)
     }
 
     /// Closes the alerts whose condition holds; returns their indices among the facts.
     pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<usize> {
         let mut answered = Vec::new();
         let mut holds = holds.iter();
-        self.open.retain(|(index, _)| {
+        self.open.retain(|AlertQuestion { place, .. }| {
             let is_answered = holds.next() == Some(&true);
             if is_answered {
-                let fact = &mut self.facts[*index];
+                let fact = &mut self.facts[*place];
                 fact.answered_after = Some(now.saturating_sub(fact.at));
-                answered.push(*index);
+                answered.push(*place);
             }
             !is_answered
         });
@@ -62,13 +73,19 @@ impl Alerts {
     /// The levels of the unanswered alerts.
     pub fn levels(&self) -> BTreeSet<AlertLevel> {
         let open = self.open.iter();
-        open.map(|(index, _)| self.facts[*index].level).collect()
+        open.map(|question| self.facts[question.place].level)
+            .collect()
+    }
+
+    /// The vehicle of each unanswered alert, if it is about one.
+    pub fn subjects(&self) -> impl Iterator<Item = Option<VehicleId>> {
+        self.open.iter().map(|question| question.vehicle)
     }
 
     /// The unanswered alerts, the most urgent first.
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
-        let of = |(index, _): &(usize, Expression)| {
-            let fact = &self.facts[*index];
+        let of = |question: &AlertQuestion| {
+            let fact = &self.facts[question.place];
             OpenAlert {
                 text: fact.text.clone(),
                 level: fact.level,

@@ -6,15 +6,16 @@ use std::time::Duration;
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 
+use super::Action;
 use super::airspace::Airspace;
 use super::alert::{Alerts, OpenAlert};
 use super::demand::{Demand, Demands};
+use super::expression::{self, Expression};
 use super::fault::Breakdowns;
 use super::mover::Mover;
 use super::scope::{Scope, Sight};
 use super::standard::Standard;
 use super::weather::{Change, Drift};
-use super::{Action, expression};
 use crate::mission::craft::Breach;
 use crate::mission::weather::Weather;
 use crate::mission::zone::Zone;
@@ -40,6 +41,8 @@ pub(crate) enum EngineNews {
     Alert {
         level: AlertLevel,
         text: Text,
+        /// The vehicle that it is about, if it is about one.
+        vehicle: Option<VehicleId>,
         /// Its index among the [facts](Engine::alert_facts) if it must be answered.
         fact: Option<usize>,
     },
@@ -197,7 +200,9 @@ impl Engine {
                 text,
                 ok,
                 within,
+                about,
             } => {
+                let vehicle = about.and_then(|seat| Some(sight.crafts.get(seat)?.id));
                 let fact = || AlertFact {
                     text: text.clone(),
                     level: *level,
@@ -205,10 +210,12 @@ impl Engine {
                     limit: *within,
                     answered_after: None,
                 };
-                let raised = ok.as_ref().map(|ok| self.alerts.raise(fact(), ok.clone()));
+                let raise = |ok: &Expression| self.alerts.raise(fact(), ok.clone(), vehicle);
+                let raised = ok.as_ref().map(raise);
                 news.push(EngineNews::Alert {
                     level: *level,
                     text: text.clone(),
+                    vehicle,
                     fact: raised,
                 });
             }
@@ -285,6 +292,11 @@ impl Engine {
     /// All alerts that had to be answered.
     pub fn alert_facts(&self) -> &[AlertFact] {
         self.alerts.facts()
+    }
+
+    /// The vehicle of each unanswered alert, if it is about one.
+    pub fn alert_subjects(&self) -> impl Iterator<Item = Option<VehicleId>> {
+        self.alerts.subjects()
     }
 
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {

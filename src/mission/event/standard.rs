@@ -105,6 +105,7 @@ impl Standard {
             text: self.title(),
             ok: None,
             within: level.usual_limit(),
+            about: None,
         };
         vec![deed, told]
     }

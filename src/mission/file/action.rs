@@ -12,7 +12,7 @@ use crate::mission::event::mover::{MoverKind, Spawn};
 use crate::mission::event::weather::{Change, Element, Target};
 use crate::mission::format::{
     Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, number, point, seconds,
-    text, time, word,
+    text, time, whole, word,
 };
 use crate::scoring::AlertLevel;
 
@@ -89,6 +89,15 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
         seconds(1.0, 3600.0),
         "time to answer (default 60, 30 or 10 s, by level)",
     );
+    let about = table.may(
+        "vehicle",
+        whole(1, 250, ""),
+        "number of the vehicle that the alert is about",
+    );
+    let pads = table.draft().pads.len();
+    if about.is_some_and(|number| number as usize > pads) {
+        table.fault_of("vehicle", format!("`vehicle` is a number from 1 to {pads}"));
+    }
     if within.is_some() && !table.is_written("ok") {
         let message = "`within` needs an `ok`: the condition that answers the alert";
         table.fault_of("within", message);
@@ -99,6 +108,7 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
         text: text?,
         ok,
         within: within.unwrap_or_else(|| level.usual_limit()),
+        about: about.map(|number| number as usize - 1),
     })
 }
 

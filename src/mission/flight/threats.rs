@@ -58,7 +58,12 @@ impl Threats {
                 let kind = EventKind::MissionEvent;
                 journal.say(JournalEntry::new(kind, Severity::Notice, text));
             }
-            EngineNews::Alert { level, text, fact } => {
+            EngineNews::Alert {
+                level,
+                text,
+                vehicle,
+                fact,
+            } => {
                 let severity = match level {
                     AlertLevel::Caution => Severity::Notice,
                     AlertLevel::Warning => Severity::Warning,
@@ -67,6 +72,7 @@ impl Threats {
                 let entry = JournalEntry::new(EventKind::Alert, severity, text);
                 journal.say(JournalEntry {
                     about: fact.map(JournalSubject::Alert),
+                    vehicle,
                     ..entry
                 });
             }

@@ -76,6 +76,7 @@ impl Flight {
         Findings {
             contacts: self.search.contacts().len(),
             readings: self.crafts.iter().filter_map(reading).collect(),
+            alerts: self.threats.engine().alert_subjects().collect(),
         }
     }
 
