@@ -280,12 +280,12 @@ impl<L> Exercise<L> {
         let said = flight.step(tick, &self.vehicles, &self.ledger);
         self.notices.extend(said);
         for demand in flight.take_demands() {
-            if let Some(session) = session(&mut self.seats, demand.vehicle) {
-                session.carry_out(demand.want);
-            }
-            let radio = Happening::of_demand(demand.vehicle, demand.want);
+            let radio = Happening::of_demand(demand.vehicle, &demand.want);
             if let (Some(log), Some(radio)) = (&mut self.log, radio) {
                 log.note(now, radio);
+            }
+            if let Some(session) = session(&mut self.seats, demand.vehicle) {
+                session.carry_out(demand.want);
             }
         }
         let ms = tick.as_millis() as u64;

@@ -24,6 +24,7 @@ use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
 
 mod area;
+mod board;
 mod campaign;
 mod check;
 mod clock;
@@ -50,6 +51,7 @@ mod needs;
 mod objective;
 mod pad;
 mod parts;
+mod planning;
 mod progress;
 mod radio;
 pub mod record;
@@ -124,6 +126,8 @@ pub struct Mission {
     pub scoring: scoring::ScoreRules,
     pub site: MissionSite,
     pub seats: MissionSeats,
+    /// The plans and the fence on board at the start.
+    pub(crate) board: board::BoardSetup,
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) events: Vec<event::Event>,
     /// Threats that an instructor may trigger, besides the mission's own.

@@ -185,9 +185,13 @@ impl Session {
         link.last_heard = link.last_heard.map(|heard| heard + lasted);
     }
 
-    /// Applies a change to the vehicle's simulator or to the radio link.
+    /// Applies a change to the vehicle, its simulator or the radio link.
     pub fn carry_out(&mut self, want: Want) {
-        self.surroundings.carry_out(want, self.vehicle.id);
+        match want {
+            Want::Parameter { name, value } => self.surroundings.set_parameter(name, value),
+            Want::Radio(fault) => self.surroundings.set_radio(fault, self.vehicle.id),
+            Want::Lists(document) => self.lists.stock(&document),
+        }
     }
 
     /// Whether the radio link is cut, also for our heartbeats.

@@ -140,6 +140,10 @@ pub enum CountsAs {
     Task,
     /// A command that changes a setting beside the task, in its own slot.
     Setting,
+    /// As [`CountsAs::Setting`]: another plan on board.
+    PlanChange,
+    /// As [`CountsAs::Setting`]: the plan on board was flown in simulation.
+    Rehearsal,
     /// A query to a vehicle: a refusal counts, an acceptance earns nothing.
     Question,
     /// A report of a contact, which is not sent to vehicles: a refusal counts, an acceptance earns nothing.
@@ -157,14 +161,21 @@ impl CountsAs {
     pub fn is_said_to_mission(self) -> bool {
         match self {
             Self::Word | Self::Pledge | Self::SelfReport => true,
-            Self::Task | Self::Setting | Self::Question | Self::Report => false,
+            Self::Task
+            | Self::Setting
+            | Self::PlanChange
+            | Self::Rehearsal
+            | Self::Question
+            | Self::Report => false,
         }
     }
 
     /// Whether it is sent to vehicles.
     pub fn is_for_vehicles(self) -> bool {
         match self {
-            Self::Task | Self::Setting | Self::Question => true,
+            Self::Task | Self::Setting | Self::PlanChange | Self::Rehearsal | Self::Question => {
+                true
+            }
             Self::Report | Self::Word | Self::Pledge | Self::SelfReport => false,
         }
     }

@@ -11,6 +11,7 @@ skill-separation = separation and airspace
 skill-swarm = tasking a swarm
 skill-design = designing drones
 skill-judgement = self-assessment
+skill-plans = making and checking plans
 skill-prediction = predicted score
 
 locked-pass = pass { $mission }

@@ -11,6 +11,7 @@ skill-separation = розведення в повітрі
 skill-swarm = керування роєм
 skill-design = проєктування дронів
 skill-judgement = самооцінка
+skill-plans = складання й перевірка планів
 skill-prediction = передбачені бали
 
 locked-pass = пройдіть «{ $mission }»

@@ -12,6 +12,8 @@ use crate::sim::{PortId, STEP, World};
 use crate::text;
 use crate::workshop::Design;
 
+mod plans;
+
 const MISSION: &str = include_str!("../../missions/01-air-sample.toml");
 const PILOT: &str = include_str!("../../missions/pilots/01-air-sample.pilot");
 

@@ -11,7 +11,7 @@ pub struct Requires {
     pub missions: Vec<String>,
     /// The minimum medal for each listed mission, by id.
     pub medals: BTreeMap<String, Medal>,
-    /// The minimum probability of mastery of each skill, 0 to 1, by its code `K1` to `K12`.
+    /// The minimum probability of mastery of each skill, 0 to 1, by its code `K1` to `K13`.
     pub skills: BTreeMap<String, f64>,
 }
 

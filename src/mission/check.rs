@@ -10,6 +10,7 @@ use super::format::WrittenValue;
 use super::objective::{Demands, Objective};
 use crate::diagnostic::Diagnostic;
 
+mod board;
 mod budget;
 mod events;
 mod hints;
@@ -42,6 +43,7 @@ impl Mission {
         };
         zones::check(&mut examined);
         room::check(&mut examined);
+        board::check(&mut examined);
         budget::check(&mut examined);
         reach::check(&mut examined);
         idle::check(&mut examined);

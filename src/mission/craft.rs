@@ -43,6 +43,8 @@ pub(crate) struct Craft {
     pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
+    /// Whether its mode is the one that flies plans.
+    pub in_auto: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
     /// Whether it has crashed, or its simulator's process has ended.
@@ -83,6 +85,7 @@ impl Craft {
             ready: false,
             armed: false,
             airborne: false,
+            in_auto: false,
             flown: false,
             lost: false,
             heard: false,
@@ -108,6 +111,11 @@ impl Craft {
     /// Whether its detectors work and its radio delivers what they see.
     pub fn can_see(&self) -> bool {
         self.heard && self.airborne && !self.lost
+    }
+
+    /// Whether it flies a plan.
+    pub fn flies_plan(&self) -> bool {
+        self.in_auto && self.airborne && !self.lost
     }
 
     /// Its true position, also while the operator does not receive it.
@@ -183,6 +191,7 @@ impl Craft {
         self.ready = vehicle.ready_to_arm();
         self.armed = vehicle.armed();
         self.airborne = vehicle.airborne();
+        self.in_auto = vehicle.flies_plan();
         self.flown |= self.airborne && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
         let sound =

@@ -3,6 +3,7 @@
 
 use toml::de::DeTable;
 
+use super::board::BoardSetup;
 use super::event::Event;
 use super::event::standard::Standard;
 use super::format::{self, Draft, FileTable, WrittenValue, describe, table, tables};
@@ -18,6 +19,7 @@ use crate::scoring::ScoreRules;
 
 mod action;
 mod advice;
+mod board;
 mod career;
 mod condition;
 mod events;
@@ -104,6 +106,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
             radio: course.radio,
         },
         seats: setting.fleet.seats(),
+        board: content.board,
         objectives: content.objectives,
         events: course.events,
         may_inject: course.may_inject,
@@ -153,8 +156,9 @@ impl MissionSetting {
     }
 }
 
-/// Zones, places, hazards and objectives.
+/// Zones, places, plans on board, hazards and objectives.
 struct MissionContent {
+    board: BoardSetup,
     places: Vec<(String, Point)>,
     hazards: Vec<Box<dyn Hazard>>,
     objectives: Vec<super::objective::Objective>,
@@ -175,6 +179,13 @@ impl MissionContent {
             "named points for commands and objectives",
         );
         file.draft().places = places.unwrap_or_default();
+        let board = file.may(
+            "board",
+            table(board::board),
+            "the plans and the fence that the vehicles carry at the start; without this table, none",
+        );
+        let board = board.unwrap_or_default();
+        file.draft().has_plans = !board.routes.is_empty();
         let hazards_form = tables(hazard, MOST_HAZARDS);
         let hazards = file.may(
             "hazards",
@@ -193,6 +204,7 @@ impl MissionContent {
         );
         let places = file.draft().places.iter();
         Self {
+            board,
             places: places.map(|place| (place.name.clone(), place.at)).collect(),
             hazards: hazards.unwrap_or_default(),
             objectives: objectives.unwrap_or_default(),

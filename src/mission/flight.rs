@@ -10,6 +10,7 @@ use super::craft::Craft;
 use super::event::demand::Demand;
 use super::event::scope::Sight;
 use super::objective::{ObjectiveScene, ObjectiveStanding};
+use super::planning::PlanLog;
 use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
@@ -73,6 +74,9 @@ pub struct Flight {
     /// How the vehicles are used and led.
     swarm: SwarmAccount,
     threats: Threats,
+    plans: PlanLog,
+    /// What the vehicles need before the flight, until it is taken.
+    board: Vec<Demand>,
     clues: CluesGiven,
     /// The index of the lesson's current step.
     lesson_step: Option<usize>,
@@ -103,6 +107,8 @@ impl Flight {
             orders: OrderCount::default(),
             swarm: SwarmAccount::default(),
             threats: Threats::new(&mission, seed),
+            plans: PlanLog::default(),
+            board: Vec::new(),
             clues: CluesGiven::default(),
             lesson_step: None,
             reached_hints: Vec::new(),
@@ -171,6 +177,7 @@ impl Flight {
         self.search
             .step(&self.crafts, &self.world, &mut self.journal);
         self.orders.step(vehicles, ledger, &mut self.journal);
+        self.plans.step(ledger, self.elapsed);
         self.swarm
             .step(&self.crafts, &self.surveys, ledger, self.elapsed);
         self.surveys.step(&self.crafts, |vehicle, text| {
@@ -260,9 +267,11 @@ impl Flight {
         result::report(self, ledger)
     }
 
-    /// The changes to make to simulators and links since the last call.
+    /// The changes to make to vehicles, simulators and links since the last call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
-        self.threats.take_demands()
+        let mut demands = std::mem::take(&mut self.board);
+        demands.extend(self.threats.take_demands());
+        demands
     }
 
     /// Enlists the vehicles that are heard, as many as the mission has seats, in the order of their system ids. A seat
@@ -277,6 +286,10 @@ impl Flight {
                 self.loads.add(fit);
                 self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
                 self.swarm.add(id);
+                let seat = self.crafts.len() - 1;
+                let wants = self.mission.board_wants(seat, self.seed).into_iter();
+                self.board
+                    .extend(wants.map(|want| Demand { vehicle: id, want }));
             }
         }
     }
@@ -359,6 +372,7 @@ impl Flight {
             marks: self.search.marks(),
             margins_db: self.threats.engine().margins_db(),
             releases: self.loads.releases(),
+            plans: &self.plans,
         }
     }
 

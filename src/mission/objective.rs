@@ -8,6 +8,7 @@ use super::Point;
 use super::craft::Craft;
 use super::format::{CountTarget, FileTable, KindOf, ObjectiveTarget, number};
 use super::ground_truth::Release;
+use super::planning::PlanLog;
 use super::report::Mark;
 use super::skill::Skill;
 use super::survey::{Survey, SurveyPlan};
@@ -31,6 +32,7 @@ mod link;
 mod locate;
 mod map_error;
 mod perimeter;
+mod plans;
 mod protect;
 mod recover;
 mod route;
@@ -152,6 +154,8 @@ pub(crate) struct ObjectiveScene<'a> {
     /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub releases: &'a [Release],
+    /// What was done with the plans on board.
+    pub plans: &'a PlanLog,
 }
 
 impl<'a> ObjectiveScene<'a> {
@@ -166,6 +170,7 @@ impl<'a> ObjectiveScene<'a> {
             marks: &[],
             margins_db: const { &BTreeMap::new() },
             releases: &[],
+            plans: const { &PlanLog::NONE },
         }
     }
 
@@ -265,6 +270,9 @@ pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
     protect::PROTECT,
     protect::CONTAIN,
     dose::KIND,
+    plans::REHEARSED,
+    plans::MENDED,
+    plans::KEPT,
 ];
 
 #[cfg(test)]

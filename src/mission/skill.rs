@@ -46,13 +46,15 @@ pub enum Skill {
     K11,
     /// Judgement of one's own work.
     K12,
+    /// Plans: making them, checking them, flying them.
+    K13,
 }
 
 impl Skill {
     /// All skills in the order of their codes.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
-    /// `K1` to `K12`, as in mission files.
+    /// `K1` to `K13`, as in mission files.
     pub fn code(self) -> &'static str {
         self.into()
     }
@@ -77,6 +79,7 @@ impl Skill {
             Self::K10 => text!("skill-swarm"),
             Self::K11 => text!("skill-design"),
             Self::K12 => text!("skill-judgement"),
+            Self::K13 => text!("skill-plans"),
         }
     }
 }

@@ -7,6 +7,7 @@ use std::time::Duration;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
+use super::board::PlanFault;
 use super::ground_truth::{Load, LoadEffect, Object, Quantity, TruthPiece};
 use super::hazard::{Field, Hazard};
 use super::weather::Weather;
@@ -28,6 +29,8 @@ pub(crate) struct World {
     fields: Vec<Box<dyn Field>>,
     /// The kinds to report, each with its hazard.
     sought: BTreeSet<(FindKind, usize)>,
+    /// The fault of the plan that each vehicle carries at the start, by seat; empty without such plans.
+    pub plan_faults: Vec<Option<PlanFault>>,
     seed: u64,
 }
 
@@ -50,6 +53,7 @@ impl World {
         Self {
             seed,
             weather: mission.site.weather,
+            plan_faults: mission.board.drawn(seed),
             sought: objects
                 .filter_map(|(hazard, object)| Some((object.class.kind()?, hazard)))
                 .collect(),
@@ -70,6 +74,7 @@ impl World {
         Self {
             seed: 0,
             weather,
+            plan_faults: Vec::new(),
             sought: objects
                 .iter()
                 .filter_map(|object| Some((object.class.kind()?, 0)))

@@ -213,12 +213,12 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// The line of a demand that belongs in the journal: the radio, which the console simulates. The simulator's
-    /// answers are in telemetry.
-    pub fn of_demand(vehicle: VehicleId, want: Want) -> Option<Self> {
+    /// The line of a demand that belongs in the journal: the radio, which the console simulates. The vehicle's answers
+    /// to others are in telemetry.
+    pub fn of_demand(vehicle: VehicleId, want: &Want) -> Option<Self> {
         match want {
-            Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, fault))),
-            Want::Parameter { .. } => None,
+            Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, *fault))),
+            Want::Parameter { .. } | Want::Lists(_) => None,
         }
     }
 }

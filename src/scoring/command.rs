@@ -241,7 +241,9 @@ enum Slot {
 fn slot(verb: &'static Verb) -> Option<Slot> {
     match verb.counts_as {
         CountsAs::Task => Some(Slot::Task),
-        CountsAs::Setting => Some(Slot::Setting(verb.name)),
+        CountsAs::Setting | CountsAs::PlanChange | CountsAs::Rehearsal => {
+            Some(Slot::Setting(verb.name))
+        }
         CountsAs::Question
         | CountsAs::Report
         | CountsAs::Word

@@ -9,6 +9,7 @@ use super::output::Output;
 use super::plan_orders::{Desk, PlanOrders, PlanShelf};
 use super::plans::PlanReader;
 use crate::parameters::ParameterList;
+use crate::plan::Document;
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -48,6 +49,11 @@ impl Lists {
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         self.reader.forget();
         self.orders.begin_anew(ftp, now);
+    }
+
+    /// Puts the lists of a document on board before any order.
+    pub fn stock(&mut self, document: &Arc<Document>) {
+        self.orders.stock(document);
     }
 
     pub fn order(&mut self, order: VehicleCommand, desk: ListsDesk<'_>) {

@@ -27,12 +27,14 @@ mod packed;
 mod reading;
 mod sending;
 mod shelf;
+mod stock;
 #[cfg(test)]
 mod tests;
 mod transaction;
 
 pub(crate) use shelf::format_of;
 pub use shelf::{GuardedShelf, PlanOnFile, PlanShelf};
+use stock::Stock;
 use transaction::{Outcome, Transaction};
 
 /// The maximum number of orders that wait for one vehicle.
@@ -54,6 +56,8 @@ pub(super) struct Desk<'a> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanOrders {
     shelf: Option<Arc<dyn PlanShelf>>,
+    /// Lists that a mission puts on board, before any order.
+    stock: Stock,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
     /// Whether the lists kept from earlier transfers have been named.
@@ -63,7 +67,8 @@ pub(super) struct PlanOrders {
 /// The order in progress, and its transfer.
 #[derive(Debug, Clone)]
 struct Job {
-    order: VehicleCommand,
+    /// The order that is told the progress; `None` for a list of the mission.
+    order: Option<VehicleCommand>,
     command: PlanCommand,
     transaction: Box<Transaction>,
     /// What may be wrong with the list that is sent.
@@ -82,7 +87,12 @@ impl PlanOrders {
 
     /// Whether an order is carried out.
     pub fn is_busy(&self) -> bool {
-        self.job.is_some() || !self.waiting.is_empty()
+        self.job.is_some() || !self.waiting.is_empty() || !self.stock.is_empty()
+    }
+
+    /// Puts the lists of a document on board before any order, as soon as the vehicle is heard.
+    pub fn stock(&mut self, document: &Arc<Document>) {
+        self.stock.add(document);
     }
 
     pub fn order(&mut self, order: VehicleCommand, desk: &mut Desk<'_>) {
@@ -120,6 +130,9 @@ impl PlanOrders {
     pub fn poll(&mut self, desk: &mut Desk<'_>) {
         self.name_kept(desk);
         if self.job.is_none() {
+            self.begin_stock(desk);
+        }
+        if self.job.is_none() && self.stock.is_empty() {
             self.begin(desk);
         }
         let Some(job) = &mut self.job else {
@@ -132,6 +145,9 @@ impl PlanOrders {
                 job.put_away(&outcome, self.shelf.as_deref(), desk.vehicle.id);
                 let (state, text) = job.finish(outcome, self.shelf.as_deref(), desk);
                 job.report(state, Some(text), desk);
+                if job.order.is_none() {
+                    self.stock.note(state == RowState::Done);
+                }
                 self.job = None;
             }
         }
@@ -150,24 +166,28 @@ impl PlanOrders {
         desk.output.reports.extend(notices.map(Report::Notice));
     }
 
+    /// Sends the next list of the mission. The vehicle must have a home by then: it is read back as item 0 of the plan.
+    fn begin_stock(&mut self, desk: &mut Desk<'_>) {
+        let is_ready = desk.vehicle.heartbeat.is_some() && desk.vehicle.home.is_some();
+        let Some((command, document)) = self.stock.upload().filter(|_| is_ready) else {
+            return;
+        };
+        // It is not checked: a mission may put faulty lists on board.
+        let list = Wanted {
+            items: Some(whole(&document, command.kind)),
+            ..Wanted::default()
+        };
+        self.job = Some(Job::begin(None, command, list, desk));
+    }
+
     fn begin(&mut self, desk: &mut Desk<'_>) {
         while let Some(order) = self.waiting.pop_front() {
             let Command::Plan(command) = order.command.clone() else {
                 continue;
             };
             match wanted(&command, self.shelf.as_deref(), desk) {
-                Ok(Wanted { items, warnings }) => {
-                    let mut messages = Vec::new();
-                    desk.plans.make_way(desk.now, &mut messages);
-                    desk.output.send(messages);
-                    let transaction = Transaction::new(command.kind, items, desk);
-                    let job = Job {
-                        order,
-                        command,
-                        transaction: Box::new(transaction),
-                        warnings,
-                        told: None,
-                    };
+                Ok(new) => {
+                    let job = Job::begin(Some(order), command, new, desk);
                     job.report(RowState::Sent, None, desk);
                     self.job = Some(job);
                     return;
@@ -272,9 +292,32 @@ fn named(file: &str, vehicle: &Vehicle) -> String {
 }
 
 impl Job {
+    /// Begins a transfer, before which any reading makes way.
+    fn begin(
+        order: Option<VehicleCommand>,
+        command: PlanCommand,
+        wanted: Wanted,
+        desk: &mut Desk<'_>,
+    ) -> Self {
+        let mut messages = Vec::new();
+        desk.plans.make_way(desk.now, &mut messages);
+        desk.output.send(messages);
+        let transaction = Transaction::new(command.kind, wanted.items, desk);
+        Self {
+            order,
+            command,
+            transaction: Box::new(transaction),
+            warnings: wanted.warnings,
+            told: None,
+        }
+    }
+
     fn report(&self, state: RowState, explanation: Option<Text>, desk: &mut Desk<'_>) {
+        let Some(order) = &self.order else {
+            return;
+        };
         let row = RowUpdate {
-            entry: self.order.entry,
+            entry: order.entry,
             vehicle: desk.vehicle.id,
             state,
             tries: 1,

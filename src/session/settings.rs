@@ -4,6 +4,7 @@
 //! confirms the value, and again after a reboot.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -11,6 +12,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::RadioFault;
 use crate::commands::{Command, ParameterCommand};
 use crate::parameters::other_name;
+use crate::plan::Document;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
@@ -21,8 +23,9 @@ const LONGEST_PATIENCE: Duration = Duration::from_secs(5);
 /// The maximum number of settings in progress; a link of 57600 baud can carry them.
 const MOST_AT_ONCE: usize = 8;
 
-/// A change to a simulator or a link, made without a notice. It lasts until another of its kind replaces it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A change to a vehicle, its simulator or its link, made without a notice. It lasts until another of its kind replaces
+/// it.
+#[derive(Debug, Clone, PartialEq)]
 pub enum Want {
     /// Sets a parameter of the simulator.
     Parameter {
@@ -32,6 +35,8 @@ pub enum Want {
     },
     /// Sets the state of the radio link.
     Radio(RadioFault),
+    /// Puts the lists of a document on board; lists that are empty in it stay as they are.
+    Lists(Arc<Document>),
 }
 
 #[derive(Debug, Clone)]

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use super::radio::{self, Channel};
-use super::settings::{Settings, Want};
+use super::radio::{self, Channel, RadioFault};
+use super::settings::Settings;
 use crate::vehicle::{Vehicle, VehicleId};
 use crate::wire::{Frame, Outgoing};
 
@@ -25,12 +25,14 @@ impl Surroundings {
         }
     }
 
-    /// Applies a change; `vehicle` distinguishes the links of one flight.
-    pub fn carry_out(&mut self, want: Want, vehicle: VehicleId) {
-        match want {
-            Want::Parameter { name, value } => self.settings.want(name, value),
-            Want::Radio(fault) => self.channel.set(fault, u64::from(vehicle)),
-        }
+    /// Sets the value that a parameter of the simulator must have.
+    pub fn set_parameter(&mut self, name: &'static str, value: f64) {
+        self.settings.want(name, value);
+    }
+
+    /// Sets the state of the radio link; `vehicle` distinguishes the links of one flight.
+    pub fn set_radio(&mut self, fault: RadioFault, vehicle: VehicleId) {
+        self.channel.set(fault, u64::from(vehicle));
     }
 
     /// Whether the radio link is cut, also for our heartbeats.

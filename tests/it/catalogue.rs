@@ -12,7 +12,7 @@ use std::thread;
 use sortie::exercise::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::record::{Occasion, Stored};
-use sortie::mission::{Mission, Report};
+use sortie::mission::{Mission, Report, Skill};
 use sortie::scoring::{FlightBackend, Medal};
 
 /// The maximum number of points for a flight without any command.
@@ -33,8 +33,10 @@ impl Course {
     fn script(&self, source: &str) -> Script {
         let vehicles: Vec<u16> = (1..=self.mission.seats.count as u16).collect();
         let places = self.mission.places_to_name();
+        let areas = self.mission.named_areas();
         let context = Context {
             places: Some(&places),
+            areas: Some(&areas),
             vehicles: &vehicles,
             ..Context::default()
         };
@@ -177,6 +179,18 @@ fn every_mission_speaks_both_languages_and_has_its_pilots() {
         let wanted = ids.contains(&pilot.as_str()) || pilot.ends_with("-naive");
         assert!(wanted, "{pilot}.pilot flies no mission");
     }
+}
+
+#[test]
+fn missions_about_plans_train_the_skill_of_plans() {
+    let trains = |course: &Course| {
+        let mut skills = course.mission.objective_skills();
+        skills.any(|(_, skill)| skill == Some(Skill::K13))
+    };
+    let all = courses();
+    let training = all.iter().filter(|course| trains(course));
+    let names: Vec<&str> = training.map(|course| number(&course.name)).collect();
+    assert_eq!(names, ["15", "16", "d15", "d16"]);
 }
 
 #[test]

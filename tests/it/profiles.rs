@@ -194,7 +194,7 @@ fn a_report_has_missions_skills_and_flights_in_every_format() {
     let shown = said(data, &["report", "--format", "json", "--output", "-"]);
     assert_eq!(json(&shown)["profile"], "Anna");
     let skills = said(data, &["report", "--format", "csv", "--table", "skills"]);
-    assert_eq!(skills.lines().count(), 13, "{skills}");
+    assert_eq!(skills.lines().count(), 14, "{skills}");
     let file = data.join("report.json");
     let written = file.to_str().expect("a path of ours");
     said(data, &["report", "--format", "json", "--output", written]);

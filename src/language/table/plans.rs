@@ -86,7 +86,17 @@ const GOTO: Verb = Verb {
     ..list_verb("plan goto")
 };
 
-const REHEARSE: Verb = list_verb("plan rehearse");
+const REHEARSE: Verb = Verb {
+    counts_as: CountsAs::Rehearsal,
+    ..list_verb("plan rehearse")
+};
+
+/// Another plan on board.
+const PUT: Verb = Verb {
+    counts_as: CountsAs::PlanChange,
+    ..list_verb("plan change")
+};
+
 const PAUSE: Verb = Verb {
     retry: CHANGE,
     precedence: Precedence::Urgent,
@@ -140,15 +150,15 @@ const PLAN: VerbRow = VerbRow {
         "all plan abort",
     ],
     forms: &[
-        Form::new(&[UPLOAD], |given| upload(ListKind::Plan, given)),
+        Form::new(&[UPLOAD], |given| upload(ListKind::Plan, given)).meaning(&PUT),
         Form::new(&[DOWNLOAD], |given| download(ListKind::Plan, given)),
-        tasks::SURVEY_BETWEEN,
-        tasks::SURVEY_AROUND,
-        tasks::SURVEY_AREA,
-        tasks::SEARCH_AREA,
-        tasks::SEARCH_AROUND,
-        tasks::SEARCH_FROM_ORIGIN,
-        tasks::ORBIT,
+        tasks::SURVEY_BETWEEN.meaning(&PUT),
+        tasks::SURVEY_AROUND.meaning(&PUT),
+        tasks::SURVEY_AREA.meaning(&PUT),
+        tasks::SEARCH_AREA.meaning(&PUT),
+        tasks::SEARCH_AROUND.meaning(&PUT),
+        tasks::SEARCH_FROM_ORIGIN.meaning(&PUT),
+        tasks::ORBIT.meaning(&PUT),
         Form::new(
             &[
                 Argument::flag("rehearse", ""),
@@ -170,7 +180,8 @@ const PLAN: VerbRow = VerbRow {
         .meaning(&REHEARSE),
         Form::new(&[Argument::flag("clear", "")], |_| {
             deed(ListKind::Plan, PlanDeed::Clear)
-        }),
+        })
+        .meaning(&PUT),
         Form::new(&[Argument::flag("show", "")], |_| {
             deed(ListKind::Plan, PlanDeed::Show)
         }),

@@ -13,11 +13,11 @@ use crate::mission::weather::Weather;
 use crate::session::{RadioFault, Want};
 use crate::vehicle::VehicleId;
 
-/// A change to make to one vehicle's simulator or link, without a notice.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A change to make to one vehicle, its simulator or its link, without a notice.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Demand {
     pub vehicle: VehicleId,
-    /// The change to its simulator or its link.
+    /// The change to it, its simulator or its link.
     pub want: Want,
 }
 

@@ -146,7 +146,7 @@ fn a_jammed_zone_takes_hold_at_its_border_and_lets_go_beyond_it() {
         .iter()
         .filter_map(|demand| match demand.want {
             Want::Parameter { name, value } => Some((name, value)),
-            Want::Radio(_) => None,
+            Want::Radio(_) | Want::Lists(_) => None,
         })
         .collect();
     assert!(all.contains(&("SIM_GPS_DISABLE", 0.0)), "{all:?}");
@@ -182,7 +182,7 @@ fn what_breaks_is_mended_after_its_time() {
         .iter()
         .filter_map(|demand| match demand.want {
             Want::Radio(fault) => Some(fault.is_cut()),
-            Want::Parameter { .. } => None,
+            Want::Parameter { .. } | Want::Lists(_) => None,
         })
         .collect();
     assert_eq!(cut, [true, false]);
@@ -416,4 +416,16 @@ fn a_link_gets_late_and_is_cut_with_the_distance_and_in_noise() {
         links(&mut pilot).last().is_some_and(|link| link.is_cut()),
         "the noise is on"
     );
+}
+
+#[test]
+fn an_alert_about_a_vehicle_is_one_that_scripts_can_wait_for() {
+    let events = "
+        [[events]]\nid = 'hot'\nat = 1\ndo = [{ alert = 'critical', vehicle = 1, text = 'hot', ok = 't > 20' }]
+        [[events]]\nid = 'gust'\nat = 1\ndo = [{ alert = 'warning', text = 'gust', ok = 't > 20' }]";
+    let mut pilot = pilot(events, 1);
+    pilot.wait(3.0);
+    assert_eq!(pilot.flight.findings().alerts, [Some(1), None]);
+    pilot.wait(20.0);
+    assert!(pilot.flight.findings().alerts.is_empty());
 }

@@ -32,7 +32,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
         medals_form,
         "missions in which this medal or a better one is required",
     );
-    let skills_form = map("skill, `K1` to `K12`", number(0.0, 1.0, ""));
+    let skills_form = map("skill, `K1` to `K13`", number(0.0, 1.0, ""));
     let skills = table.may(
         "skills",
         skills_form,

@@ -25,6 +25,8 @@ pub(in crate::mission) struct Draft {
     pub places: Vec<NamedPlace>,
     pub pads: Vec<Point>,
     pub time_limit: Option<Duration>,
+    /// Whether the vehicles carry plans at the start.
+    pub has_plans: bool,
     /// The highest difficulty that the head names.
     pub tier: u8,
     /// The names of places that earlier objectives will define.

@@ -9,7 +9,7 @@ use toml::Spanned;
 use super::{Demands, GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::geo::maths;
 use crate::mission::craft::Craft;
-use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, flag, number};
 use crate::mission::sensor::Sensor;
 use crate::mission::skill::Skill;
 use crate::mission::weather::Light;
@@ -28,6 +28,8 @@ struct Coverage {
     grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
     target: ObjectiveTarget,
+    /// Whether only vehicles that fly a plan sweep cells.
+    by_plan: bool,
 }
 
 /// A zone in square cells; cells with their centre outside are left out.
@@ -46,6 +48,7 @@ struct Sweep {
     grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
     target: ObjectiveTarget,
+    by_plan: bool,
     /// The area that strips have passed over within the zone, counting repeats.
     passed_m2: f64,
 }
@@ -62,12 +65,19 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let cell = number(0.2, 1000.0, "m");
     let side_m = table.need("cell", cell, "side of a cell");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
+    let by_plan = table.or(
+        "by_plan",
+        flag(),
+        false,
+        "`true`: cells count only if the vehicle flies a plan in AUTO",
+    );
     let zone = zone?;
     Some(Box::new(Coverage {
         sensors: detectors(table, sensors?),
         grid: grid(table, &zone.shape, side_m?)?,
         zone,
         target: target?,
+        by_plan,
     }))
 }
 
@@ -153,7 +163,7 @@ impl CoverageGrid {
 
 impl ObjectiveKind for Coverage {
     fn skill(&self, _: usize) -> Option<Skill> {
-        Some(Skill::K6)
+        Some(if self.by_plan { Skill::K13 } else { Skill::K6 })
     }
 
     fn demands(&self) -> Demands<'_> {
@@ -168,6 +178,7 @@ impl ObjectiveKind for Coverage {
             grid: self.grid.clone(),
             sensors: self.sensors.clone(),
             target: self.target,
+            by_plan: self.by_plan,
             passed_m2: 0.0,
         })
     }
@@ -175,7 +186,8 @@ impl ObjectiveKind for Coverage {
 
 impl Sweep {
     fn pass(&mut self, craft: &Craft, light: Light) {
-        let Some(at) = craft.at.filter(|_| craft.can_see()) else {
+        let counts = craft.can_see() && (craft.flies_plan() || !self.by_plan);
+        let Some(at) = craft.at.filter(|_| counts) else {
             return;
         };
         let carried = |sensor: &&&'static Sensor| craft.sensors.iter().any(|s| s.id == sensor.id);
@@ -269,6 +281,7 @@ mod tests {
                 met_at: 0.9,
                 partial_from: 0.5,
             },
+            by_plan: false,
             passed_m2: 0.0,
         }
     }
@@ -324,5 +337,23 @@ mod tests {
             assert!(sweep.grid.swept() < 1e-9, "{height_m} m, {speed_m_s} m/s");
             assert!(sweep.coverage() < 1e-9);
         }
+    }
+
+    #[test]
+    fn by_plan_counts_only_what_a_plan_has_swept() {
+        let swept = |in_auto: bool| {
+            let mut sweep = Sweep {
+                by_plan: true,
+                ..sweep()
+            };
+            let sensors: Vec<_> = Sensor::by_id("s_mag").into_iter().collect();
+            let mut craft = Craft::new(1, &sensors, 1);
+            (craft.heard, craft.airborne, craft.in_auto) = (true, true, in_auto);
+            (craft.height_m, craft.speed_m_s) = (1.5, 2.0);
+            craft.at = Some([10.0, 10.0]);
+            sweep.pass(&craft, Light::Day);
+            sweep.grid.swept() > 0.0
+        };
+        assert!(swept(true) && !swept(false));
     }
 }

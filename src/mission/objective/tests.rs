@@ -1,6 +1,7 @@
 //! Objectives about continuous hazards, flown by the test vehicle.
 
 use crate::commands::{Deed, FindKind, Spot, Subject};
+use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, given};
 use crate::mission::ground_truth::Quantity;
 use crate::mission::world::World;
@@ -181,4 +182,84 @@ fn the_dose_is_the_dose_rate_over_time() {
     pilot.wait(60.0);
     let expected = format!("highest dose {:.2} uSv", rate * 60.0 / 3600.0);
     assert_eq!(pilot.report().objectives[1].result.to_string(), expected);
+}
+
+/// A flight of one vehicle that carries a plan, with a fault or without.
+fn with_plan(faulty: usize) -> Pilot {
+    let board = format!(
+        "[board]\nfaulty = {faulty}\nfaults = [\"gap\"]\n\
+         plans = [{{ up = 20, places = [[0, 20], [0, 40], [9, 40], [9, 20]] }}]\n[fleet]"
+    );
+    let objective = |kind: &str| {
+        format!(
+            "[[objectives]]\nid = \"{kind}\"\ntitle = \"{kind}\"\nvalue = 1\nkind = \"{kind}\"\n"
+        )
+    };
+    let kinds = ["rehearsed", "mended", "kept"].map(objective).concat();
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    let source = source.replacen("[fleet]", &board, 1).replacen(
+        "[scoring]",
+        &format!("{kinds}[scoring]"),
+        1,
+    );
+    Pilot::flying(mission(&source), 1)
+}
+
+/// Takes off in AUTO; returns whether `rehearsed`, `mended` and `kept` are met.
+fn fly_plan(pilot: &mut Pilot) -> [bool; 3] {
+    let heartbeat = pilot.vehicle().heartbeat.as_mut().expect("there");
+    heartbeat.mode.number = 3;
+    pilot.take_off(20.0);
+    let objectives = pilot.flight.progress().objectives;
+    ["rehearsed", "mended", "kept"].map(|id| {
+        let found = objectives
+            .iter()
+            .find(|it| it.title == id)
+            .expect("it is there");
+        found.state == ObjectiveState::Met
+    })
+}
+
+#[test]
+fn a_sound_plan_is_kept_and_a_faulty_one_is_mended() {
+    let mut pilot = with_plan(0);
+    assert_eq!(fly_plan(&mut pilot), [false, true, true], "nothing to mend");
+    let mut pilot = with_plan(0);
+    pilot.command("1 plan upload a.plan", RowState::Done);
+    pilot.wait(1.0);
+    pilot.command("1 plan rehearse", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(fly_plan(&mut pilot), [true, true, false]);
+    let mut pilot = with_plan(1);
+    assert_eq!(
+        fly_plan(&mut pilot),
+        [false, false, true],
+        "nothing to keep"
+    );
+    // Once it has flown with its fault, a new plan comes too late.
+    pilot.command("1 plan upload a.plan", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(fly_plan(&mut pilot), [false, false, true]);
+    let mut pilot = with_plan(1);
+    pilot.command("1 plan upload a.plan", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(fly_plan(&mut pilot), [false, true, true]);
+}
+
+#[test]
+fn the_debrief_says_which_plan_had_which_fault() {
+    let mut pilot = with_plan(1);
+    let shown = |pilot: &Pilot| {
+        let objectives = pilot.flight.progress().objectives;
+        let found = objectives.iter().find(|it| it.title == "mended");
+        found.expect("it is there").detail.to_string()
+    };
+    fly_plan(&mut pilot);
+    assert!(!shown(&pilot).contains("left out"), "{}", shown(&pilot));
+    pilot.land();
+    pilot.flight.abandon();
+    let report = pilot.report();
+    let mended = report.objectives.iter().find(|it| it.id == "mended");
+    let result = mended.expect("it is there").result.to_string();
+    assert_eq!(result, "flown with its fault: 1; 1: two places left out");
 }

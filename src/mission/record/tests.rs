@@ -370,7 +370,7 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
 
 /// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
 /// readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 53] = [
+const RECORDED_VERBS: [&str; 54] = [
     "altitude",
     "arm",
     "disarm",
@@ -397,6 +397,7 @@ const RECORDED_VERBS: [&str; 53] = [
     "param",
     "plan",
     "plan abort",
+    "plan change",
     "plan goto",
     "plan pause",
     "plan rehearse",

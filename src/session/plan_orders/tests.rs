@@ -77,6 +77,43 @@ fn list(kind: ListKind, count: usize, seed: f64) -> Vec<Item> {
     (0..count).map(item).collect()
 }
 
+#[test]
+fn lists_of_a_mission_come_on_board_without_a_row_and_before_orders() {
+    let mut rig = Rig::new(true);
+    let document = Document {
+        plan: list(ListKind::Plan, 6, 1.0),
+        fence: list(ListKind::Fence, 2, 1.0),
+        ..Document::default()
+    };
+    rig.session
+        .carry_out(Want::Lists(Arc::new(document.clone())));
+    rig.pass(s(10));
+    assert!(rig.row.is_none(), "{:?}", rig.row);
+    for kind in [ListKind::Plan, ListKind::Fence] {
+        let held = known(rig.session.vehicle(), kind).expect("it was read");
+        let own = compare::own(kind, &held);
+        assert_eq!(own.len(), document.list(kind).len(), "{kind:?}");
+        assert_eq!(own[1].command, document.list(kind)[1].command);
+    }
+    // The session goes on as usual.
+    rig.file("other", ListKind::Plan, &list(ListKind::Plan, 3, 2.0));
+    rig.upload(ListKind::Plan, "other");
+    assert_eq!(rig.ended(s(30)), RowState::Done);
+}
+
+#[test]
+fn lists_of_a_mission_arrive_over_a_bad_link() {
+    let mut rig = Rig::new(false);
+    rig.radio(0.3, 100, 7);
+    let document = Document {
+        plan: list(ListKind::Plan, 8, 1.0),
+        ..Document::default()
+    };
+    rig.session.carry_out(Want::Lists(Arc::new(document)));
+    rig.pass(s(120));
+    assert_eq!(rig.on_board(ListKind::Plan).len(), 9);
+}
+
 fn hands_out(rig: &Rig) -> bool {
     crate::session::logs::hands_out_files(rig.session.vehicle())
 }

@@ -212,10 +212,10 @@ fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
 fn tell_demands(
     wanted: &mut VecDeque<Demand>,
     is_heard: impl Fn(VehicleId) -> bool,
-    mut tell: impl FnMut(Demand) -> bool,
+    mut tell: impl FnMut(&Demand) -> bool,
 ) {
     let mut is_stuck = false;
-    wanted.retain(|&demand| {
+    wanted.retain(|demand| {
         if is_stuck || !is_heard(demand.vehicle) {
             return true;
         }
@@ -242,8 +242,9 @@ impl RunningSession {
             &mut mission_run.wanted,
             |vehicle| shown.vehicles().contains_key(&vehicle),
             |demand| {
-                let is_told = self.fleet.carry_out(demand.vehicle, demand.want).is_ok();
-                let what = Happening::of_demand(demand.vehicle, demand.want);
+                let want = demand.want.clone();
+                let is_told = self.fleet.carry_out(demand.vehicle, want).is_ok();
+                let what = Happening::of_demand(demand.vehicle, &demand.want);
                 if let (true, Some(recorder), Some(what)) = (is_told, recorder, what) {
                     recorder.note(now, what);
                 }

@@ -117,9 +117,29 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "57:6: an earlier objective has gates already (place `gate1`): only one objective may have gates",
     ),
     (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"kept\"\n[scoring]",
+        "53:8: this kind needs `plans` in `[board]`",
+    ),
+    (
         "[fleet]",
-        "[requires]\nskills = { K13 = 0.5 }\n[fleet]",
-        "24:12: unknown skill `K13`; known: K1, K2, K3, K4, K5, K6, K7, K8, K9, K10, K11, K12 (did you mean `K1`?)",
+        "[board]\nfaulty = 1\nfaults = [\"gap\"]\n[fleet]",
+        "24:10: more faulty plans than `plans` or `faults`",
+    ),
+    (
+        "[fleet]",
+        "[board]\nplans = [{ up = 10, places = [[0, 1], [0, 2], [0, 3], [0, 4]] }]\nfaulty = 1\nfaults = [\"copied\"]\n[fleet]",
+        "26:10: `copied` needs two vehicles",
+    ),
+    (
+        "[scoring]",
+        "[[events]]\nid = \"e\"\nat = 1\ndo = [{ alert = \"warning\", vehicle = 2, text = \"hot\" }]\n[scoring]",
+        "52:38: `vehicle` is a number from 1 to 1",
+    ),
+    (
+        "[fleet]",
+        "[requires]\nskills = { K14 = 0.5 }\n[fleet]",
+        "24:12: unknown skill `K14`; known: K1, K2, K3, K4, K5, K6, K7, K8, K9, K10, K11, K12, K13 (did you mean `K1`?)",
     ),
     (
         "[fleet]",
@@ -155,6 +175,16 @@ const REFUSALS: &[(&str, &str, &str)] = &[
 
 /// Changes with faults that only the whole file shows.
 const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
+    (
+        "[fleet]",
+        "[board]\nplans = [{ up = 10, places = [[0, 20], [0, 40], [0, 200], [0, 60]] }]\n[fleet]",
+        "29:49: this place lies beyond the fence `fence`",
+    ),
+    (
+        "[fleet]",
+        "[board]\nplans = [{ up = 61, places = [[0, 20], [0, 40], [0, 90], [0, 60]] }]\n[fleet]",
+        "29:17: this plan is above the limit of 60 m",
+    ),
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nbudget = 942",

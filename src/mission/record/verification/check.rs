@@ -203,6 +203,8 @@ impl RecordCheck {
                     self.wanted
                         .insert((vehicle, name), WantedParameter { value, at });
                 }
+                // The recorded frames put them on board; another plan shows in another flight.
+                Want::Lists(_) => {}
             }
         }
     }
