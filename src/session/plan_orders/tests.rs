@@ -6,7 +6,7 @@ use super::*;
 use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::EntryId;
-use crate::session::Session;
+use crate::session::{Session, Want};
 use crate::vehicle::Transfer;
 use crate::wire::Encoder;
 
