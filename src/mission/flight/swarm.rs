@@ -1,5 +1,6 @@
 //! The use of the vehicles, and the operator's handling of them.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{EntryId, Ledger, LedgerEntry};
@@ -19,6 +20,8 @@ pub(super) struct SwarmAccount {
     course: WorkloadCourse,
     /// The newest command to vehicles.
     newest: Option<NewestOrder>,
+    /// The newest command to each vehicle.
+    latest: BTreeMap<VehicleId, EntryId>,
 }
 
 /// A command to vehicles.
@@ -40,8 +43,8 @@ impl SwarmAccount {
             let flies = craft.airborne && !craft.lost;
             // Samples taken while the radio is cut do not count.
             let samples = craft.can_see() && surveys.want(craft);
-            let mut entries = ledger.entries().rev();
-            let latest = entries.find(|entry| is_order_to(entry, craft.id));
+            let newest = self.latest.get(&craft.id);
+            let latest = newest.and_then(|entry| ledger.entry(*entry));
             let on_station = latest.is_some_and(|entry| entry.verb.movement == Movement::Station);
             let look = UsageLook {
                 airborne_at: craft.place_m().filter(|_| flies),
@@ -106,6 +109,7 @@ impl SwarmAccount {
             self.times.commands.push((now, targets.len(), switched));
             commanded.extend(&targets);
             let id = entry.id;
+            self.latest.extend(targets.iter().map(|target| (*target, id)));
             self.newest = Some(NewestOrder { id, targets });
         }
         commanded
@@ -114,8 +118,4 @@ impl SwarmAccount {
 
 fn is_for_vehicles(entry: &LedgerEntry) -> bool {
     entry.verb.counts_as.is_for_vehicles()
-}
-
-fn is_order_to(entry: &LedgerEntry, vehicle: VehicleId) -> bool {
-    is_for_vehicles(entry) && entry.rows.iter().any(|row| row.vehicle == vehicle)
 }
