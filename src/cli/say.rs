@@ -124,7 +124,10 @@ fn print(row: &ReadRow) -> std::io::Result<()> {
     let percent = row
         .percent
         .map_or_else(String::new, |it| format!(" {it} %"));
-    let remark: String = row.remark.iter().map(|it| format!(": {it}")).collect();
+    let remark = row
+        .remark
+        .as_ref()
+        .map_or_else(String::new, |it| format!(": {it}"));
     say!(
         "vehicle {}: {}{percent}{remark}",
         row.vehicle,

@@ -109,7 +109,8 @@ impl SwarmAccount {
             self.times.commands.push((now, targets.len(), switched));
             commanded.extend(&targets);
             let id = entry.id;
-            self.latest.extend(targets.iter().map(|target| (*target, id)));
+            self.latest
+                .extend(targets.iter().map(|target| (*target, id)));
             self.newest = Some(NewestOrder { id, targets });
         }
         commanded
