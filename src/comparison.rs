@@ -91,7 +91,8 @@ impl ComparedFlight {
             course.note(flight.vehicles(), flight.flight());
         }
         drop(flight.advance(Duration::MAX));
-        Ok(course.finish(name, flight.report()))
+        let progress = flight.flight().progress();
+        Ok(course.finish(name, flight.report(), &progress))
     }
 
     /// The same flight with bookmarks, earliest first.
@@ -231,16 +232,36 @@ impl FlightCourse {
         }
     }
 
-    /// The flight with its result.
-    pub fn finish(self, name: Text, report: Report) -> ComparedFlight {
+    /// The flight with its result. `progress` is the mission at its end, which may decide objectives after the last
+    /// sample.
+    pub fn finish(mut self, name: Text, report: Report, progress: &Progress) -> ComparedFlight {
+        let length = Duration::try_from_secs_f64(report.sim_time_s).unwrap_or_default();
+        self.note_objectives(progress, length + SAMPLE_EVERY);
         ComparedFlight {
             name,
-            length: Duration::try_from_secs_f64(report.sim_time_s).unwrap_or_default(),
+            length,
             report,
             tracks: self.tracks,
             reached: self.reached,
             takeoff: self.takeoff,
             bookmarks: Vec::new(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mission::fake::fly_the_cells;
+
+    #[test]
+    fn objectives_decided_at_the_end_were_reached_then() {
+        let pilot = fly_the_cells(7);
+        let (report, progress) = (pilot.report(), pilot.flight.progress());
+        let flight = FlightCourse::default().finish("end".into(), report, &progress);
+        let met = flight.report.objectives.iter().map(|it| it.met);
+        let end: Vec<Option<Duration>> = met.map(|met| met.then_some(flight.length)).collect();
+        assert!(end.iter().any(Option::is_some), "{end:?}");
+        assert_eq!(flight.reached, end);
     }
 }

@@ -42,5 +42,6 @@ pub fn fly_compared(
         }
         drop(exercise.take_notices());
     }
-    course.finish(name, exercise.close())
+    let report = exercise.close();
+    course.finish(name, report, &exercise.flight().progress())
 }
