@@ -36,6 +36,7 @@ moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
 moment-objective = objective met: { $objective }
 moment-near = only { $metres } m apart
+moment-nearest = smallest distance of the flight: { $metres } m
 moment-kind-bookmark = bookmark
 moment-kind-refusal = refusal
 moment-kind-alert = alert

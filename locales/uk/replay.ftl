@@ -36,6 +36,7 @@ moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
 moment-objective = ціль досягнуто: { $objective }
 moment-near = зблизилися до { $metres } m
+moment-nearest = найменша відстань за політ: { $metres } m
 moment-kind-bookmark = закладка
 moment-kind-refusal = відмова
 moment-kind-alert = тривога

@@ -170,6 +170,13 @@ impl Film {
         self.run.as_ref()
     }
 
+    /// The separation required of its vehicles in the air, in metres.
+    pub fn separation_m(&self) -> f64 {
+        let mission = self.run.as_ref().and_then(|run| run.head.flown().ok());
+        let rules = mission.map(|it| it.swarm_rules()).unwrap_or_default();
+        rules.separation_m
+    }
+
     /// Reads its frames from an offset in the file at which a record begins.
     ///
     /// # Errors

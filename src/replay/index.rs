@@ -88,7 +88,7 @@ impl Index {
         let shared = Arc::new(Shared::default());
         let mut reader = IndexReader {
             shared: Arc::clone(&shared),
-            lookout: Lookout::new(Arc::clone(film.clock())),
+            lookout: Lookout::new(Arc::clone(film.clock()), film.separation_m()),
             stage,
             observer,
             key_every: KEY_EVERY,

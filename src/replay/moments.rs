@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
-use crate::ledger::RowUpdate;
+use crate::ledger::{RowState, RowUpdate};
 use crate::mission::Progress;
 use crate::moment::{Moment, MomentKind};
 use crate::record::MissionClock;
@@ -16,10 +16,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleId};
 
-/// The distance below which two vehicles become a moment.
-const NEAR_M: f64 = 15.0;
-/// Two vehicles have passed each other once their distance has grown by this much.
-const PASSED_M: f64 = 1.0;
+mod separation;
+
+use separation::{Approach, NEAR_MARGIN_M, Pair};
+
 /// Events of several vehicles within this time are merged into one moment.
 const TOGETHER: Duration = Duration::from_millis(1500);
 /// The maximum number of moments that are kept.
@@ -36,6 +36,10 @@ pub(super) struct Lookout {
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
     pairs: BTreeMap<Pair, Approach>,
+    /// The distance below which two vehicles become a moment, in metres.
+    near_m: f64,
+    /// The smallest distance of the flight so far.
+    nearest: Option<(Pair, Approach)>,
     /// The objectives that have been reached, by index.
     reached: Vec<bool>,
     /// The mission's clock in the recording.
@@ -49,26 +53,12 @@ struct KnownVehicle {
     is_armed: bool,
 }
 
-/// Two vehicles, the one with the lower number first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Pair {
-    one: VehicleId,
-    other: VehicleId,
-}
-
-/// The closest distance of two vehicles during an approach.
-#[derive(Debug, Clone, Copy)]
-struct Approach {
-    closest_m: f64,
-    at: Duration,
-    is_told: bool,
-}
-
 impl Lookout {
-    /// A lookout at the beginning of a recording.
-    pub fn new(clock: Arc<MissionClock>) -> Self {
+    /// A lookout at the beginning of a recording, of which this separation in metres is required.
+    pub fn new(clock: Arc<MissionClock>, separation_m: f64) -> Self {
         Self {
             clock,
+            near_m: separation_m + NEAR_MARGIN_M,
             ..Self::default()
         }
     }
@@ -122,11 +112,6 @@ impl Lookout {
             self.measure(now, state);
         }
         self.alarm(now, state);
-    }
-
-    /// Handles the end of the recording: vehicles that are still close do not come closer.
-    pub fn end(&mut self) {
-        self.part(&BTreeSet::new());
     }
 
     /// The result of the mission, once it is over.
@@ -194,6 +179,10 @@ impl Lookout {
         };
         let (line, outcome) = (entry.line.as_str(), row.state.text());
         let text = match &row.explanation {
+            // The reason of a refusal says that it is one.
+            Some(why) if row.state == RowState::Refused => {
+                text!("moment-refused", line = line, outcome = why.clone())
+            }
             Some(why) => text!(
                 "moment-refused-why",
                 line = line,
@@ -273,106 +262,5 @@ impl Lookout {
         }
         self.report = Some(Arc::new(report.clone()));
         self.revision += 1;
-    }
-
-    /// Measures the distances between the vehicles in the air.
-    fn measure(&mut self, now: Duration, state: &State) {
-        let vehicles = state.session().vehicles().values();
-        let flying: Vec<&Vehicle> = vehicles
-            .map(AsRef::as_ref)
-            .filter(|it| it.airborne() && !it.link.lost && it.global.is_some())
-            .collect();
-        self.part(&flying.iter().map(|it| it.id).collect());
-        for (at, one) in flying.iter().enumerate() {
-            for other in &flying[at + 1..] {
-                if let Some(distance_m) = one.distance_m(other) {
-                    let pair = Pair {
-                        one: one.id,
-                        other: other.id,
-                    };
-                    self.approach(now, pair, distance_m);
-                }
-            }
-        }
-    }
-
-    /// Ends the approaches of vehicles of which one no longer flies.
-    fn part(&mut self, flying: &BTreeSet<VehicleId>) {
-        let ends = |pair: &Pair| !(flying.contains(&pair.one) && flying.contains(&pair.other));
-        let ended: Vec<Pair> = self.pairs.keys().copied().filter(ends).collect();
-        for pair in ended {
-            if let Some(passed) = self.pairs.remove(&pair) {
-                self.tell_approach(pair, passed);
-            }
-        }
-    }
-
-    fn approach(&mut self, now: Duration, pair: Pair, distance_m: f64) {
-        if distance_m > NEAR_M + PASSED_M {
-            if let Some(passed) = self.pairs.remove(&pair) {
-                self.tell_approach(pair, passed);
-            }
-            return;
-        }
-        let known = self.pairs.entry(pair).or_insert(Approach {
-            closest_m: distance_m,
-            at: now,
-            is_told: false,
-        });
-        if distance_m < known.closest_m {
-            *known = Approach {
-                closest_m: distance_m,
-                at: now,
-                is_told: false,
-            };
-        } else if distance_m > known.closest_m + PASSED_M {
-            let passed = *known;
-            known.is_told = true;
-            self.tell_approach(pair, passed);
-        }
-    }
-
-    fn tell_approach(&mut self, pair: Pair, passed: Approach) {
-        if passed.closest_m < NEAR_M && !passed.is_told {
-            let (at, closest_m) = (passed.at, passed.closest_m);
-            let metres = text::figure(closest_m, 1);
-            let text = text!("moment-near", metres = metres);
-            self.add(Moment {
-                at,
-                vehicles: vec![pair.one, pair.other],
-                kind: MomentKind::Separation,
-                text,
-            });
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn vehicles_that_stay_close_until_they_land_or_the_recording_ends_were_close() {
-        let pair = |one, other| Pair { one, other };
-        let mut lookout = Lookout::default();
-        for (at_s, pair, distance_m) in [
-            (1, pair(1, 2), 12.0),
-            (2, pair(1, 2), 8.0),
-            (3, pair(1, 2), 8.2),
-            (3, pair(2, 3), 9.0),
-            (4, pair(3, 4), 15.5),
-        ] {
-            lookout.approach(Duration::from_secs(at_s), pair, distance_m);
-        }
-        assert_eq!(lookout.found(), Some(Vec::new()));
-        lookout.part(&BTreeSet::from([2, 3, 4]));
-        lookout.end();
-        let found = lookout.found().expect("moments");
-        let found: Vec<_> = found
-            .iter()
-            .map(|it| (it.kind, it.at.as_secs(), &it.vehicles[..]))
-            .collect();
-        let near = MomentKind::Separation;
-        assert_eq!(found, [(near, 2, &[1, 2][..]), (near, 3, &[2, 3][..])]);
     }
 }
