@@ -15,6 +15,7 @@ replay-no-frames = { $file } belongs to no recording: its .tlog is missing
 replay-no-tlog = { $file } contains no MAVLink frame: not a tlog
 replay-without-journal = commands and bookmarks are missing, because the journal of this flight cannot be read: { $fault }
 replay-without-run = the mission is missing, because its run cannot be read: { $fault }
+replay-run-damaged = the run of the mission is damaged, so the mission is shown only in part: { $fault }
 bookmark-nothing = nothing to bookmark: no flight is under way
 bookmark-not-recorded = this flight is not recorded, so it cannot be bookmarked
 bookmark-set = bookmark set

@@ -15,6 +15,7 @@ replay-no-frames = { $file } не належить до жодного запи�
 replay-no-tlog = { $file } не містить кадрів MAVLink: це не tlog
 replay-without-journal = команд і закладок немає, бо журнал цього польоту не вдалося прочитати: { $fault }
 replay-without-run = завдання немає, бо його запис не вдалося прочитати: { $fault }
+replay-run-damaged = запис завдання пошкоджено, тому завдання показано лише частково: { $fault }
 bookmark-nothing = закладку ставити ніде: польоту немає
 bookmark-not-recorded = цей політ не записується, тож закладку поставити не можна
 bookmark-set = закладку поставлено

@@ -137,9 +137,12 @@ impl Film {
     /// The faults of its journal, its run, its review and its logs.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
+        let run = self.run.as_ref().and_then(Stored::damaged_line);
+        let run = run.map(|fault| text!("replay-run-damaged", fault = fault.clone()));
         let faults = self.faults.iter().cloned();
         journal
             .into_iter()
+            .chain(run)
             .chain(self.review_fault.clone())
             .chain(faults)
     }

@@ -26,6 +26,8 @@ pub struct Stored {
     pub(super) lines: Arc<Vec<RecordLine>>,
     /// Whether the lines before the end have another checksum than the one that the end states.
     is_altered: bool,
+    /// Whether the lines are whole and only the end is missing.
+    is_open: bool,
 }
 
 /// A record scored again.
@@ -59,6 +61,7 @@ impl Stored {
             damage: None,
             lines: Arc::default(),
             is_altered: false,
+            is_open: false,
         };
         let mut lines = Vec::new();
         let mut since = 0;
@@ -83,9 +86,16 @@ impl Stored {
         }
         stored.lines = Arc::new(lines);
         if stored.damage.is_none() && stored.end().is_none() {
+            stored.is_open = true;
             stored.damage = Some(text!("record-no-end"));
         }
         Ok(stored)
+    }
+
+    /// The fault of a damaged line; `None` for a record that is whole or, like that of a flight that was left, only
+    /// lacks its end.
+    pub fn damaged_line(&self) -> Option<&Text> {
+        self.damage.as_ref().filter(|_| !self.is_open)
     }
 
     /// Whether the flight was paused.
