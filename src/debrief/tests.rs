@@ -91,7 +91,7 @@ fn every_end_of_a_flight_is_named_at_the_top() {
         (FlightOutcome::Failed, ["FAILED", "НЕ ВИКОНАНО"]),
         (FlightOutcome::TimedOut, ["TIMED OUT", "ЧАС ВИЙШОВ"]),
         (FlightOutcome::Abandoned, ["ABANDONED", "ПРИПИНЕНО"]),
-        (FlightOutcome::Flying, ["FLYING", "ТРИВАЄ"]),
+        (FlightOutcome::Flying, ["NOT FINISHED", "НЕ ЗАВЕРШЕНО"]),
     ] {
         report.outcome = outcome;
         for (language, word) in Language::ALL.into_iter().zip(words) {

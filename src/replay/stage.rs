@@ -11,6 +11,7 @@ use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::inspector::{Census, FrameWay};
 use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{TlogPiece, TlogRecord, TlogSalvage};
+use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::record::{EntryLine, Happening, JournalLine, LossLine, PathLine};
 use crate::session::{Want, autopilot_of};
@@ -298,9 +299,15 @@ impl Stage {
         let mut events: Vec<Event> = said
             .map(|notice| Event::Notice(Notice { at: now, ..notice }))
             .collect();
-        let progress = mission.flight.flight().progress();
+        // Steps without a change have no line, so the run of a flight that was left may stop before its clock does.
+        let progress = Progress {
+            elapsed,
+            ..mission.flight.flight().progress()
+        };
         events.push(SessionEvent::Mission(Box::new(progress)).into());
-        let has_ended = mission.flight.flight().is_over() || mission.flight.is_over();
+        let is_left = mission.flight.is_over()
+            && self.film.clock().mission_time(Duration::MAX) <= Some(elapsed);
+        let has_ended = mission.flight.flight().is_over() || is_left;
         if has_ended && !self.cast.is_over {
             self.cast.is_over = true;
             let report = mission.flight.report();

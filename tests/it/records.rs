@@ -321,7 +321,7 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
     );
     let page = String::from_utf8_lossy(&again.stdout).into_owned();
     assert!(
-        page.contains("01-air-sample") && page.contains("FLYING"),
+        page.contains("01-air-sample") && page.contains("NOT FINISHED"),
         "{page}"
     );
 }

@@ -96,7 +96,8 @@ impl FlightOutcome {
     /// Its name for people.
     pub fn title(self) -> Text {
         match self {
-            Self::Flying => text!("mission-flying"),
+            // A report of such a flight is that of a record without an end.
+            Self::Flying => text!("mission-not-finished"),
             Self::Passed => text!("mission-passed"),
             Self::Failed => text!("mission-failed"),
             Self::TimedOut => text!("mission-timed-out"),
