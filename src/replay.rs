@@ -152,11 +152,10 @@ impl Replay {
             }
             ReplayEffect::Rewind => self.player.rewind(now),
             ReplayEffect::Rate(rate) => self.player.set_rate(rate),
-            ReplayEffect::Seek(target) => match self.target(target) {
-                Some(goal) => self.go_to(goal),
-                None if self.index.length().is_some() => return Err(text!("seek-none")),
-                None => return Err(text!("seek-none-yet")),
-            },
+            ReplayEffect::Seek(target) => {
+                let goal = self.target(target);
+                self.go_to(goal.ok_or_else(|| self.no_target(target))?);
+            }
             ReplayEffect::Step { forward } => {
                 self.player.pause();
                 self.go_to(if forward {
@@ -166,9 +165,8 @@ impl Replay {
                 });
             }
             ReplayEffect::Moment { forward } => {
-                if let Some(goal) = self.contents.near(now, forward, None) {
-                    self.go_to(goal);
-                }
+                let goal = self.contents.near(now, forward, None);
+                self.go_to(goal.ok_or_else(|| self.no_moment(forward))?);
             }
             ReplayEffect::Show(at) => self.go_to(showing(at)),
             ReplayEffect::Loop(None) => self.player.repeat(None),
@@ -198,6 +196,36 @@ impl Replay {
             SeekTarget::Previous(kind) => self.contents.near(now, false, Some(kind)),
             SeekTarget::Mission(elapsed) => self.film.clock().record_time(elapsed),
             SeekTarget::End => Some(self.length()),
+        }
+    }
+
+    /// Why a target has no time.
+    fn no_target(&self, target: SeekTarget) -> Text {
+        let is_read = self.index.length().is_some();
+        match target {
+            SeekTarget::Next(_) | SeekTarget::Previous(_) if !is_read => text!("seek-none-yet"),
+            SeekTarget::Next(kind) if self.contents.has(kind) => {
+                text!("seek-none-later", kind = kind.text())
+            }
+            SeekTarget::Previous(kind) if self.contents.has(kind) => {
+                text!("seek-none-earlier", kind = kind.text())
+            }
+            SeekTarget::At(_)
+            | SeekTarget::Later(_)
+            | SeekTarget::Earlier(_)
+            | SeekTarget::Next(_)
+            | SeekTarget::Previous(_)
+            | SeekTarget::Mission(_)
+            | SeekTarget::End => text!("seek-none"),
+        }
+    }
+
+    /// Why there is no moment in a direction.
+    fn no_moment(&self, forward: bool) -> Text {
+        match (forward, self.index.length()) {
+            (true, Some(_)) => text!("seek-last"),
+            (true, None) => text!("seek-none-yet"),
+            (false, _) => text!("seek-first"),
         }
     }
 

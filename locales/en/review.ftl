@@ -101,3 +101,7 @@ ghost-busy = the other flight is still being fetched
 review-not-kept = not saved, because the review stored with the recording could not be read: { $fault }
 seek-none = no such moment in the recording
 seek-none-yet = no such moment in the part of the recording read so far
+seek-none-later = no later moment of this kind: { $kind }
+seek-none-earlier = no earlier moment of this kind: { $kind }
+seek-last = no later moment
+seek-first = no earlier moment

@@ -92,6 +92,11 @@ impl Contents {
         found.map(|it| showing(it.at))
     }
 
+    /// Whether there is a moment of a kind so far.
+    pub fn has(&self, kind: MomentKind) -> bool {
+        self.moments.iter().any(|it| it.kind == kind)
+    }
+
     /// The frames that show the last moment of a kind and the next one.
     pub fn around(&self, now: Duration, kind: MomentKind) -> Option<(Duration, Duration)> {
         let times = self.moments.iter().filter(|it| it.kind == kind);

@@ -14,6 +14,7 @@ use crate::wire::Decoder;
 mod as_live;
 mod playing;
 mod recorded;
+mod runs;
 
 use recorded::{Recorded, record};
 

@@ -1,0 +1,110 @@
+//! Recordings with the run of a mission.
+
+use super::*;
+use crate::mission::fake::Pilot;
+use crate::mission::record::Occasion;
+
+/// The run of a flight that was left in the air.
+fn run_left() -> String {
+    let mut pilot = Pilot::new(7);
+    pilot.flight.start_record(&Occasion::default());
+    pilot.take_off(20.0);
+    pilot.flight.take_record()
+}
+
+/// A recording with this run, and with a journal in which the mission's clock runs for 40 s.
+fn recorded_with(run: &str) -> Recorded {
+    let recorded = record();
+    let mission = Subject::Mission("01-air-sample".to_owned());
+    let mut journal = Head::new(mission, BEGAN_US).to_line();
+    for second in 1..=40 {
+        let what = Happening::Mission { ms: second * 1000 };
+        journal.push_str(&JournalLine::new(s(second), what).to_line());
+    }
+    let write = |name: &str, text: &str| {
+        std::fs::write(recorded.frames.with_extension(name), text).expect("writable");
+    };
+    write("flight.jsonl", &journal);
+    write("run.jsonl", run);
+    recorded
+}
+
+#[test]
+fn a_damaged_run_is_reported_and_one_without_an_end_is_not() {
+    let whole = run_left();
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    let middle = lines.len() / 2;
+    let (start, end) = (lines[..middle].concat(), lines[middle + 1..].concat());
+    let cut_line = &lines[middle][..lines[middle].len() / 2];
+    for (run, faults) in [
+        (whole.clone(), 0),
+        (format!("{start}{cut_line}"), 1),
+        (format!("{start}}}{{\n{end}"), 1),
+    ] {
+        let recorded = recorded_with(&run);
+        let (replay, _) = watched(&recorded);
+        let found: Vec<String> = replay.damage().map(|it| it.to_string()).collect();
+        assert_eq!(found.len(), faults, "{found:?}");
+        let line = format!("line {}", middle + 1);
+        assert!(found.iter().all(|it| it.contains(&line)), "{found:?}");
+    }
+}
+
+#[test]
+fn the_clock_of_a_mission_that_was_left_runs_to_its_end() {
+    let recorded = recorded_with(&run_left());
+    let (mut replay, mut observer) = watched(&recorded);
+    for at in [5, 39] {
+        seek(&mut replay, &mut observer, s(at));
+        let elapsed = observer
+            .app()
+            .state()
+            .session()
+            .mission()
+            .map(|it| it.elapsed);
+        // A frame shows what came before its end.
+        assert_eq!(elapsed, Some(s(at - 1)));
+    }
+    assert!(!observer.app().state().session().is_over());
+    let report = replay.report().expect("it was flown");
+    assert_eq!(report.outcome.title().to_string(), "not finished");
+}
+
+#[test]
+fn a_missing_moment_is_told_with_its_direction() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    drop(replay.tick(Duration::ZERO));
+    let failed = |said: Vec<Event>| match &said[..] {
+        [Event::Failed(fault)] => fault.to_string(),
+        other => panic!("{other:?}"),
+    };
+    let refusal = MomentKind::Refusal;
+    for (at, target, told) in [
+        (
+            20,
+            SeekTarget::Next(refusal),
+            "no later moment of this kind: refusal",
+        ),
+        (
+            2,
+            SeekTarget::Previous(refusal),
+            "no earlier moment of this kind: refusal",
+        ),
+        (
+            2,
+            SeekTarget::Next(MomentKind::Rule),
+            "no such moment in the recording",
+        ),
+    ] {
+        seek(&mut replay, &mut observer, s(at));
+        assert_eq!(failed(replay.steer(ReplayEffect::Seek(target))), told);
+    }
+    for (at, forward, told) in [
+        (0, false, "no earlier moment"),
+        (44, true, "no later moment"),
+    ] {
+        seek(&mut replay, &mut observer, s(at));
+        assert_eq!(failed(replay.steer(ReplayEffect::Moment { forward })), told);
+    }
+}
