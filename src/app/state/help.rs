@@ -2,11 +2,15 @@
 
 use unicode_width::UnicodeWidthStr as _;
 
-use crate::app::keymap::{Keymap, Meaning, Place};
+use crate::app::State;
+use crate::app::keymap::{Binding, Keymap, Place, Press};
 use crate::app::room_list::Room;
 use crate::language::{Channel, VerbRow, rows};
-use crate::text;
 use crate::text::{Locale, Text, wrap};
+
+mod replayed;
+
+use replayed::{ReplayUse, replayed};
 
 /// The maximum number of columns of a usage with an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
@@ -55,8 +59,8 @@ impl HelpPage {
     }
 
     /// The lines of the help that match the search.
-    pub fn lines(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
-        let lines = help_lines(keymap, here, locale);
+    pub fn lines(&self, scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
+        let lines = help_lines(scene, locale);
         if self.search.is_empty() {
             return lines;
         }
@@ -64,8 +68,8 @@ impl HelpPage {
     }
 
     /// The indices of the titles among those lines.
-    pub fn titles(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<usize> {
-        let lines = self.lines(keymap, here, locale).into_iter().enumerate();
+    pub fn titles(&self, scene: HelpScene<'_>, locale: &Locale) -> Vec<usize> {
+        let lines = self.lines(scene, locale).into_iter().enumerate();
         let titles = lines.filter(|(_, line)| matches!(line, HelpLine::Title(_)));
         titles.map(|(at, _)| at).collect()
     }
@@ -104,12 +108,37 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     found
 }
 
-/// The whole help in a language; the current room comes first, its keys and then the commands.
-pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
-    let nearby = [Place::In(here), Place::Anywhere];
+/// What the help is about.
+#[derive(Debug, Clone, Copy)]
+pub struct HelpScene<'a> {
+    pub keymap: &'a Keymap,
+    /// The current room.
+    pub here: Room,
+    /// Whether a recorded flight is shown, which takes no commands.
+    pub is_replay: bool,
+}
+
+impl State {
+    /// What the help is about now.
+    pub fn help_scene(&self) -> HelpScene<'_> {
+        HelpScene {
+            keymap: &self.keymap,
+            here: self.room,
+            is_replay: self.replay.is_some(),
+        }
+    }
+}
+
+/// The whole help in a language; the current room comes first, its keys and then the commands. In a replay, the keys
+/// that control it come before those, and whatever has no effect there is left out.
+pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
+    let mut nearby = vec![Place::In(scene.here), Place::Anywhere];
+    if scene.is_replay {
+        nearby.insert(0, Place::Replay);
+    }
     let elsewhere = Place::all().filter(|place| !nearby.contains(place));
     let section = |place: Place| -> Vec<HelpLine> {
-        let keys = keys(keymap, place, locale);
+        let keys = keys(scene, place, locale);
         if keys.is_empty() {
             return Vec::new();
         }
@@ -118,8 +147,12 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
         lines.push(HelpLine::Blank);
         lines
     };
-    let mut lines: Vec<HelpLine> = nearby.into_iter().flat_map(section).collect();
-    lines.extend(command_help(Channel::Screen, locale));
+    let mut lines: Vec<HelpLine> = nearby.iter().copied().flat_map(section).collect();
+    lines.extend(if scene.is_replay {
+        console_help(Channel::Screen, locale)
+    } else {
+        command_help(Channel::Screen, locale)
+    });
     lines.push(HelpLine::Blank);
     lines.extend(elsewhere.flat_map(section));
     lines
@@ -127,18 +160,25 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
 
 /// The part of the help about commands.
 pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
-    let title = |text: Text| HelpLine::Title(locale.text(&text));
-    let mut lines = vec![title(text!("help-commands"))];
+    let mut lines = vec![HelpLine::Title(locale.say("help-commands"))];
     lines.extend(notes(&locale.say("help-targets")));
-    let explained = |row: &VerbRow| explained(&row.usage(), &locale.text(&row.summary()));
-    let sayable = rows().filter(|row| row.scope.includes(channel));
-    let (to_vehicles, own): (Vec<&VerbRow>, Vec<&VerbRow>) =
-        sayable.partition(|row| row.scope.takes_targets());
-    lines.extend(to_vehicles.into_iter().flat_map(explained));
+    let to_vehicles = rows().filter(|row| row.scope.includes(channel) && row.scope.takes_targets());
+    lines.extend(to_vehicles.flat_map(|row| summarised(row, locale)));
     lines.push(HelpLine::Blank);
-    lines.push(title(text!("help-console")));
-    lines.extend(own.into_iter().flat_map(explained));
+    lines.extend(console_help(channel, locale));
     lines
+}
+
+/// The part of the help about commands to the console itself.
+fn console_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
+    let mut lines = vec![HelpLine::Title(locale.say("help-console"))];
+    let own = rows().filter(|row| row.scope.includes(channel) && !row.scope.takes_targets());
+    lines.extend(own.flat_map(|row| summarised(row, locale)));
+    lines
+}
+
+fn summarised(row: &VerbRow, locale: &Locale) -> Vec<HelpLine> {
+    explained(&row.usage(), &locale.text(&row.summary()))
 }
 
 /// A verb with its summary beside its usage, or below if one of them is long.
@@ -182,32 +222,111 @@ fn notes(text: &str) -> Vec<HelpLine> {
 }
 
 /// The keys of a place; keys with one meaning share a line.
-fn keys(keymap: &Keymap, place: Place, locale: &Locale) -> Vec<HelpLine> {
-    let mut rows: Vec<(String, &Meaning)> = Vec::new();
-    let here = keymap
-        .bindings()
-        .iter()
-        .filter(|binding| binding.place == place);
-    for binding in here {
-        let same = |(_, known): &&mut (String, &Meaning)| **known == binding.meaning;
-        match rows.iter_mut().find(same) {
+fn keys(scene: HelpScene<'_>, place: Place, locale: &Locale) -> Vec<HelpLine> {
+    let mut rows: Vec<(String, Text)> = Vec::new();
+    for binding in scene.keymap.bindings() {
+        let Some(about) = scene.description(binding, place) else {
+            continue;
+        };
+        let label = binding.press.label();
+        match rows.iter_mut().find(|(_, known)| *known == about) {
             Some((labels, _)) => {
                 labels.push(' ');
-                labels.push_str(&binding.press.label());
+                labels.push_str(&label);
             }
-            None => rows.push((binding.press.label(), &binding.meaning)),
+            None => rows.push((label, about)),
         }
     }
     let lines = rows.into_iter();
     lines
-        .map(|(labels, meaning)| HelpLine::Entry(labels, locale.text(&keymap.description(meaning))))
+        .map(|(labels, about)| HelpLine::Entry(labels, locale.text(&about)))
         .collect()
+}
+
+impl HelpScene<'_> {
+    /// The description of a key in the section of a place; `None` if it belongs to another, or has no effect.
+    fn description(&self, binding: &Binding, place: Place) -> Option<Text> {
+        let usual = || self.keymap.description(&binding.meaning);
+        if !self.is_replay {
+            return (binding.place == place).then(usual);
+        }
+        let is_replaced = binding.place != Place::Replay && self.is_of_replay(binding.press);
+        match replayed(&binding.meaning) {
+            ReplayUse::Same => (binding.place == place && !is_replaced).then(usual),
+            // Such a key controls the replay, in whatever place it is bound.
+            ReplayUse::Control(id) => {
+                (place == Place::Replay && !is_replaced).then(|| Text::new(id, Vec::new()))
+            }
+            ReplayUse::None => None,
+        }
+    }
+
+    /// Whether the replay takes a key before the rooms do.
+    fn is_of_replay(&self, press: Press) -> bool {
+        let mut bindings = self.keymap.bindings().iter();
+        bindings.any(|it| it.place == Place::Replay && it.press == press)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::text::Language;
+
+    /// A flight under way.
+    fn flight(keymap: &Keymap, here: Room) -> HelpScene<'_> {
+        HelpScene {
+            keymap,
+            here,
+            is_replay: false,
+        }
+    }
+
+    #[test]
+    fn the_help_of_a_replay_begins_with_its_keys_and_leaves_out_what_it_refuses() {
+        let locale = Locale::new(Language::English);
+        let keymap = Keymap::default();
+        let replay = HelpScene {
+            is_replay: true,
+            ..flight(&keymap, Room::Fly)
+        };
+        let lines = help_lines(replay, &locale);
+        assert_eq!(
+            lines[0],
+            HelpLine::Title(locale.text(&Place::Replay.title()))
+        );
+        let end = lines.iter().position(|line| *line == HelpLine::Blank);
+        let entries = |lines: &[HelpLine]| -> Vec<(String, String)> {
+            let entries = lines.iter().filter_map(|line| match line {
+                HelpLine::Entry(what, meaning) => Some((what.clone(), meaning.clone())),
+                HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => None,
+            });
+            entries.collect()
+        };
+        let first = entries(&lines[..end.expect("a section")]);
+        for (keys, id) in [
+            ("p Space", "action-play-replay"),
+            (">", "action-replay-faster"),
+            ("<", "action-replay-slower"),
+            ("m", "action-show-moments"),
+        ] {
+            let entry = (keys.to_owned(), locale.say(id));
+            assert!(first.contains(&entry), "{entry:?}: {first:#?}");
+        }
+        let all = entries(&lines);
+        let verb = |verb: &str| {
+            let mut all = all.iter();
+            all.any(|(what, meaning)| {
+                what.starts_with(&format!("{verb} ")) || meaning.contains(&format!("`{verb}"))
+            })
+        };
+        assert!(verb("seek"), "{all:#?}");
+        for refused in ["arm", "takeoff", "rtl", "mode"] {
+            assert!(!verb(refused), "{refused}: {all:#?}");
+        }
+        let pause = locale.say("action-pause-mission");
+        assert!(all.iter().all(|(_, meaning)| *meaning != pause), "{all:#?}");
+    }
 
     #[test]
     fn a_search_keeps_entries_with_their_notes_below_the_titles_of_their_sections() {
@@ -242,8 +361,9 @@ mod tests {
     fn commands_come_before_the_keys_of_other_rooms() {
         let locale = Locale::new(Language::English);
         let page = HelpPage::default();
-        let lines = page.lines(&Keymap::default(), Room::Fly, &locale);
-        let titles = page.titles(&Keymap::default(), Room::Fly, &locale);
+        let keymap = Keymap::default();
+        let scene = flight(&keymap, Room::Fly);
+        let (lines, titles) = (page.lines(scene, &locale), page.titles(scene, &locale));
         let commands = HelpLine::Title(locale.say("help-commands"));
         let at = titles.iter().position(|&line| lines[line] == commands);
         assert_eq!(
@@ -257,7 +377,8 @@ mod tests {
     fn the_keys_of_the_room_come_first_and_no_line_is_cut() {
         for language in Language::ALL {
             let locale = Locale::new(language);
-            let lines = help_lines(&Keymap::default(), Room::Ledger, &locale);
+            let keymap = Keymap::default();
+            let lines = help_lines(flight(&keymap, Room::Ledger), &locale);
             let title = locale.text(&Place::In(Room::Ledger).title());
             assert_eq!(lines[0], HelpLine::Title(title));
             for line in lines {

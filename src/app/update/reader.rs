@@ -26,16 +26,16 @@ pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
         Some(Action::Escape) => return,
         Some(Action::View(ViewAction::Filter)) => page.is_searching = true,
         Some(Action::Move(step)) => {
-            let count = page.lines(&state.keymap, state.room, &state.locale).len();
+            let count = page.lines(state.help_scene(), &state.locale).len();
             page.scroll = step.apply(page.scroll, count);
         }
         Some(Action::Debrief(DebriefAction::NextSection)) => {
-            let titles = page.titles(&state.keymap, state.room, &state.locale);
+            let titles = page.titles(state.help_scene(), &state.locale);
             let next = titles.iter().find(|&&line| line > page.scroll);
             page.scroll = next.copied().unwrap_or(0);
         }
         Some(Action::Debrief(DebriefAction::PreviousSection)) => {
-            let titles = page.titles(&state.keymap, state.room, &state.locale);
+            let titles = page.titles(state.help_scene(), &state.locale);
             let before = titles.iter().rfind(|&&line| line < page.scroll);
             page.scroll = before.or(titles.last()).copied().unwrap_or(0);
         }

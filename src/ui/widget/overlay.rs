@@ -115,7 +115,7 @@ fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
 
 fn draw_help(state: &State, page: &HelpPage, panel: Panel<'_>, buffer: &mut Buffer) {
     let scroll = page.scroll();
-    let lines = page.lines(state.keymap(), state.room(), &panel.look.locale);
+    let lines = page.lines(state.help_scene(), &panel.look.locale);
     let place = centred(
         (panel.area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         panel.area.height - 2,
