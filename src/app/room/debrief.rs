@@ -198,6 +198,7 @@ impl RoomModel for Option<Debrief> {
                 debrief.map = false;
                 Vec::new()
             }
+            None if state.replay.is_some() => vec![RoomRequest::Show(Room::Fly)],
             None => vec![RoomRequest::Leave],
         })
     }
