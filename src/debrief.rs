@@ -29,7 +29,7 @@ pub use layout::fit;
 use layout::{clock, pieces};
 
 /// Columns of the page.
-const WIDTH: usize = 80;
+pub const WIDTH: usize = 80;
 /// The debrief of a report, in a language.
 pub fn text(report: &Report, locale: &Locale) -> String {
     text_with(report, &[], locale)
@@ -42,9 +42,11 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The causes of the score and the improvements: the part of the page that explains the result.
-pub fn explanation(report: &Report, locale: &Locale) -> Vec<DebriefLine> {
+/// The causes of the score and the improvements: the part of the page that explains the result, in so many columns, up
+/// to [`WIDTH`].
+pub fn explanation(report: &Report, locale: &Locale, width: usize) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
+    page.width = width.min(WIDTH);
     page.components(report);
     page.improvements(report);
     page.finished()
@@ -73,6 +75,8 @@ struct DebriefPage<'a> {
     /// The tones of the lines written so far.
     tones: Vec<DebriefTone>,
     locale: &'a Locale,
+    /// The columns of the page.
+    width: usize,
 }
 
 impl<'a> DebriefPage<'a> {
@@ -81,13 +85,14 @@ impl<'a> DebriefPage<'a> {
             words: String::new(),
             tones: Vec::new(),
             locale,
+            width: WIDTH,
         }
     }
 
     /// The lines written so far.
     fn finished(self) -> Vec<DebriefLine> {
         // A stored report may contain any text; the page keeps its width.
-        let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
+        let cut = |line: &str| fit(line, self.width).trim_end().to_owned();
         let given = self.tones.iter().copied();
         let tones = given.chain(std::iter::repeat(DebriefTone::Plain));
         let lines = self.words.lines().zip(tones);
@@ -282,7 +287,7 @@ impl DebriefPage<'_> {
     /// lead.
     fn wrapped(&mut self, lead: &str, text: &Text) {
         let indent = lead.width();
-        let room = WIDTH.saturating_sub(indent).max(1);
+        let room = self.width.saturating_sub(indent).max(1);
         self.words.push_str(lead);
         let mut column = 0;
         for word in sanitised(&self.locale.text(text)).split_whitespace() {

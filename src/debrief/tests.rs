@@ -249,3 +249,20 @@ fn every_line_says_what_it_tells_in_any_language() {
         assert_eq!(text.join("\n") + "\n", super::text(&report, &locale));
     }
 }
+
+#[test]
+fn a_narrow_explanation_has_the_same_words() {
+    for language in Language::ALL {
+        let locale = Locale::new(language);
+        let words = |width: usize| -> Vec<String> {
+            let lines = explanation(&do_nothing().report(), &locale, width);
+            assert!(
+                lines.iter().all(|it| it.text.width() <= width),
+                "{lines:#?}"
+            );
+            let words = lines.iter().flat_map(|it| it.text.split_whitespace());
+            words.map(str::to_owned).collect()
+        };
+        assert_eq!(words(78), words(WIDTH));
+    }
+}

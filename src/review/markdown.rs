@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{PointKind, Review};
-use crate::debrief::explanation;
+use crate::debrief::{self, explanation};
 use crate::moment::Moment;
 use crate::notice::sanitised;
 use crate::record::MissionClock;
@@ -146,7 +146,7 @@ impl MarkdownPage<'_> {
     fn explained(&mut self, report: &Report) {
         self.heading(2, &self.say("review-explained"));
         self.words.push_str("```text\n");
-        for line in explanation(report, self.locale) {
+        for line in explanation(report, self.locale, debrief::WIDTH) {
             let _ = writeln!(self.words, "{}", line.text);
         }
         self.words.push_str("```\n");

@@ -42,7 +42,7 @@ fn with_timeline<'a>(
     panel: Panel<'_>,
 ) -> Vec<Line<'a>> {
     if let [message] = &lines[..]
-        && let Some(bar) = replay::bar_beside(view, message, panel)
+        && let Some(bar) = replay::bar_beside(state, view, message, panel)
     {
         return vec![bar];
     }
@@ -119,7 +119,7 @@ pub fn hints<'a>(
             look.hits.add(place.area, *action);
         }
         spans.push(Span::styled(key, look.style(Role::Key)));
-        spans.push(muted(format!(" {what}  ")));
+        spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
     }
     Line::from(spans)
 }

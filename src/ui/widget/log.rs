@@ -139,7 +139,7 @@ fn blocks<'a>(
             moments
                 .map(|moment| {
                     let time = replay::both_times(view, moment.at);
-                    vec![replay::moment_line(&time, moment, width, look)]
+                    replay::moment_lines(&time, moment, width, look)
                 })
                 .collect()
         }

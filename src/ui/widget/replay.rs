@@ -14,11 +14,17 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, clip, clock, width};
+use crate::ui::widget::{aligned, clip, clock, width, wrap};
 use crate::vehicle_id::ranges;
 
 /// The least cells of the time line; below that it is left out.
 const SHORTEST: usize = 10;
+/// The least cells of the time line beside a message, which otherwise is above it.
+const SHORTEST_BESIDE: usize = 20;
+/// The keys beside the time line get one column in this many, on a screen of at least this width and on a narrower one.
+const WIDE_BAR: usize = 120;
+const WIDE_HINTS: usize = 2;
+const NARROW_HINTS: usize = 4;
 /// Columns of a moment's kind in the list.
 const KIND_WIDTH: usize = 10;
 /// Below this width, a line shows the kind by its sign alone.
@@ -55,42 +61,68 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
 
 /// The last line of the screen: the position in the recording, its moments, and the keys.
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
-    let hints = hints(state, panel.width() / 2, panel.look);
-    let room = room_beside(view, &hints, panel);
-    let cells = room.filter(|it| *it >= SHORTEST).unwrap_or_default();
-    timeline(view, cells, hints, panel.look)
+    let share = if panel.width() < WIDE_BAR {
+        NARROW_HINTS
+    } else {
+        WIDE_HINTS
+    };
+    let line = TimeLine::of(state, view, panel.look);
+    let hints = hints(state, panel.width() / share, panel.look);
+    let cells = line.room_beside(&hints, panel);
+    let cells = cells.filter(|it| *it >= SHORTEST).unwrap_or_default();
+    line.draw(cells, hints, panel.look)
 }
 
 /// The same line with a message in place of the keys, if both fit.
-pub fn bar_beside<'a>(view: &ReplayView, message: &Line<'a>, panel: Panel<'_>) -> Option<Line<'a>> {
-    let cells = room_beside(view, &message.spans, panel)?;
-    (cells >= SHORTEST).then(|| timeline(view, cells, message.spans.clone(), panel.look))
+pub fn bar_beside<'a>(
+    state: &State,
+    view: &ReplayView,
+    message: &Line<'a>,
+    panel: Panel<'_>,
+) -> Option<Line<'a>> {
+    let line = TimeLine::of(state, view, panel.look);
+    let spans = message.spans.iter().cloned();
+    let spans: Vec<Span<'a>> = spans.map(|it| it.patch_style(message.style)).collect();
+    let cells = line.room_beside(&spans, panel)?;
+    (cells >= SHORTEST_BESIDE).then(|| line.draw(cells, spans, panel.look))
 }
 
-/// The cells that a time line has beside these words.
-fn room_beside(view: &ReplayView, says: &[Span<'_>], panel: Panel<'_>) -> Option<usize> {
-    let words: usize = says.iter().map(Span::width).sum();
-    let times = width(&position(view, panel.look)) + width(&end(view));
-    panel.width().checked_sub(words + times + 1)
+/// The time line of a replay, and the times at its ends.
+struct TimeLine<'a> {
+    view: &'a ReplayView,
+    position: String,
+    end: String,
 }
 
-fn timeline<'a>(view: &ReplayView, cells: usize, says: Vec<Span<'a>>, look: &Look) -> Line<'a> {
-    let mut spans = vec![Span::styled(position(view, look), look.style(Role::Accent))];
-    if cells > 0 {
-        spans.extend(line(view, cells, look));
+impl<'a> TimeLine<'a> {
+    fn of(state: &State, view: &'a ReplayView, look: &Look) -> Self {
+        Self {
+            view,
+            position: position(state, view, look),
+            end: format!(" {}  ", clock(view.length)),
+        }
     }
-    spans.push(Span::styled(end(view), look.style(Role::Muted)));
-    spans.extend(says);
-    Line::from(spans)
-}
 
-/// The length of the recording.
-fn end(view: &ReplayView) -> String {
-    format!(" {}  ", clock(view.length))
+    /// The cells that it has beside these words.
+    fn room_beside(&self, says: &[Span<'_>], panel: Panel<'_>) -> Option<usize> {
+        let words: usize = says.iter().map(Span::width).sum();
+        let times = width(&self.position) + width(&self.end);
+        panel.width().checked_sub(words + times + 1)
+    }
+
+    fn draw<'s>(self, cells: usize, says: Vec<Span<'s>>, look: &Look) -> Line<'s> {
+        let mut spans = vec![Span::styled(self.position, look.style(Role::Accent))];
+        if cells > 0 {
+            spans.extend(line(self.view, cells, look));
+        }
+        spans.push(Span::styled(self.end, look.style(Role::Muted)));
+        spans.extend(says);
+        Line::from(spans)
+    }
 }
 
 /// The position in the recording: ` ■ 01:23 `, with the mission's time, the goal and the gap if there are any.
-fn position(view: &ReplayView, look: &Look) -> String {
+fn position(state: &State, view: &ReplayView, look: &Look) -> String {
     let position = &view.position;
     let sign = match (position.is_playing, position.is_backwards) {
         (true, false) => "▶",
@@ -98,7 +130,9 @@ fn position(view: &ReplayView, look: &Look) -> String {
         (false, _) => "■",
     };
     let at = clock(position.at);
-    let elapsed = view.clock.mission_time(position.at);
+    // The time that the other panes show.
+    let shown_elapsed = state.session().mission().map(|it| it.elapsed);
+    let elapsed = shown_elapsed.or_else(|| view.clock.mission_time(position.at));
     let remarks = [
         elapsed.map(|it| text!("replay-mission-time", time = clock(it))),
         position
@@ -210,6 +244,26 @@ pub fn both_times(view: &ReplayView, at: Duration) -> String {
 
 /// A moment in a list, with its time as stated there.
 pub fn moment_line<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
+    let head = moment_head(time, moment, columns, look);
+    let rest = columns.saturating_sub(head.width());
+    let text = clip(&moment_text(moment, look), rest);
+    Line::from(vec![head, Span::styled(text, look.style(Role::Text))])
+}
+
+/// A moment in a list, with its whole text.
+pub fn moment_lines<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Vec<Line<'a>> {
+    let head = moment_head(time, moment, columns, look);
+    let indent = head.width();
+    let parts = wrap(&moment_text(moment, look), columns.saturating_sub(indent));
+    let below = std::iter::repeat_with(|| Span::raw(" ".repeat(indent)));
+    let leads = std::iter::once(head).chain(below);
+    leads
+        .zip(parts)
+        .map(|(lead, part)| Line::from(vec![lead, Span::styled(part, look.style(Role::Text))]))
+        .collect()
+}
+
+fn moment_head<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Span<'a> {
     let (sign, role) = sign(moment.kind);
     // In a narrow list, the sign alone leaves room for the text.
     let head = if columns < NARROW {
@@ -218,10 +272,5 @@ pub fn moment_line<'a>(time: &str, moment: &Moment, columns: usize, look: &Look)
         let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
         format!("{time} {sign} {kind} ")
     };
-    let rest = columns.saturating_sub(width(&head));
-    let text = clip(&moment_text(moment, look), rest);
-    Line::from(vec![
-        Span::styled(head, look.style(role)),
-        Span::styled(text, look.style(Role::Text)),
-    ])
+    Span::styled(head, look.style(role))
 }

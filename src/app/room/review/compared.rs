@@ -6,7 +6,7 @@ use crate::app::room::page::Tone;
 use crate::comparison::{ComparedFlight, Difference, differences};
 use crate::debrief::fit;
 use crate::text;
-use crate::text::{Text, clock};
+use crate::text::{Text, clock, wrap};
 
 /// Columns of the time and of the points; the rest is shared.
 const TIME: usize = 6;
@@ -73,19 +73,25 @@ impl Page<'_> {
         self.row(tone, [&time, &what, &own, &other, &points]);
     }
 
-    /// A row of the table: time, what, this flight, the other one, points.
+    /// A row of the table: time, what, this flight, the other one, points. Long cells take several lines.
     fn row(&mut self, tone: Tone, cells: [&str; 5]) {
         let rest = self.text.width.saturating_sub(TIME + POINTS + 4);
         let what = rest * WHAT / SHARES;
         let side = (rest - what) / 2;
         let [time, about, own, other, points] = cells;
-        let line = format!(
-            "{} {} {} {} {points:>POINTS$}",
-            fit(time, TIME),
-            fit(about, what),
-            fit(own, side),
-            fit(other, side)
-        );
-        self.text.add(tone, line.trim_end());
+        let columns = [(about, what), (own, side), (other, side)]
+            .map(|(cell, width)| (wrap(cell, width), width));
+        let count = columns.iter().map(|(lines, _)| lines.len()).max();
+        for at in 0..count.unwrap_or_default() {
+            let [about, own, other] = columns
+                .each_ref()
+                .map(|(lines, width)| fit(lines.get(at).map_or("", String::as_str), *width));
+            let (time, points) = if at == 0 { (time, points) } else { ("", "") };
+            let line = format!(
+                "{} {about} {own} {other} {points:>POINTS$}",
+                fit(time, TIME)
+            );
+            self.text.add(tone, line.trim_end());
+        }
     }
 }

@@ -217,7 +217,7 @@ impl Page<'_> {
         let Some(report) = self.view.report.clone() else {
             return self.unread();
         };
-        for line in explanation(&report, self.text.locale) {
+        for line in explanation(&report, self.text.locale, self.text.width) {
             let tone = match line.tone {
                 DebriefTone::Heading | DebriefTone::Head => Tone::Title,
                 DebriefTone::Good => Tone::Met,
