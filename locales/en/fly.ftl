@@ -177,6 +177,7 @@ hint-home = home
 
 commands-pane = commands
 commands-none = no command yet: press { $key } and type one
+commands-none-replayed = no command so far
 commands-none-fit = no command matches: { $key } shows all
 commands-follows = follows the newest
 commands-only-vehicles = { $count ->

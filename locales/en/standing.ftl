@@ -13,7 +13,7 @@ hint-mission = mission
 hint-aids = advice
 
 # The first line of the home screen.
-home-no-profile = choose a profile: without one, flights are not kept
+home-no-profile = choose a profile: without one, results are not kept
 home-trainee = level { $level }   { $credits } cr   licence { $licence }
 home-next = next: { $skill } { $percent } %, { $mission }
 home-next-new = next: { $skill } (not tried), { $mission }
@@ -80,7 +80,7 @@ fact-daily-flown = seed of the day flown; repeats are practice
 profiles-title = profiles
 profiles-now = (now)
 profiles-new = new profile ...
-profiles-guest = Guest (flights are not kept)
+profiles-guest = Guest (results are not kept)
 profiles-keys = { $scroll } move   { $submit } choose   { $escape } back
 profiles-in-flight = a mission is under way: end it first; its result belongs to the current profile
 profiles-nameless = type a name

@@ -178,6 +178,7 @@ hint-home = початок
 
 commands-pane = команди
 commands-none = ще немає команд: { $key } відкриває командний рядок
+commands-none-replayed = команд ще не було
 commands-none-fit = жодна команда не відповідає: { $key } покаже всі
 commands-follows = стежить за найновішою
 commands-only-vehicles = { $count ->

@@ -13,7 +13,7 @@ hint-mission = завдання
 hint-aids = поради
 
 # Перший рядок початкового екрана.
-home-no-profile = вибрати профіль: без нього польоти не зберігаються
+home-no-profile = вибрати профіль: без нього результати не зберігаються
 home-trainee = рівень { $level }   { $credits } cr   ліцензія { $licence }
 home-next = далі: { $skill } { $percent } %, { $mission }
 home-next-new = далі: { $skill } (не пробували), { $mission }
@@ -68,7 +68,7 @@ fact-daily-flown = з варіантом дня виконано; повтори
 profiles-title = профілі
 profiles-now = (зараз)
 profiles-new = новий профіль ...
-profiles-guest = Гість (польоти не зберігаються)
+profiles-guest = Гість (результати не зберігаються)
 profiles-keys = { $scroll } рух   { $submit } вибрати   { $escape } назад
 profiles-in-flight = завдання триває: спершу завершіть його; результат належить поточному профілю
 profiles-nameless = впишіть ім'я

@@ -210,16 +210,16 @@ fn is_capped(facts: &Facts) -> bool {
 }
 
 fn objective_words(facts: &Facts) -> Text {
-    let missed: Vec<&str> = facts
+    let missed: Vec<Text> = facts
         .objectives
         .iter()
         .filter(|o| !o.met)
-        .map(|o| o.id.as_str())
+        .map(|o| o.title.clone())
         .collect();
     if missed.is_empty() {
         text!("scoring-all-met", count = facts.objectives.len())
     } else {
-        let objectives = missed.join(", ");
+        let objectives = Text::joined(", ", missed);
         let most = format!("{MISSED_MANDATORY_CAP:.3}");
         if is_capped(facts) {
             text!(

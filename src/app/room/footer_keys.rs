@@ -11,17 +11,20 @@ pub const SCROLL: KeyHint = hint(Action::UP_AND_DOWN, "hint-scroll");
 pub const BACK: KeyHint = hint(&[Action::Escape], "hint-back");
 pub const PAUSE: KeyHint = hint(&[Action::PauseMission], "hint-pause");
 pub const MISSION_HINT: KeyHint = hint_words("hint", "hint-hint");
+pub const EXPORT: KeyHint = hint_words("review export", "hint-export");
+pub const GHOST: KeyHint = hint_words("ghost", "hint-ghost");
 pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
 pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 
 /// Whether a hint's keys are useful now: pause, if the mission allows it; hint, if one is left; prediction and goal,
-/// before launch.
+/// before launch; export and ghost, with a flight to review.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.task.progress.as_ref();
     match hint {
         PAUSE => state.flown_mission().is_none_or(|it| it.pausable),
         MISSION_HINT => mission.is_some_and(|mission| mission.clues.next.is_some()),
         PREDICT | GOAL => state.can_pledge(),
+        EXPORT | GHOST => state.replay.is_some(),
         _ => true,
     }
 }

@@ -90,11 +90,11 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Submit], "hint-take"),
     footer_keys::COMMAND,
     footer_keys::HELP,
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     hint(&[Action::Profiles], "hint-trainee"),
     hint(&[Action::Show(Room::Standing)], "room-standing"),
     hint(&[Action::Show(Room::Workshop)], "room-workshop"),
     hint(&[Action::Quit], "hint-quit"),
-    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
 ];
 
 impl RoomModel for Home {

@@ -133,9 +133,11 @@ pub fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
 const PAGE_HINTS: &[KeyHint] = &[
     hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
     footer_keys::SCROLL,
+    footer_keys::EXPORT,
+    footer_keys::GHOST,
     footer_keys::BACK,
-    footer_keys::COMMAND,
     footer_keys::HELP,
+    footer_keys::COMMAND,
 ];
 
 const HAPPENED_HINTS: &[KeyHint] = &[
@@ -143,6 +145,8 @@ const HAPPENED_HINTS: &[KeyHint] = &[
     footer_keys::MOVE,
     hint_words("review sustain", "hint-sustain"),
     hint_words("review improve", "hint-improve"),
+    footer_keys::EXPORT,
+    footer_keys::GHOST,
     footer_keys::BACK,
     footer_keys::HELP,
 ];
@@ -150,9 +154,11 @@ const HAPPENED_HINTS: &[KeyHint] = &[
 const ANSWER_HINTS: &[KeyHint] = &[
     hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
     hint(&[Action::Submit], "hint-answer"),
+    footer_keys::EXPORT,
+    footer_keys::GHOST,
     footer_keys::BACK,
-    footer_keys::COMMAND,
     footer_keys::HELP,
+    footer_keys::COMMAND,
 ];
 
 impl RoomModel for Review {

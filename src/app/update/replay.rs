@@ -129,7 +129,16 @@ pub fn play(plays: bool) -> Effects {
 /// Sets the rate, within the limits.
 pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
     let possible = wanted.clamp(SLOWEST, FASTEST);
-    let text = text!("replay-rate", rate = rate(possible));
+    let text = if possible == wanted {
+        text!("replay-rate", rate = rate(possible))
+    } else {
+        text!(
+            "replay-rate-limit",
+            rate = rate(possible),
+            slowest = rate(SLOWEST),
+            fastest = rate(FASTEST)
+        )
+    };
     state.say(Severity::Notice, text);
     Effects::from(Effect::Replay(ReplayEffect::Rate(possible)))
 }
@@ -153,10 +162,15 @@ pub fn bookmark(state: &mut State, text: String) -> Result<Effects, Text> {
         let effect = SessionEffect::Bookmark(text);
         return Ok(Effects::from(Effect::Session(effect)));
     };
-    let here = view.bookmark_here().unwrap_or(view.position.at);
+    let known = view.bookmark_here();
+    let here = known.unwrap_or(view.position.at);
     view.review.set_bookmark(&view.bookmarks(), here, text)?;
     let kept = keep(view);
-    state.say(Severity::Notice, text!("bookmark-set"));
+    let done = match known {
+        Some(_) => text!("bookmark-renamed"),
+        None => text!("bookmark-set"),
+    };
+    state.say(Severity::Notice, done);
     Ok(kept)
 }
 
@@ -189,6 +203,7 @@ fn refuse(state: &mut State) -> Effects {
 mod tests {
     use super::*;
     use crate::app::Setup;
+    use crate::app::action::Action;
 
     #[test]
     fn a_replay_is_reviewed_and_played_again_itself() {
@@ -206,5 +221,36 @@ mod tests {
         let start = ReplayEffect::Seek(SeekTarget::At(Duration::ZERO));
         assert_eq!(again, Effects::from(Effect::Replay(start)));
         assert_eq!(state.room(), Room::Fly);
+    }
+
+    #[test]
+    fn escape_in_the_debrief_of_a_replay_leads_back_to_the_flight() {
+        let mut state = State::new(Setup::default());
+        state.replay = Some(ReplayView::new("a".to_owned(), 0, Duration::from_secs(60)));
+        act::show(&mut state, Room::Debrief);
+        assert_eq!(act::act(&mut state, Action::Escape), Effects::none());
+        assert_eq!(state.room(), Room::Fly);
+        assert!(state.replay.is_some(), "the replay goes on");
+    }
+
+    #[test]
+    fn a_bookmark_that_is_there_is_renamed() {
+        let mut state = State::new(Setup::default());
+        state.replay = Some(ReplayView::new("a".to_owned(), 0, Duration::from_secs(60)));
+        for said in [text!("bookmark-set"), text!("bookmark-renamed")] {
+            let kept = bookmark(&mut state, "here".to_owned());
+            assert!(kept.is_ok(), "{kept:?}");
+            assert_eq!(state.message().map(|it| &it.text), Some(&said));
+        }
+    }
+
+    #[test]
+    fn a_rate_beyond_the_limits_is_told_with_them() {
+        let mut state = State::new(Setup::default());
+        let set = set_rate(&mut state, 500.0);
+        let effect = Effect::Replay(ReplayEffect::Rate(FASTEST));
+        assert_eq!(set, Effects::from(effect));
+        let said = state.message().map(|it| it.text.to_string());
+        assert!(said.is_some_and(|it| it.contains("0.1 to 64")));
     }
 }

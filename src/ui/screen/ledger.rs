@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::ledger::{entry_role, summary};
+use crate::ui::widget::ledger::{entry_role, none, summary};
 use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
 use crate::vehicle_id::{parse_ranges, ranges};
 
@@ -66,10 +66,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let list = below(inner, 1);
     if room.shown().is_empty() {
         let nothing = if state.session().ledger().entries().len() == 0 {
-            panel.text(&text!(
-                "commands-none",
-                key = state.key(Action::CommandLine)
-            ))
+            panel.text(&none(state))
         } else {
             panel.text(&text!("commands-none-fit", key = state.key(Action::Escape)))
         };

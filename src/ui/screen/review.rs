@@ -16,7 +16,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw as draw_map;
 use crate::ui::widget::replay::{moment_line, moment_text};
-use crate::ui::widget::{clock, put, row_of, wrap};
+use crate::ui::widget::{clock, footer, put, row_of, wrap};
 
 mod curves;
 
@@ -25,7 +25,7 @@ const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
 /// Rows below the moments for the one under the cursor.
 const DETAIL_ROWS: u16 = 6;
-/// Rows of the tabs and a blank one below.
+/// Rows of the tabs and of the keys below.
 const HEAD_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -44,6 +44,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let shown = state.rooms().review().page();
     put(buffer, panel.area, 0, &pages(view, shown, panel));
+    // The time line takes the place of the keys on the last line.
+    let keys = panel.at(row_of(panel.area, 1));
+    put(buffer, keys.area, 0, &footer::hints(state, room::hints(state), keys));
     let body = panel.below(HEAD_ROWS);
     if shown == ReviewPage::Happened {
         draw_moments(state, view, body, buffer);

@@ -24,10 +24,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         return;
     };
     let clock = short_clock(state.session().time(pressing.first.since));
-    let hint = panel.text(&text!(
-        "alert-acknowledge-hint",
-        key = state.key(Action::Acknowledge)
-    ));
+    // In a replay, the flight with its alerts is over.
+    let hint = if state.replay().is_some() {
+        String::new()
+    } else {
+        let key = state.key(Action::Acknowledge);
+        panel.text(&text!("alert-acknowledge-hint", key = key))
+    };
     let room = usize::from(panel.area.width).saturating_sub(width(&hint) + 4);
     let text = clip(&words(&pressing, &clock, panel.look), room);
     let line = Line::from(vec![

@@ -45,10 +45,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         blocks.push(block);
     }
     if blocks.is_empty() {
-        let text = panel.text(&text!(
-            "commands-none",
-            key = state.key(Action::CommandLine)
-        ));
+        let text = panel.text(&none(state));
         put(
             buffer,
             inner,
@@ -58,6 +55,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
+    }
+}
+
+/// The text in place of the commands while there is none.
+pub fn none(state: &State) -> Text {
+    if state.replay().is_some() {
+        text!("commands-none-replayed")
+    } else {
+        text!("commands-none", key = state.key(Action::CommandLine))
     }
 }
 

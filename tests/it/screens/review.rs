@@ -354,3 +354,48 @@ fn a_message_leaves_the_time_line_of_a_replay_in_sight() {
     let last: Vec<&str> = screen.trim_end().lines().rev().take(2).collect();
     assert!(last[1].contains(long) && last[0].contains("●"), "{last:?}");
 }
+
+#[test]
+fn the_time_line_is_long_enough_on_a_small_screen() {
+    let console = reviewing();
+    let screen = console.screen(80, 24);
+    let last = screen.trim_end().lines().last().unwrap_or_default();
+    let cells = last
+        .split_once("00:00 ")
+        .and_then(|(_, rest)| rest.split_once(" 05:12"));
+    let (cells, keys) = cells.expect("a time line");
+    assert!(cells.chars().count() >= 30, "{last}");
+    assert!(keys.contains("Space play"), "{last}");
+}
+
+#[test]
+fn the_list_of_moments_shows_the_whole_reason_of_a_refusal() {
+    let mut console = reviewing();
+    let why =
+        "all takeoff 25: takeoff refused: it is not armed, and the filter has no position yet";
+    console.hear(ReplayEvent::Known {
+        length: Duration::from_secs(312),
+        moments: Arc::new(vec![moment(70, MomentKind::Refusal, Some(2), why)]),
+        report: None,
+    });
+    console.press("m");
+    let screen = console.screen(80, 24);
+    let words: Vec<&str> = screen.split_whitespace().collect();
+    let words = words.join(" ").replace(" │ │ ", " ");
+    assert!(
+        words.contains("not armed, and the filter has no position yet"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn the_review_names_its_keys_on_every_page() {
+    let mut console = reviewing();
+    for _ in 0..6 {
+        let screen = console.screen(80, 24);
+        for keys in ["Tab page", "e export", "g other flight"] {
+            assert!(screen.contains(keys), "{keys}: {screen}");
+        }
+        console.press("tab");
+    }
+}

@@ -8,6 +8,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::Ghost;
 use crate::comparison::ComparedFlight;
+use crate::text;
 use crate::text::{clock, figure};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -110,8 +111,8 @@ impl FlightCurves<'_> {
             curve::draw(&curve, symbols, plot, buffer);
         }
         let last = panel.area.height.saturating_sub(1);
-        let scale = format!("0..{} 00:00..{}", figure(high, 0), clock(length));
-        let line = Line::styled(scale, panel.style(Role::Muted));
+        let scale = text!("compare-scale", high = figure(high, 0), end = clock(length));
+        let line = Line::styled(panel.text(&scale), panel.style(Role::Muted));
         put(buffer, panel.area, last, &line);
     }
 }
