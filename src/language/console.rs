@@ -87,6 +87,45 @@ pub enum ConsoleLine {
     Quit,
 }
 
+impl ConsoleLine {
+    /// Whether it acts on a flight under way, so that it has no effect on a recorded one.
+    pub fn needs_flight(&self) -> bool {
+        match self {
+            Self::Forget(_)
+            | Self::Forward(_)
+            | Self::Inject(_)
+            | Self::Process { .. }
+            | Self::Abandon
+            | Self::Restart => true,
+            Self::Report(_)
+            | Self::Select(_)
+            | Self::Carried { .. }
+            | Self::Group { .. }
+            | Self::Ungroup(_)
+            | Self::Show(_)
+            | Self::Fly(_)
+            | Self::FlyFree
+            | Self::Connect(_)
+            | Self::Macro(_)
+            | Self::Set(_)
+            | Self::Parameters(_)
+            | Self::Table(_)
+            | Self::Alerts(_)
+            | Self::Pause
+            | Self::Continue
+            | Self::Speedup(_)
+            | Self::Replay(_)
+            | Self::Bookmark(_)
+            | Self::Unbookmark
+            | Self::Review(_)
+            | Self::Draft(_)
+            | Self::Ghost(_)
+            | Self::Leave
+            | Self::Quit => false,
+        }
+    }
+}
+
 /// A command about forwards.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ForwardLine {

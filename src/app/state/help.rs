@@ -10,7 +10,7 @@ use crate::text::{Locale, Text, wrap};
 
 mod replayed;
 
-use replayed::{ReplayUse, replayed};
+use replayed::{ReplayUse, is_carried_out, replayed};
 
 /// The maximum number of columns of a usage with an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
@@ -149,7 +149,7 @@ pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
     };
     let mut lines: Vec<HelpLine> = nearby.iter().copied().flat_map(section).collect();
     lines.extend(if scene.is_replay {
-        console_help(Channel::Screen, locale)
+        console_help(Channel::Screen, is_carried_out, locale)
     } else {
         command_help(Channel::Screen, locale)
     });
@@ -165,15 +165,20 @@ pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
     let to_vehicles = rows().filter(|row| row.scope.includes(channel) && row.scope.takes_targets());
     lines.extend(to_vehicles.flat_map(|row| summarised(row, locale)));
     lines.push(HelpLine::Blank);
-    lines.extend(console_help(channel, locale));
+    lines.extend(console_help(channel, |_| true, locale));
     lines
 }
 
-/// The part of the help about commands to the console itself.
-fn console_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
+/// The part of the help about commands to the console itself, of the verbs that are wanted.
+fn console_help(
+    channel: Channel,
+    is_wanted: impl Fn(&VerbRow) -> bool,
+    locale: &Locale,
+) -> Vec<HelpLine> {
     let mut lines = vec![HelpLine::Title(locale.say("help-console"))];
     let own = rows().filter(|row| row.scope.includes(channel) && !row.scope.takes_targets());
-    lines.extend(own.flat_map(|row| summarised(row, locale)));
+    let wanted = own.filter(|row| is_wanted(row));
+    lines.extend(wanted.flat_map(|row| summarised(row, locale)));
     lines
 }
 
@@ -320,8 +325,13 @@ mod tests {
                 what.starts_with(&format!("{verb} ")) || meaning.contains(&format!("`{verb}"))
             })
         };
-        assert!(verb("seek"), "{all:#?}");
-        for refused in ["arm", "takeoff", "rtl", "mode"] {
+        for carried_out in ["seek", "bookmark", "leave", "macro"] {
+            assert!(
+                all.iter().any(|(what, _)| what.starts_with(carried_out)),
+                "{carried_out}: {all:#?}"
+            );
+        }
+        for refused in ["arm", "takeoff", "rtl", "mode", "inject", "abandon"] {
             assert!(!verb(refused), "{refused}: {all:#?}");
         }
         let pause = locale.say("action-pause-mission");

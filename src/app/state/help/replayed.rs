@@ -2,7 +2,7 @@
 
 use crate::app::action::{Action, MapAction, ParametersAction, PlansAction};
 use crate::app::keymap::Meaning;
-use crate::language::{rows, words};
+use crate::language::{self, Channel, Context, VerbRow, rows, words};
 
 /// The effect of a key in a replay.
 pub(super) enum ReplayUse {
@@ -21,7 +21,7 @@ pub(super) fn replayed(meaning: &Meaning) -> ReplayUse {
                 .first()
                 .and_then(|verb| rows().find(|row| row.is_called(verb.text)));
             match row {
-                Some(row) if row.scope.takes_targets() => ReplayUse::None,
+                Some(row) if !is_carried_out(row) => ReplayUse::None,
                 Some(_) | None => ReplayUse::Same,
             }
         }
@@ -72,4 +72,26 @@ fn action_replayed(action: Action) -> ReplayUse {
         | Action::Workshop(_)
         | Action::Quit => ReplayUse::Same,
     }
+}
+
+/// Whether a replay carries out lines of a verb. Verbs of vehicles are refused, and others have no effect if each of
+/// their lines needs a flight under way.
+pub(super) fn is_carried_out(row: &VerbRow) -> bool {
+    if row.scope.takes_targets() {
+        return false;
+    }
+    // Lines that lack an argument, or name something of this session, say nothing.
+    let lines = std::iter::once(row.name()).chain(row.examples.iter().copied());
+    let context = Context {
+        channel: Channel::Screen,
+        ..Context::default()
+    };
+    let read = lines.filter_map(|line| language::parse(line, &context).ok());
+    let needs: Vec<bool> = read
+        .map(|statement| match statement.meaning {
+            language::Meaning::Console(own) => own.needs_flight(),
+            language::Meaning::Act(_) | language::Meaning::Wait(_) => true,
+        })
+        .collect();
+    needs.is_empty() || needs.contains(&false)
 }
