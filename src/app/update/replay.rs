@@ -204,6 +204,7 @@ mod tests {
     use super::*;
     use crate::app::Setup;
     use crate::app::action::Action;
+    use crate::app::update::act as actions;
 
     #[test]
     fn a_replay_is_reviewed_and_played_again_itself() {
@@ -227,8 +228,9 @@ mod tests {
     fn escape_in_the_debrief_of_a_replay_leads_back_to_the_flight() {
         let mut state = State::new(Setup::default());
         state.replay = Some(ReplayView::new("a".to_owned(), 0, Duration::from_secs(60)));
-        act::show(&mut state, Room::Debrief);
-        assert_eq!(act::act(&mut state, Action::Escape), Effects::none());
+        show(&mut state, Room::Debrief);
+        let done = actions::act(&mut state, Action::Escape);
+        assert_eq!(done, Effects::none());
         assert_eq!(state.room(), Room::Fly);
         assert!(state.replay.is_some(), "the replay goes on");
     }

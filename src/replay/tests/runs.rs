@@ -3,6 +3,7 @@
 use super::*;
 use crate::mission::fake::Pilot;
 use crate::mission::record::Occasion;
+use crate::record::{Head, Subject};
 
 /// The run of a flight that was left in the air.
 fn run_left() -> String {

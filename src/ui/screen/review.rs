@@ -7,6 +7,7 @@ use super::mission::draw_line;
 use crate::app::State;
 use crate::app::action::{Action, ReplayAction};
 use crate::app::keymap::Place;
+use crate::app::room;
 use crate::app::room::mission::visible;
 use crate::app::room::review::{self, ReviewPage};
 use crate::app::state::{ReplayView, Room};
@@ -46,7 +47,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, panel.area, 0, &pages(view, shown, panel));
     // The time line takes the place of the keys on the last line.
     let keys = panel.at(row_of(panel.area, 1));
-    put(buffer, keys.area, 0, &footer::hints(state, room::hints(state), keys));
+    put(
+        buffer,
+        keys.area,
+        0,
+        &footer::hints(state, room::hints(state), keys),
+    );
     let body = panel.below(HEAD_ROWS);
     if shown == ReviewPage::Happened {
         draw_moments(state, view, body, buffer);

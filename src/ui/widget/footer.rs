@@ -98,7 +98,6 @@ pub fn hints<'a>(
     panel: Panel<'_>,
 ) -> Line<'a> {
     let (look, width) = (panel.look, panel.width());
-    let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for hint in hints {
