@@ -129,7 +129,7 @@ pub fn play(plays: bool) -> Effects {
 /// Sets the rate, within the limits.
 pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
     let possible = wanted.clamp(SLOWEST, FASTEST);
-    let text = if possible == wanted {
+    let text = if (SLOWEST..=FASTEST).contains(&wanted) {
         text!("replay-rate", rate = rate(possible))
     } else {
         text!(
