@@ -35,7 +35,7 @@ pub const WATCH_S: std::ops::RangeInclusive<f64> = 0.05..=3600.0;
 /// The time between two states of a watched subject unless a program asks for another, in seconds.
 pub const USUAL_WATCH_S: f64 = 0.5;
 
-/// What a program asks for.
+/// A request of a program: one JSON object on a line.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
@@ -188,7 +188,7 @@ impl Message {
     }
 }
 
-/// What a program can rely on.
+/// The first message to a program: versions, and whether it may give commands.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct Welcome {
     /// The version of the program that answers.
@@ -205,7 +205,7 @@ pub struct Accepted {
     pub id: Option<u64>,
     /// The command's number in the ledger; none for a line to the console itself.
     pub entry: Option<u32>,
-    /// What the console answers to the line, if anything.
+    /// The console's answer to the line as text, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
 }

@@ -79,7 +79,7 @@ pub struct Sender {
     pub signed: bool,
     /// Whether it sends MAVLink 1.
     pub version1: bool,
-    /// How long ago it last answered us; `None` if it never did.
+    /// How long ago it last answered the console; `None` if it never did.
     pub answered_ago: Option<Duration>,
     /// Messages sent to its peer, without heartbeats.
     pub asked: u64,
@@ -128,7 +128,6 @@ pub struct Observation {
 }
 
 impl Sender {
-    /// Its system id and its component id.
     fn ids(&self) -> (SystemId, ComponentId) {
         (self.source.system, self.source.component)
     }

@@ -21,7 +21,6 @@ impl Default for RunningHash {
 }
 
 impl RunningHash {
-    /// Adds bytes.
     pub fn add<'a>(&mut self, bytes: impl IntoIterator<Item = &'a u8>) {
         const PRIME: u64 = 0x0000_0100_0000_01b3;
         self.0 = bytes.into_iter().fold(self.0, |hash, &byte| {

@@ -123,7 +123,7 @@ pub struct LedgerRow {
     pub changed_at: Duration,
     /// The reason of a refusal, or a remark.
     pub explanation: Option<Text>,
-    /// What ended the effect of a completed command.
+    /// The reason why the effect of a completed command ended.
     pub ended_by: Option<Text>,
 }
 

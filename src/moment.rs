@@ -15,7 +15,7 @@ pub struct Moment {
     /// The vehicles concerned; empty if it concerns the whole flight.
     pub vehicles: Vec<VehicleId>,
     pub kind: MomentKind,
-    /// What happened, in a few words.
+    /// The event in a few words.
     pub text: Text,
 }
 

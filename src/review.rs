@@ -161,7 +161,6 @@ impl Review {
         &self.points
     }
 
-    /// The points of one kind.
     pub fn points_of(&self, kind: PointKind) -> impl Iterator<Item = &ReviewPoint> {
         self.points.iter().filter(move |it| it.kind == kind)
     }

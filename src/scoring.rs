@@ -154,13 +154,11 @@ pub struct Facts {
     /// Energy used by all vehicles in Wh; `None` if no vehicle reports it.
     pub energy_wh: Option<f64>,
     pub safety: Vec<SafetyEvent>,
-    /// The tally of commands.
     pub commands: CommandTally,
     /// Alerts that had to be answered.
     pub alerts: Vec<AlertFact>,
     /// The number of vehicles.
     pub vehicles: usize,
-    /// The use of each vehicle.
     pub usage: Vec<VehicleUse>,
     /// Hints given on request.
     pub hints: HintsUsed,

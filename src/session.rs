@@ -194,7 +194,7 @@ impl Session {
         }
     }
 
-    /// Whether the radio link is cut, also for our heartbeats.
+    /// Whether the radio link is cut, also for the console's heartbeats.
     pub fn is_cut(&self) -> bool {
         self.surroundings.is_cut()
     }
@@ -351,7 +351,7 @@ impl Session {
         self.output.say(back);
     }
 
-    /// Handles answers to our requests, and answers the vehicle's requests.
+    /// Handles answers to the console's requests, and answers those of the vehicle.
     fn answer(&mut self, frame: &Frame, now: Duration) {
         if let Content::Message(message) = &frame.content {
             let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);

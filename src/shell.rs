@@ -187,11 +187,11 @@ struct Console {
     next_look: Duration,
     /// Whether time is stopped until the brief is left.
     awaits_reader: bool,
-    /// What has become of a program's line, until the program is answered.
+    /// The outcome of a program's line, until the program is answered.
     program_answer: Option<Result<ProgramAnswer, ProgramFault>>,
     /// Events to handle, oldest first.
     inbox: VecDeque<Event>,
-    /// What remains of the previous session while it ends.
+    /// The previous session, while it ends.
     ending: SessionEnding,
     /// Warnings to show at the start.
     warnings: Vec<Text>,

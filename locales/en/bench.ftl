@@ -84,7 +84,7 @@ bench-seats-taken = all seats: { $name }
 bench-seats-lent = the mission lends its drones again
 bench-does-not-fly = cannot fly: { $reason }
 bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
-bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr
+bench-over-budget = the fleet costs { $cost } cr; the budget is { $budget } cr
 
 bench-designs = designs
 bench-no-designs = no designs yet

@@ -46,7 +46,7 @@ help-title = help   { $scroll } scroll   { $section } section   { $search } sear
 help-none = nothing found in the help
 help-targets = targets: 3  1-4,7  @group  all; without targets: the selection
 
-small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
+small-needs = sortie needs { $columns }x{ $rows }; this terminal is { $now_columns }x{ $now_rows }
 small-keys = Enlarge the terminal, or press { $key } to leave the program.
 
 prompt-connect-tcp = ArduPilot SITL, one vehicle per port

@@ -50,7 +50,7 @@ forward-none-there = no forward to { $address }: `forward` lists them
 forward-empty = the address is missing: write `ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]`
 forward-no-value = a value is missing after "{ $word }"
 forward-unknown-word = unknown word "{ $word }": after the address come `read-only`, `only NAMES`, `except NAMES`, `rate HZ`
-forward-wrong-rate = "{ $word }" is no rate: write 0.1 to 1000 messages per second
+forward-wrong-rate = "{ $word }" is not a rate: write 0.1 to 1000 messages per second
 forward-no-message = unknown message "{ $word }": write names or ids with commas between them, such as `ATTITUDE,GPS_RAW_INT`
 forward-file = { $address } is a recording: a forward needs a port
 

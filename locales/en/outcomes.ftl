@@ -26,7 +26,7 @@ outcome-verb-cancelled = { $verb } cancelled: { $reason }
 outcome-verb-refused = { $verb } refused: { $reason }
 outcome-superseded = replaced by { $by }
 outcome-the-reboot = the reboot
-outcome-answer-lost = seen in telemetry, the answer was lost
+outcome-answer-lost = seen in telemetry; the answer was lost
 outcome-fell-silent = it reported progress, then nothing more
 outcome-no-answer = { $tries ->
     [one] no answer to { $tries } try in { $seconds } s

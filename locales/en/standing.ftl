@@ -85,12 +85,12 @@ profiles-keys = { $scroll } move   { $submit } choose   { $escape } back
 profiles-in-flight = a mission is under way: end it first; its result belongs to the current profile
 profiles-nameless = type a name
 prompt-profile = your name
-prompt-profile-advice = flights, credits and designs are stored under it on this machine only
+prompt-profile-advice = your flights, credits and designs are stored on this machine only
 prompt-seed = seed for practice
 prompt-seed-advice = a number; the same seed gives the same flight. Leave it empty for the seed of --seed, or 1, and press { $submit }. Practice earns nothing
 
 # Own progress.
-standing-no-profile = Guests have no record. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
+standing-no-profile = Guests have no progress. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
 standing-choose-first = choose a profile first, with { $key }
 standing-level = level { $level }
 standing-experience = { $experience }/{ $needed } xp

@@ -8,8 +8,8 @@ threat-injury = hit a person
 threat-near-person = { $distance } m from a person
 threat-aircraft-hit = hit an aircraft
 threat-bubble = { $distance } m from an aircraft
-threat-intruder-hit = hit a foreign drone
-threat-intruder-near = { $distance } m from a foreign drone
+threat-intruder-hit = hit an unknown drone
+threat-intruder-near = { $distance } m from an unknown drone
 threat-answered = answered after { $seconds } s: { $alert }
 threat-not-allowed = `{ $name }` may not be injected in this mission
 

@@ -90,17 +90,17 @@ design-full = `{ $part }` is one too many: `{ $slot }` takes at most { $most }, 
 
 finding-missing = no { $slot } yet
 finding-propeller = propellers of { $diameter } in touch each other: this frame takes { $most } in
-finding-motor-cells = the battery has { $cells } cells, the motors take { $fewest } to { $most }
-finding-esc-cells = the battery has { $cells } cells, the speed controllers take at most { $most }
+finding-motor-cells = the battery has { $cells } cells; the motors take { $fewest } to { $most }
+finding-esc-cells = the battery has { $cells } cells; the speed controllers take at most { $most }
 finding-esc-current = speed controllers for { $current } A, but motors peak at { $peak } A: { $wanted } A would be safe
 finding-thrust = thrust is { $ratio } times the weight of { $mass } kg: it cannot hold its position in wind (at least { $least }; { $good } is good)
 finding-weak = thrust is { $ratio } times the weight: enough in calm air, but gusts and climbs need all of it ({ $good } is good)
 finding-collapse = the battery's voltage collapses in the hover
-finding-current = the hover draws { $current } A, the battery supplies { $most } A: its voltage collapses
+finding-current = the hover draws { $current } A; the battery supplies { $most } A: its voltage collapses
 finding-hover-current = the hover draws { $current } A, more than half of the battery's { $most } A: the voltage will sag
 finding-sag = below { $charge } % charge the voltage is too low for the hover: land before { $land } %
-finding-power-cells = the battery has { $cells } cells, the power module takes at most { $most }
-finding-power-current = the hover draws { $current } A, the power module takes at most { $most } A
+finding-power-cells = the battery has { $cells } cells; the power module takes at most { $most }
+finding-power-current = the hover draws { $current } A; the power module takes at most { $most } A
 
 measure-mass = mass
 measure-cost = cost

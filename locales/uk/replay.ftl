@@ -86,7 +86,7 @@ records-at = час
 records-mission-time = час завдання
 records-kind = вид
 records-vehicles = апарати
-records-what = що
+records-what = подія
 records-in-use = { $name } ще записується
 records-confirm = { $count ->
     [one] буде видалено { $count } запис: додайте --yes

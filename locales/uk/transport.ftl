@@ -8,7 +8,7 @@ transport-is-up = канал { $link } працює
 transport-is-down = канал { $link }: { $reason }
 transport-has-ended = { $link } завершено
 
-transport-refused = у з'єднанні відмовлено: порт { $port } вузла { $host } ніхто не слухає
+transport-refused = у з'єднанні відмовлено: жодна програма не слухає порт { $port } вузла { $host }
 transport-unreachable = не вдається з'єднатися з портом { $port } вузла { $host }: { $error }
 transport-no-answer = { $host } не відповідає вже { $seconds } s
 transport-not-found = { $host } не знайдено: { $error }

@@ -1,4 +1,4 @@
-//! What one program watches, and what it has been sent.
+//! The subjects that one program watches, and the states that it has been sent.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -54,13 +54,13 @@ impl Client {
         self.commands.open.insert(entry);
     }
 
-    /// What has changed since the last call, however short ago that was.
+    /// The changes since the last call, even if the interval between two states is not over yet.
     pub fn last_news(&mut self, state: &State, wall: Duration) -> Vec<Message> {
         self.sent_at = None;
         self.news(state, wall)
     }
 
-    /// What has changed since the last call and concerns the program.
+    /// The changes since the last call that concern the program.
     pub fn news(&mut self, state: &State, wall: Duration) -> Vec<Message> {
         let mut news = Vec::new();
         let all = self.watched.contains(&Topic::Ledger);

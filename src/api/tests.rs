@@ -41,7 +41,7 @@ fn hear(app: &mut App, event: impl Into<Event>) {
     drop(app.update(event));
 }
 
-/// What becomes of a program's line: the entry, or the fault.
+/// The outcome of a program's line: the entry, or the fault.
 fn say(
     app: &mut App,
     line: &str,

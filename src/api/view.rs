@@ -197,7 +197,7 @@ pub struct MissionView {
     pub over: bool,
     pub objectives: Vec<ObjectiveView>,
     pub readings: Vec<ReadingView>,
-    /// What detectors have found so far.
+    /// The contacts that detectors have found so far.
     pub contacts: Vec<ContactView>,
     /// Alerts that need an acknowledgement.
     pub alerts: Vec<String>,
@@ -216,7 +216,7 @@ pub struct ObjectiveView {
     pub met: bool,
 }
 
-/// What a sensor of a vehicle shows.
+/// The current reading of a vehicle's sensor.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ReadingView {
     pub vehicle: VehicleId,
@@ -377,7 +377,7 @@ pub struct PlanView {
     pub items: Vec<PlanItemView>,
 }
 
-/// An item of a plan.
+/// An item of the plan on board.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct PlanItemView {
     pub number: usize,

@@ -20,7 +20,7 @@ use crate::workshop::Design;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Launch {
     pub mission: String,
-    /// What the flight counts as in a career.
+    /// How the flight counts in a career.
     pub stake: Stake,
     /// The seed where the trainee chose it, for practice.
     pub seed: Option<u64>,
@@ -237,7 +237,7 @@ pub enum SessionEffect {
     Leave,
 }
 
-/// A change of the forwards.
+/// Opens or closes a forward to other ground stations.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ForwardChange {
     Open(ForwardSpec),

@@ -1,4 +1,4 @@
-//! What an attempt counts for, and its layout: before it is flown ([`AttemptTerms`]) and afterwards ([`FlightClaim`]).
+//! How an attempt counts, and its layout: before it is flown ([`AttemptTerms`]) and afterwards ([`FlightClaim`]).
 
 mod claim;
 mod reason;
@@ -21,7 +21,7 @@ const FRESH_SEEDS: u64 = 1_000_000;
 pub struct Attempt {
     /// The seed of the mission's world.
     pub seed: u64,
-    /// What the attempt counts as in a career.
+    /// How the attempt counts in a career.
     pub stake: Stake,
     /// The requested stake. The next attempt counts as this if possible.
     pub wanted: Stake,

@@ -265,7 +265,7 @@ impl CareerStanding {
         self.best(mission).is_some_and(|best| best.passed.is_some())
     }
 
-    /// The knowledge of a skill.
+    /// The trainee's knowledge of a skill; the initial one without evidence.
     pub fn skill(&self, skill: Skill) -> Knowledge {
         self.skills.get(&skill).cloned().unwrap_or_default()
     }

@@ -17,7 +17,7 @@ pub(super) struct WatchArguments {
     /// The socket of the console, as given with --api or --api-read-only.
     #[arg(required_unless_present = "schema")]
     socket: Option<PathBuf>,
-    /// What to watch: vehicles, notices, ledger, mission; all of them if none is named.
+    /// The topics: vehicles, notices, ledger, mission; all of them if none is named.
     #[arg(value_name = "TOPIC", value_parser = topic_parser())]
     topics: Vec<Topic>,
     /// Let at least this many seconds pass between two states.

@@ -14,7 +14,8 @@ use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
 const ARRIVED_M: f64 = 1.5;
 /// The vertical tolerance of a reached place.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
-/// The last part of a climb, which is slower. A setpoint before it would abort a takeoff.
+/// The distance below its height at which a climb counts as done, since its last part is slow. A setpoint given
+/// earlier would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
 /// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;

@@ -24,7 +24,7 @@ pub enum PlanSource {
     Document(Arc<Document>),
 }
 
-/// What to do with a list.
+/// An operation on a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
     /// Replace it with the one of a source.

@@ -5,7 +5,7 @@
 use super::{Datum, Ground, Pattern};
 use crate::plan::generate::Course;
 
-/// What the plans of several vehicles do together.
+/// The joint task of the plans of several vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanTask {
     /// Parallel lines over an area.

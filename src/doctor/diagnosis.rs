@@ -71,13 +71,13 @@ pub enum Cause {
     ForeignMessages(u8),
     /// Ground stations are heard, but no vehicle.
     OnlyGroundStations,
-    /// All frames are heartbeats with our own address.
+    /// All frames are heartbeats with the console's own address.
     OwnEcho,
     /// Components such as cameras are heard, but no autopilot.
     NoAutopilot,
     /// Two vehicles have this system id.
     DuplicateSystem(SystemId),
-    /// The vehicle signs its frames and does not answer ours, which are unsigned.
+    /// The vehicle signs its frames and does not answer the console's, which are unsigned.
     Signed(SystemId),
     /// The vehicle signs its frames, but accepts unsigned ones.
     SignedButAnswers(SystemId),
@@ -257,7 +257,7 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// Whether a vehicle receives our messages.
+/// The fault if a vehicle does not answer the console's messages.
 fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     let system = sender.source.system;
     let answers = sender

@@ -42,7 +42,7 @@ pub enum Spot {
     },
 }
 
-/// What heights are measured from.
+/// The reference of heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub enum PlanFrame {
@@ -81,7 +81,7 @@ impl PlanFrame {
     }
 }
 
-/// An item to add to the plan; what it does not name follows from the items before it.
+/// An item to add to the plan; missing values follow from the items before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewItem {
     pub command: u16,
@@ -204,7 +204,7 @@ impl Edit {
     }
 }
 
-/// What lies around a draft.
+/// The surroundings of a draft: the map's cursor and the vehicle's home.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surroundings {
     /// The cursor of the map.

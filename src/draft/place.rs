@@ -1,4 +1,4 @@
-//! The places of items and of what lines name, and the refusals for what is missing.
+//! The places of items, and those that lines name; the refusals if one is missing.
 
 use std::ops::Range;
 

@@ -7,7 +7,7 @@ use crate::plan::edit::{self, FrameChange};
 use crate::plan::{Document, Item, command};
 use crate::text::Text;
 
-/// The height of a first item that names none, in metres above home.
+/// The height without a height of its own, in metres above home.
 const USUAL_HEIGHT_M: f32 = 30.0;
 
 /// Changes the plan, and returns the item that the change is about.

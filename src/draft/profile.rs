@@ -64,7 +64,7 @@ pub struct Profile {
     pub stops: Vec<Stop>,
     pub length_m: f64,
     pub time_s: f64,
-    /// Whether jumps fly parts of it again, which the length and the time do not contain.
+    /// Whether jumps repeat parts of it; length and time leave these out.
     pub repeats: bool,
 }
 

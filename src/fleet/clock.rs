@@ -14,10 +14,10 @@ pub struct FleetClock {
     stand: Arc<watch::Sender<ClockPauses>>,
 }
 
-/// The pauses of a clock.
+/// The current pause of a clock, and the sum of the earlier ones.
 #[derive(Debug, Clone, Copy, Default)]
 struct ClockPauses {
-    /// Since when it has been stopped, if it is.
+    /// The start of the current pause; `None` while the clock runs.
     since: Option<Instant>,
     /// The duration of its earlier pauses, altogether.
     before: Duration,

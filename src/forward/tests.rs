@@ -258,8 +258,8 @@ fn a_forward_reads_as_it_is_written_and_says_what_is_wrong() {
         ("", "the address is missing"),
         ("udp:a:1 only", "after \"only\""),
         ("udp:a:1 only NO_SUCH", "NO_SUCH"),
-        ("udp:a:1 rate 0", "\"0\" is no rate"),
-        ("udp:a:1 rate nan", "\"nan\" is no rate"),
+        ("udp:a:1 rate 0", "\"0\" is not a rate"),
+        ("udp:a:1 rate nan", "\"nan\" is not a rate"),
         ("udp:a:1 readonly", "\"readonly\""),
     ] {
         let fault = faulty.parse::<ForwardSpec>().expect_err(faulty);

@@ -49,7 +49,7 @@ pub const MAVLINK: &str = "mavlink";
 /// How long connections may take to end with the service.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// Finds the user id of the program at the other end of a connection on this host, from that end's address and ours.
+/// Finds the user id of the program at the other end of a connection on this host, from the addresses of both ends.
 pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
 
 /// The owner according to the system's list of connections.

@@ -105,7 +105,7 @@ pub struct Census {
 struct SourceFacts {
     answered_at: Option<Duration>,
     heard_at: Duration,
-    /// Since when frames have been received without a pause.
+    /// The time since which frames have been received without a pause.
     steady_since: Duration,
 }
 
@@ -223,12 +223,12 @@ impl Census {
         self.sources.keys().copied()
     }
 
-    /// When a source last sent an answer to our frames.
+    /// When a source last sent an answer to the console's frames.
     pub fn answered_at(&self, source: FrameSource) -> Option<Duration> {
         self.sources.get(&source)?.answered_at
     }
 
-    /// Since when a source has been received without a pause.
+    /// The time since which a source has been received without a pause.
     pub fn steady_since(&self, source: FrameSource) -> Option<Duration> {
         Some(self.sources.get(&source)?.steady_since)
     }
@@ -282,7 +282,7 @@ impl Census {
     }
 }
 
-/// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a request itself.
+/// Whether a message is an answer to a request: `COMMAND_ACK`, or a TIMESYNC that is not a request itself.
 /// Parameters and similar messages are broadcast at any program's request.
 fn answers(frame: &Anatomy<'_>) -> bool {
     const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;

@@ -274,7 +274,7 @@ pub enum SeekTarget {
 pub enum DraftLine {
     /// Show the room of plans; without a screen, the items of the current draft.
     Show,
-    /// Begin an empty one.
+    /// Begin an empty draft.
     New(Option<String>),
     /// Open a file.
     Open(String),

@@ -40,7 +40,7 @@ pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     }
 }
 
-/// What a mode does, or the warning before it, for the list of modes.
+/// The purpose of a mode, or the warning about it, for the list of modes.
 pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
     if let Some(warning) = mode_warning(name, context) {
         return warning;

@@ -14,8 +14,8 @@ const LOOPBACK: &str = "127.0.0.1";
 
 /// The address of a link.
 ///
-/// Read from text by [`FromStr`], in our notation or in those of pymavlink, `MAVProxy` and rust-mavlink; its
-/// [`Display`](fmt::Display) is our notation and parses to the same address.
+/// Read from text by [`FromStr`], in sortie's notation or in those of pymavlink, `MAVProxy` and rust-mavlink; its
+/// [`Display`](fmt::Display) is sortie's notation and parses to the same address.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Address {
     /// Connects to a TCP server: `tcp:HOST:PORT` (also `tcpout:`, and a bare `HOST:PORT`).

@@ -104,7 +104,7 @@ impl Relay {
             .store(!core.forwards.is_empty(), Ordering::Relaxed);
     }
 
-    /// The counts of a forward.
+    /// The counts of a forward; zeros if it is unknown.
     pub fn counts(&self, id: LinkId) -> ForwardCounts {
         let core = self.core();
         core.forwards

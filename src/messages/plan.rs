@@ -167,7 +167,7 @@ fn phase(state: MissionState) -> Option<PlanPhase> {
     }
 }
 
-/// What a text of `ArduPilot` means for the plan that is flown.
+/// The meaning of an `ArduPilot` text for the plan that is flown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum PlanRemark {
     /// A jump was taken: "Mission: 5 Jump 2/3".

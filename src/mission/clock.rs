@@ -75,7 +75,7 @@ impl Clock {
     }
 
     /// Reads the vehicles' clocks ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while unheard) at
-    /// our time `now`, and returns mission time. Mission time begins with the first step.
+    /// the program's time `now`, and returns mission time. Mission time begins with the first step.
     pub fn step(
         &mut self,
         now: Duration,

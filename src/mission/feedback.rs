@@ -41,7 +41,7 @@ impl Feedback {
         }
     }
 
-    /// The text of the line.
+    /// The text shown; `None` before the first item.
     pub fn line(&self) -> Option<&Text> {
         self.shown.as_ref().map(|(_, text)| text)
     }

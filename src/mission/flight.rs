@@ -133,7 +133,7 @@ impl Flight {
     }
 
     /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the setup of the vehicles is
-    /// part of the task, but for the parameters that the mission opens.
+    /// part of the task, except for the parameters that the mission opens.
     pub fn refusal(&self, command: &Command) -> Option<Text> {
         if self.stake == Stake::Practice {
             return None;

@@ -137,7 +137,7 @@ impl Load {
     }
 }
 
-/// The effect of a load.
+/// The effect of a load where it landed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadEffect {
     /// Whether the load helped.

@@ -12,7 +12,7 @@ use crate::text::Text;
 /// The placeholder for a step's key in its text.
 pub const STEP_KEY: &str = "{key}";
 
-/// One thing to do, and the condition that it is done.
+/// One step of a lesson, with the condition that completes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LessonStep {
     /// The condition under which it applies; `None` for always.

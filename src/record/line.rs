@@ -244,7 +244,7 @@ impl PathLine {
         paths.iter().map(line).collect()
     }
 
-    /// The path in the form of the map.
+    /// The path as the map draws it.
     pub fn path(&self) -> Path {
         let points = self.points.iter();
         Path {
@@ -277,7 +277,7 @@ impl LossLine {
         }
     }
 
-    /// The fault in the form of the radio model.
+    /// The fault as the radio model uses it.
     pub fn fault(&self) -> RadioFault {
         RadioFault {
             loss: self.loss,

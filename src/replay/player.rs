@@ -96,7 +96,7 @@ impl Player {
         self.goal < stage + FRAME
     }
 
-    /// The position for the console, with the stage at this time and in this gap of the recording.
+    /// The position for the console: the time that the stage shows, and the gap of the recording there, if any.
     pub fn shown(&self, stage: Duration, gap: Option<Duration>) -> ReplayPosition {
         ReplayPosition {
             at: stage,

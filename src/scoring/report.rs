@@ -61,7 +61,6 @@ pub struct Report {
     /// Title of the mission.
     pub title: Text,
     pub outcome: FlightOutcome,
-    /// The grade of the score.
     pub grade: ScoreGrade,
     /// The number of vehicles.
     pub vehicles: usize,
@@ -304,7 +303,6 @@ impl From<&AlertFact> for AlertReport {
 pub struct EventReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// The kind of event.
     pub kind: EventKind,
     /// The vehicle, if the event concerns one.
     pub vehicle: Option<u16>,

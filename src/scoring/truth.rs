@@ -49,7 +49,7 @@ pub struct ObjectReport {
     pub sought: bool,
 }
 
-/// The kind of an object.
+/// The kind of an object in the truth: a find to report, or a decoy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {

@@ -157,7 +157,7 @@ impl PlanReader {
         self.due[list] = (!self.has_id(kind)).then_some(again);
     }
 
-    /// Handles a frame of the autopilot while an order about the lists is carried out, whose answers are not ours.
+    /// Handles a frame of the autopilot while an order about the lists is carried out: answers belong to the order.
     pub fn watch(&mut self, frame: &Frame, now: Duration, out: &mut Vec<MavMessage>) {
         if let Content::Message(message) = &frame.content {
             self.look_for_changes(message, now, out);

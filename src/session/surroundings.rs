@@ -1,4 +1,4 @@
-//! What a mission does to a vehicle's surroundings: its radio link, and its simulator.
+//! The effects of a mission on a vehicle's surroundings: its radio link and its simulator.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use super::settings::Settings;
 use crate::vehicle::{Vehicle, VehicleId};
 use crate::wire::{Frame, Outgoing};
 
-/// The radio between the vehicle and us, and the parameters of its simulator.
+/// The radio between the vehicle and the console, and the parameters of its simulator.
 #[derive(Debug, Clone)]
 pub(super) struct Surroundings {
     channel: Channel,
@@ -35,7 +35,7 @@ impl Surroundings {
         self.channel.set(fault, u64::from(vehicle));
     }
 
-    /// Whether the radio link is cut, also for our heartbeats.
+    /// Whether the radio link is cut, also for the console's heartbeats.
     pub fn is_cut(&self) -> bool {
         self.channel.is_cut()
     }

@@ -72,7 +72,7 @@ pub(super) struct Transaction {
     is_accepted: bool,
     /// The claim that holds while its effect lasts.
     claim: Claim,
-    /// Since when telemetry has shown that claim.
+    /// When telemetry first agreed with the claim; only after that can another source contradict it.
     holds_since: Option<Duration>,
     /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,
@@ -182,8 +182,8 @@ impl Transaction {
         }
     }
 
-    /// Ends the command if another source has taken control of the vehicle, unless one of our own orders causes the
-    /// change.
+    /// Ends the command if another source has taken control of the vehicle, unless one of the console's orders causes
+    /// the change.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {

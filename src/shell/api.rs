@@ -45,7 +45,6 @@ const CALLS_KEPT: usize = 64;
 /// The options of the socket.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ApiOptions {
-    /// The path of the socket.
     pub socket: PathBuf,
     /// Whether programs may give commands.
     pub commands: bool,
@@ -62,7 +61,7 @@ pub(super) struct Programs {
     listener: Option<socket::Listener>,
 }
 
-/// What the connections share.
+/// The state shared by the connections.
 #[derive(Clone)]
 struct Exchange {
     arrived: mpsc::Sender<Arrival>,
@@ -75,7 +74,7 @@ struct Exchange {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ProgramId(u64);
 
-/// What arrives from the connections.
+/// An event of a connection.
 pub(super) enum Arrival {
     Opened(ProgramId, mpsc::Sender<String>),
     Line {

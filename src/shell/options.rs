@@ -53,7 +53,7 @@ pub struct ConsoleOptions {
 }
 
 impl ConsoleOptions {
-    /// What flights count as flown by: those that programs may command count as flown by a script.
+    /// The source of commands that flights are recorded with: a script if programs may give commands.
     pub fn flown_by(&self) -> FlownBy {
         if self.api.as_ref().is_some_and(|api| api.commands) {
             FlownBy::Script

@@ -6,7 +6,7 @@
 
 use super::{SitlKind, SitlUnfit};
 
-/// A model of SITL.
+/// A vehicle model of SITL (`--model`), with the parameters that it needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SitlModel {
     pub name: &'static str,

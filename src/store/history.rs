@@ -9,7 +9,7 @@ use super::links;
 
 /// The number of lines kept.
 const HISTORY_KEPT: usize = 200;
-/// The largest history file; a longer one is not ours and is left alone.
+/// The largest history file; sortie writes no longer one, and leaves longer ones alone.
 const LONGEST: u64 = 1024 * 1024;
 
 /// The file of the history. Several consoles may add to it at the same time.

@@ -202,7 +202,7 @@ impl<'a> LeftRun<'a> {
         })
     }
 
-    /// What the flight counts for, given the state of the career.
+    /// How the flight counts, given the state of the career.
     fn settle(&self, standing: &CareerStanding) -> SettledFlight {
         let claim = FlightClaim {
             mission: &self.mission,

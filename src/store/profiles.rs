@@ -307,7 +307,7 @@ impl Profiles {
     }
 }
 
-/// Checks a profile's name.
+/// A profile's name without surrounding spaces, if its length and characters are allowed.
 fn checked_name(name: &str) -> Result<&str, ProfileError> {
     let name = name.trim();
     let is_fine =

@@ -38,7 +38,7 @@ impl Segment {
     }
 }
 
-/// A point that moves.
+/// A position with its velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MovingPoint {
     pub at: DVec3,

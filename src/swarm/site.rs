@@ -24,7 +24,7 @@ impl Site {
         DVec2::new(north_m, east_m)
     }
 
-    /// The place of a point.
+    /// The place of a point, given in metres north and east of the origin.
     pub fn place(&self, point: DVec2) -> LatLon {
         self.origin.moved(point.x, point.y)
     }

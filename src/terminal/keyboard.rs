@@ -19,7 +19,7 @@ const PIECES: usize = 16;
 pub struct Keyboard {
     pieces: mpsc::Receiver<Vec<u8>>,
     parser: Parser,
-    /// Since when an incomplete sequence has been waiting for its end.
+    /// The time since which an incomplete sequence has been waiting for its end.
     waiting_since: Option<Instant>,
 }
 

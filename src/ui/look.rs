@@ -59,7 +59,6 @@ impl Badge {
 }
 
 impl Look {
-    /// The style of a role.
     pub fn style(&self, role: Role) -> Style {
         self.theme.style(role)
     }

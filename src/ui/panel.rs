@@ -48,7 +48,6 @@ impl<'a> Panel<'a> {
         usize::from(self.area.width)
     }
 
-    /// The style of a role.
     pub fn style(self, role: Role) -> Style {
         self.look.style(role)
     }

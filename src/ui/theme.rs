@@ -189,7 +189,7 @@ impl Theme {
         &self.name
     }
 
-    /// The style of a role.
+    /// The style of a role; the terminal's own if the theme gives none.
     pub fn style(&self, role: Role) -> Style {
         self.styles.get(&role).copied().unwrap_or_default()
     }

@@ -19,7 +19,7 @@ const EKF_BAD: f32 = 0.8;
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
 const HDOP_POOR: f32 = 1.4;
-/// A limit of our own, so far above `HDOP_POOR` that the position drifts by metres.
+/// A limit of this program, so far above `HDOP_POOR` that the position drifts by metres.
 const HDOP_BAD: f32 = 2.0;
 /// Fewer satellites than EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0).
 const SATELLITES_BAD: u8 = 6;

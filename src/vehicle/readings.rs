@@ -228,15 +228,15 @@ pub struct PlanProgress {
     pub total: Option<u16>,
     /// The last item that was reported as reached.
     pub reached: Option<u16>,
-    /// What AUTO does with the plan; `None` if the vehicle does not report it.
+    /// The phase of the plan in AUTO; `None` if the vehicle does not report it.
     pub phase: Option<PlanPhase>,
     /// When the current item became current.
     pub since: Option<Duration>,
-    /// When this program last told the vehicle where to continue.
+    /// When this program last set the item at which the vehicle continues.
     pub asked: Option<Duration>,
 }
 
-/// What AUTO does with a plan (`MISSION_STATE`).
+/// The phase of a plan in AUTO (`MISSION_STATE`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlanPhase {
     /// Nothing is on board.

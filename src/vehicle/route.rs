@@ -98,7 +98,7 @@ impl<'a> Route<'a> {
                     at.motion = Motion::Rest;
                 }
                 seconds += stay_s;
-                // What follows a landing begins when the vehicle is armed again.
+                // Items after a landing begin when the vehicle is armed again.
                 let lands = [command::RETURN_TO_LAUNCH, command::LAND, command::VTOL_LAND];
                 if lands.contains(&item.command) {
                     return Some(seconds);
@@ -171,7 +171,7 @@ impl<'a> Route<'a> {
             flown_to if command::is_flown_to(flown_to) => {
                 self.leg_s(at, item.place().unwrap_or(at.place), height_m)
             }
-            // It ends when a ground station, a script or an altitude says so.
+            // It ends at a command of a ground station or a script, or at an altitude.
             _ => None,
         }
     }

@@ -107,7 +107,7 @@ impl Vehicle {
     }
 }
 
-/// What the way home takes.
+/// The time and energy of the way home.
 fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Effort {
     let pace = Pace::default();
     let distance_m = from.distance_m(home);

@@ -37,7 +37,7 @@ impl Square {
         }
     }
 
-    /// The name of its file.
+    /// The name of its file, such as `N50E030.hgt`.
     pub fn file_name(self) -> String {
         let north = if self.lat < 0 { 'S' } else { 'N' };
         let east = if self.lon < 0 { 'W' } else { 'E' };

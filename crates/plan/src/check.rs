@@ -1,4 +1,4 @@
-//! Finds what is wrong with a document, by the rules of the vehicle that is to fly it.
+//! Finds the faults of a document, by the rules of the vehicle that will fly it.
 
 use crate::areas::FenceError;
 use crate::board::{self, Refusal};
@@ -11,7 +11,7 @@ mod terrain;
 pub(crate) use place::is_crossed;
 pub use terrain::{Leg, check_terrain, legs};
 
-/// The kind of vehicle, which decides what commands it flies.
+/// The kind of vehicle, which decides the commands that it carries out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VehicleKind {
     /// A multicopter or a helicopter.
@@ -82,7 +82,7 @@ pub enum Severity {
     Error,
 }
 
-/// Something that is wrong, or may be.
+/// A fault, or a possible fault.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
     /// The list that contains the fault.
@@ -208,7 +208,7 @@ pub enum FindingKind {
     },
     /// The height counts from the ground, and no terrain file covers the leg.
     NoGround,
-    /// No terrain file covers so many legs.
+    /// The number of legs that no terrain file covers.
     Uncovered(usize),
     /// The height of home in the file is not that of the ground there.
     HomeHeight {

@@ -36,7 +36,7 @@ pub const DO_JUMP: u16 = 177;
 pub const DO_CHANGE_SPEED: u16 = 178;
 /// Moves home to a place.
 pub const DO_SET_HOME: u16 = 179;
-/// To switch the fence on or off.
+/// Switches the fence on or off.
 pub const DO_FENCE_ENABLE: u16 = 207;
 /// To move a switch of the remote control: parameter 1 is its function.
 pub const DO_AUX_FUNCTION: u16 = 218;

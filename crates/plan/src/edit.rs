@@ -50,7 +50,7 @@ fn checked(items: &[Item], range: &Range<usize>) -> Result<(), EditError> {
 /// Inserts items so that the first of them gets the place `at`. Jumps among them count as they will stand.
 ///
 /// # Errors
-/// `at` is behind the end.
+/// `at` is beyond the end.
 pub fn insert(items: &[Item], at: usize, new: &[Item]) -> Result<Vec<Item>, EditError> {
     if at > items.len() {
         return Err(EditError::NoItem(items.len()));
@@ -67,7 +67,7 @@ pub fn insert(items: &[Item], at: usize, new: &[Item]) -> Result<Vec<Item>, Edit
     Ok(changed)
 }
 
-/// Deletes items. Jumps that stand among them go with them.
+/// Deletes items. Jumps among them are deleted with them.
 ///
 /// # Errors
 /// There are no such items, or a jump outside of them leads to one of them.

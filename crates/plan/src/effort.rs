@@ -75,7 +75,7 @@ impl Sum for Effort {
 }
 
 impl Effort {
-    /// Of a hover, or of a descent.
+    /// The effort of a hover, or of a descent.
     pub const fn hover(time_s: f64) -> Self {
         Self {
             time_s,
@@ -83,7 +83,7 @@ impl Effort {
         }
     }
 
-    /// Of level flight.
+    /// The effort of level flight.
     pub fn level(time_s: f64, airspeed_m_s: f64) -> Self {
         let drag = 1.0 + DRAG_PER_SPEED2 * airspeed_m_s * airspeed_m_s;
         Self {

@@ -27,7 +27,7 @@ mod tour;
 use compose::compose;
 use field::Field;
 
-/// What the vehicles are to do.
+/// The joint task of the vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {
     /// Parallel lines over an area.
@@ -64,9 +64,9 @@ pub enum Task {
     },
     /// Circles around a place, evenly spaced and each at a height of its own.
     Orbit {
-        /// The place.
+        /// The centre of the circles.
         centre: LatLon,
-        /// In metres.
+        /// The radius of the circles, in metres.
         radius_m: f64,
         /// The number of turns.
         turns: u8,

@@ -88,12 +88,12 @@ pub(crate) struct Closest {
     vehicles: usize,
     /// For each pair (a, b) with a < b, in the order of a and then b.
     pairs: Vec<Option<Meeting>>,
-    /// For each pair, what is too near.
+    /// For each pair, the horizontal limit of a conflict, in metres.
     limits_m: Vec<f64>,
 }
 
 impl Closest {
-    /// For vehicles that start at these points, in metres north and east.
+    /// No approaches yet, of vehicles that start at these points, in metres north and east.
     pub(crate) fn new(starts_m: &[[f64; 2]]) -> Self {
         let limits = starts_m.iter().enumerate().flat_map(|(a, first)| {
             let others = starts_m[a + 1..].iter();

@@ -199,7 +199,7 @@ pub(crate) struct Search<'a> {
 impl Search<'_> {
     /// The rehearsal with the changes.
     fn tried(&self, remedies: Vec<Remedy>) -> Result<Proposal, RehearsalError> {
-        // As they are written to files, so that what is found holds for the files.
+        // The plans as they would be written, so that the result also holds for the files.
         let pairs = self.participants.iter().zip(&remedies);
         let changed = pairs.map(|(participant, remedy)| Participant {
             document: remedy.apply(&participant.document),
@@ -295,7 +295,7 @@ fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
     Some(delays)
 }
 
-/// Which pairs stay apart with which difference of their delays, as far as it has been asked.
+/// Whether a pair stays apart at a difference of its delays; each answer is computed once.
 struct Pairs<'a> {
     tracks: &'a [Track],
     /// The factor on the squares of the limits.

@@ -45,7 +45,7 @@ pub(crate) fn best_order<R>(
     best
 }
 
-/// The next order by the alphabet; false after the last.
+/// The next order in lexicographic order; false after the last.
 fn next_order(order: &mut [usize]) -> bool {
     let Some(pivot) = order.windows(2).rposition(|pair| pair[0] < pair[1]) else {
         return false;

@@ -57,7 +57,7 @@ pub(super) struct Safety {
     pub(super) reports_at: Duration,
     /// Whether the last check found no reason against arming.
     pub(super) may_arm: bool,
-    /// Since when the vehicle has been idle on the ground.
+    /// The time since which the vehicle has been idle on the ground.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
 }

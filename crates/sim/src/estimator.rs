@@ -129,7 +129,7 @@ impl Estimator {
         self.trust == Trust::Good
     }
 
-    /// Whether the position is still being estimated, however well.
+    /// Whether the position is still estimated, well or badly.
     pub(super) fn is_aiding(&self) -> bool {
         self.trust != Trust::GivenUp
     }

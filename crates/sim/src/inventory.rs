@@ -1,4 +1,4 @@
-//! What the simulated vehicle has, from its own tables: for documents and tests.
+//! The modes, commands, messages, switches and parameters of the simulated vehicle, for documents and tests.
 
 use std::collections::BTreeSet;
 use std::fmt::{self, Display};

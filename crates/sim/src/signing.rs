@@ -70,7 +70,8 @@ impl Signing {
         Some((key, stamp))
     }
 
-    /// Whether a frame is accepted.
+    /// Whether a frame is accepted: it has a new, valid signature, arrives by USB without strict signing, or is of a
+    /// kind that needs none. Without a key, every frame is accepted.
     pub(super) fn admits(&mut self, serial: Serial, frame: &Frame, bytes: &[u8]) -> bool {
         let Some(key) = self.key else {
             return true;

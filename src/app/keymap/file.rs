@@ -208,7 +208,7 @@ impl KeymapReading<'_> {
     }
 }
 
-/// The meaning of a value.
+/// The meaning of a key's value in the file: an action or a line; `None` for `false`, which leaves the key without one.
 fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
     let span = value.span();
     let line = match value.get_ref() {

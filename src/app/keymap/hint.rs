@@ -28,7 +28,7 @@ pub enum HintKeys {
     VehicleList,
 }
 
-/// A hint for actions.
+/// A hint for the keys of actions.
 pub const fn hint(actions: &'static [Action], about: &'static str) -> KeyHint {
     let keys = HintKeys::Actions(actions);
     KeyHint { keys, about }

@@ -48,7 +48,6 @@ pub struct Map {
     pub(in crate::app) trails_hidden: bool,
     /// The index of the sensor drawn, modulo their number.
     pub(in crate::app) sensor: usize,
-    /// The trail of each vehicle.
     pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
     pub(in crate::app) samples: Samples,
     /// The extent of everything on the map.
@@ -93,7 +92,6 @@ impl Map {
         self.trails_hidden
     }
 
-    /// The trail of each vehicle.
     pub fn trails(&self) -> &BTreeMap<VehicleId, Trail> {
         &self.trails
     }

@@ -17,7 +17,7 @@ pub enum Tone {
     Missed,
     /// A condition that blocks or restricts the mission.
     Warning,
-    /// The next thing to do.
+    /// The next step.
     Hint,
     /// The hint that was requested last.
     AskedHint,

@@ -59,7 +59,7 @@ pub enum Activity {
     Mission {
         id: String,
         title: Text,
-        /// What the flight counts as in a career.
+        /// How the flight counts in a career.
         stake: Stake,
     },
     /// Simulated vehicles without a task.
@@ -230,7 +230,6 @@ impl FlightView {
         self.choice.forget(vehicle, &self.vehicles);
     }
 
-    /// The vehicle under the cursor.
     pub fn under_cursor(&self) -> Option<&Vehicle> {
         self.vehicles.get(&self.choice.cursor?).map(Arc::as_ref)
     }

@@ -25,7 +25,7 @@ pub struct Instance {
     pub processor_percent: Option<f32>,
     /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// The missing thing, or the next step.
+    /// The condition that is not met yet, or the next step.
     pub hint: Option<String>,
     /// The last lines that the process printed, oldest first.
     pub output: Vec<String>,

@@ -184,7 +184,6 @@ pub struct Histories {
 }
 
 impl Histories {
-    /// The history of one vehicle.
     pub fn of(&self, vehicle: VehicleId) -> Option<&History> {
         self.by_vehicle.get(&vehicle)
     }

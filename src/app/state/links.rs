@@ -81,13 +81,13 @@ pub struct LinkSummary {
     pub messages_in_per_s: f64,
     /// Messages per second sent.
     pub messages_out_per_s: f64,
-    /// What the link itself has counted; `None` in a replay: a recording contains the frames alone.
+    /// The counters of the link itself; `None` in a replay, since a record contains only frames.
     pub counters: Option<LinkCounters>,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,
 }
 
-/// What a link counts while it is open.
+/// The counters of a link while it is open.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkCounters {
     /// The number of senders at its other end.

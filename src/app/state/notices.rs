@@ -32,7 +32,7 @@ pub struct NoticeLine {
     content: LineContent,
 }
 
-/// The content of a line.
+/// The notices for which a line stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LineContent {
     /// The notice that the line repeats.

@@ -1,4 +1,4 @@
-//! What the trainee trains with, and what has been achieved so far.
+//! The missions, designs and drones of the trainee, and the results so far.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What the user is typing and has typed.
+//! The unfinished input of the user, and earlier lines.
 
 use std::collections::VecDeque;
 use std::time::Duration;

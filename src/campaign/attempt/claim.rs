@@ -1,4 +1,4 @@
-//! What a finished flight counts for according to its record or report, which are untrusted.
+//! How a finished flight counts according to its record or report, which are not trusted.
 
 use super::{AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason};
 use crate::campaign::{Stake, daily_seed};
@@ -33,7 +33,7 @@ pub struct SettledFlight {
 }
 
 impl FlightClaim<'_> {
-    /// What the flight counts for, given the state of the career before it. Practice stays practice; any other flight
+    /// How the flight counts, given the state of the career before it. Practice stays practice; any other flight
     /// must be one that the career would have allowed, with the seed of its exam or its day.
     pub fn settle(&self, trainee: AttemptTrainee<'_>) -> SettledFlight {
         let (day, stake) = day_and_stake(self.stake, self.seed, self.ended);

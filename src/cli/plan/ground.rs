@@ -38,7 +38,7 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    /// What is wrong with the heights of a plan.
+    /// The faults in the heights of a plan.
     pub(super) fn findings(&self, document: &Document) -> Vec<Finding> {
         let height = |place| self.terrain.height_m(place);
         check_terrain(document, &height, self.clearance_m)

@@ -69,7 +69,7 @@ async fn read(request: Request, bounds: ServiceBounds) -> Result<Vec<u8>, Servic
     }
 }
 
-/// An instance's number in a path.
+/// The instance's number from the path of a request.
 pub(super) struct PathNumber(pub InstanceId);
 
 impl<S: Send + Sync> FromRequestParts<S> for PathNumber {

@@ -39,7 +39,7 @@ pub(super) struct ReadyWait {
 pub(super) struct Excerpt {
     /// The maximum number of lines: 100 by default.
     lines: Option<usize>,
-    /// The `next` of an earlier answer.
+    /// Return only the lines after an earlier answer: its `next`.
     since: Option<u64>,
 }
 

@@ -164,7 +164,7 @@ fn an_unknown_command_is_found_in_the_plan() {
         said,
         [
             "item 4 skipped: the vehicle does not know command 210 in a plan",
-            "an item skipped: the vehicle does not know command 9 in a plan",
+            "an item was skipped: the vehicle does not know command 9 in a plan",
         ]
     );
 }

@@ -40,7 +40,7 @@ const ACTIONS: &[KindOf<Action>] = &[
     },
     KindOf {
         name: "spawn",
-        about: "adds a person, an aircraft or a foreign drone, which follows the path once and then disappears",
+        about: "adds a person, an aircraft or an unknown drone, which follows the path once and then disappears",
         read: spawn,
     },
     KindOf {

@@ -96,7 +96,7 @@ fn is_short(name: &str) -> bool {
     name.chars().count() <= 60
 }
 
-/// The id of a mission.
+/// The value of a mission's id, with the rule for its characters.
 pub(super) const fn mission_id() -> crate::mission::format::TextValue {
     text_by(
         "1 to 40 lower-case letters, digits and `-`",

@@ -10,7 +10,7 @@ use crate::scoring::{EventKind, EventReport, EventSubject, SafetyEvent, SafetyKi
 use crate::text::{Text, rounded};
 use crate::vehicle::{Severity, VehicleId};
 
-/// The journal of one flight.
+/// The events, broken rules, feedback and notices of one flight.
 #[derive(Debug, Default)]
 pub(super) struct FlightJournal {
     now: Duration,

@@ -153,7 +153,7 @@ impl Search {
     }
 }
 
-/// The name of the sensor of a sighting.
+/// The name of the sensor of a sighting; empty if the sensor is unknown.
 fn sensor_name(sighting: &Sighting) -> Text {
     Sensor::by_id(sighting.sensor)
         .map_or_else(Text::default, |sensor| Text::new(sensor.name, Vec::new()))

@@ -56,12 +56,12 @@ impl Tracks {
         &self.tracks
     }
 
-    /// The peak of each vehicle that has one.
+    /// The highest reading of each vehicle that has one, with its place.
     pub fn peaks(&self) -> &BTreeMap<VehicleId, Peak> {
         &self.peaks
     }
 
-    /// The highest of all peaks.
+    /// The highest reading of all vehicles.
     pub fn highest(&self) -> Option<Peak> {
         let peaks = self.peaks.values();
         peaks.max_by(|a, b| a.shown.total_cmp(&b.shown)).copied()

@@ -32,7 +32,7 @@ pub struct Verification {
 }
 
 impl Stored {
-    /// What shows that the record was changed after the flight, without flying it again: its checksum, an input log of
+    /// A sign that the record was changed after the flight, without flying it again: its checksum, an input log of
     /// the embedded simulator beside a flight of another one, or a program or profile that the journal of the same
     /// flight names differently; `None` if nothing does.
     pub fn misstatement(

@@ -1,4 +1,4 @@
-//! What a replay shows beside what the console showed live.
+//! Comparisons of a replay with the live console.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -95,7 +95,7 @@ fn a_missing_moment_is_told_with_its_direction() {
         (
             2,
             SeekTarget::Next(MomentKind::Rule),
-            "no such moment in the recording",
+            "no such moment in the record",
         ),
     ] {
         seek(&mut replay, &mut observer, s(at));

@@ -30,7 +30,7 @@ pub(super) enum FtpOpcode {
 /// A request to a vehicle's file server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct FtpRequest {
-    /// The request's number among ours; packets carry its lower 16 bits.
+    /// The request's number among the console's; packets carry its lower 16 bits.
     pub sequence: u32,
     pub session: u8,
     pub opcode: FtpOpcode,

@@ -31,7 +31,7 @@ pub(super) struct FileSearch {
     found: Option<LogFiles>,
 }
 
-/// The files of logs.
+/// The paths of a vehicle's log files, for MAVFTP.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LogFiles {
     /// Paths by the number of the log in the vehicle's list.

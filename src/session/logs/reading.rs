@@ -336,7 +336,7 @@ impl LogRoute {
         Self::File(path, ticket)
     }
 
-    /// Requests the file with no bytes missing, which only compares its size.
+    /// Requests the file with a map without gaps: no bytes are read, only the size is compared.
     fn measuring(path: String, gaps: &GapMap, ftp: &mut FtpClient) -> Self {
         Self::Measuring(ask_for(path, gaps, ftp))
     }

@@ -53,7 +53,7 @@ impl Beginning {
         }
     }
 
-    /// Whether lines are accepted.
+    /// Whether the delay is over: from then on, lines are accepted.
     pub fn is_over(&self) -> bool {
         self.ready.is_none()
     }

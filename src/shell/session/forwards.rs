@@ -15,7 +15,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The forwards of a session.
+/// The open forwards of a session, and the state last shown.
 #[derive(Default)]
 pub(super) struct SessionForwards {
     /// Each with its last notice.

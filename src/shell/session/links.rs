@@ -17,7 +17,7 @@ use crate::wire::{ComponentId, SystemId};
 /// How long a link must stay up before it is reported as up again.
 const UP_HOLDS: Duration = Duration::from_secs(2);
 
-/// The links of a session.
+/// The status of the links of a session, and what was last reported of each.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,

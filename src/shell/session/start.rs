@@ -43,7 +43,7 @@ const FREE_FLIGHT_START: Start = Start {
     heading_deg: 0.0,
 };
 
-/// The plan of a session.
+/// The content of a session: a mission, free flight or running vehicles.
 #[derive(Debug, Clone)]
 pub(in crate::shell) enum SessionPlan {
     /// A mission of the catalogue or of a file.

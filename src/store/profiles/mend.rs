@@ -83,7 +83,7 @@ fn rotten_rows(
     Ok(rotten)
 }
 
-/// The document of a row in a copy.
+/// The document of a row in a copy of the database; `None` if the copy cannot be read.
 fn kept(copy: &Path, column: &DocumentColumn, row: &RottenRow) -> Option<String> {
     let flags = rusqlite::OpenFlags::SQLITE_OPEN_READ_ONLY;
     let connection = Connection::open_with_flags(copy, flags).ok()?;

@@ -63,7 +63,7 @@ fn tone_role(tone: DebriefTone, passed: bool) -> Role {
     }
 }
 
-/// The role of an event in the timeline.
+/// The colour role of an event in the timeline.
 fn event_role(mark: TimelineMark) -> Role {
     match mark {
         TimelineMark::Command => Role::Muted,

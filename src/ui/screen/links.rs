@@ -229,7 +229,7 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     lines
 }
 
-/// What arrived and was not used.
+/// Counters of bytes and messages that arrived and were not used.
 fn passed_over(counters: &LinkCounters) -> Text {
     text!(
         "links-dropped-figures",

@@ -22,7 +22,7 @@ mod heights;
 mod list;
 mod tabs;
 
-/// What the parts of the screen show.
+/// The data that the parts of the screen show.
 struct Shown<'a> {
     room: &'a Drawing,
     /// The vehicle that the draft is meant for.

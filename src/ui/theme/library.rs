@@ -100,7 +100,7 @@ impl Themes {
         })
     }
 
-    /// The file of that name.
+    /// The user's own theme file with this name.
     pub(super) fn own(&self, name: &str) -> Option<&ThemeFile> {
         self.own.get(name)
     }

@@ -90,7 +90,7 @@ fn own_progress_before_the_first_flight_and_of_nobody() {
     let mut console = nobody();
     console.press("T");
     let text = at(console, (80, 24));
-    assert!(text.contains("Guests have no record"), "{text}");
+    assert!(text.contains("Guests have no progress"), "{text}");
 }
 
 #[test]

@@ -20,7 +20,7 @@ use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
 const ROUND: Duration = Duration::from_millis(5);
 /// The maximum lost time (of a stopped process or a busy machine) that is caught up at once.
 const CATCH_UP: Duration = Duration::from_millis(250);
-/// What [`Behaviour::FloodsItsOutput`] prints at once; 20 times a second, a megabyte a second.
+/// The bytes that [`Behaviour::FloodsItsOutput`] prints at once, 20 times a second: a megabyte a second.
 const FLOOD_LEN: usize = 50_000;
 
 /// The values of the options.

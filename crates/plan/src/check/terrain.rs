@@ -28,7 +28,7 @@ pub struct Leg {
     pub lowest: Option<[f64; 2]>,
 }
 
-/// A height, by what it counts from.
+/// A height with its reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Level {
     AboveSea(f64),

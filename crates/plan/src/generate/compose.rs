@@ -1,4 +1,4 @@
-//! From the work of each vehicle to its plan.
+//! Writes the plan of each vehicle from its work.
 
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ const CIRCLE_RATE_DEG_S: f64 = 20.0;
 /// The frame of heights above home.
 const ABOVE_HOME: u8 = 3;
 
-/// From home to the work, and from the work to home, over the ground.
+/// The ways from home to the work and back, over the ground.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Trip {
     pub(super) out: Vec<DVec2>,

@@ -23,7 +23,7 @@ pub struct Lane {
 }
 
 impl Lane {
-    /// From end to end, in metres.
+    /// Its length, in metres.
     pub fn length_m(&self) -> f64 {
         self.from.distance(self.to)
     }

@@ -13,7 +13,7 @@ const CAPACITY_AH: f64 = 4.0;
 /// agree.
 const LOW_V: f64 = 9.9;
 const CRITICAL_V: f64 = 9.3;
-/// The equivalent shares of the charge.
+/// The shares of the charge to which these voltages correspond.
 const LOW: f64 = 0.2;
 const CRITICAL: f64 = 0.1;
 /// `FailsafeAction`: return to launch, and land.

@@ -20,7 +20,7 @@ const LOST_THROTTLE_US: f64 = 950.0;
 pub(super) struct LinkWatch {
     station_lost: bool,
     radio_lost: bool,
-    /// Since when the remote control has been silent or too low.
+    /// The time since which the remote control has been silent, or its throttle too low.
     radio_bad_since: Option<Duration>,
 }
 

@@ -98,7 +98,7 @@ pub(crate) struct RecordedLog {
 }
 
 impl RecordedLog {
-    /// The name of its file.
+    /// The name of its file, such as `00000012.BIN`.
     pub(crate) fn file_name(&self) -> String {
         format!("{:08}.BIN", self.number)
     }

@@ -29,7 +29,7 @@ const ACTING_AT_BOOT: &[u16] = &[
 /// Functions that ignore the position in which their switch is found: to arm, to release the parachute.
 const WAITING_FOR_MOVE: &[u16] = &[22, 153, 154, ARM_OR_EMERGENCY_STOP];
 
-/// A position of a switch.
+/// A position of a three-position switch, by its pulse width or its number in `DO_AUX_FUNCTION`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SwitchPosition {
     Low,

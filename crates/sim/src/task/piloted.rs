@@ -59,7 +59,7 @@ enum Style {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pilot {
     style: Style,
-    /// Since when the sticks are centred.
+    /// The time since which the sticks have been centred.
     released: Duration,
     brake_m_s2: f64,
     /// LOITER: the acceleration expected from the lean. POSHOLD: the lean that is flown. Forward, right.

@@ -29,7 +29,7 @@ const DATA_BYTES: usize = 90;
 /// Messages of a download in one step.
 const SEND_PER_STEP: usize = 40;
 
-/// The download of a log.
+/// The log that is being sent to a ground station, if any.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LogDownload {
     sending: Option<Sending>,

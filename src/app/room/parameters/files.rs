@@ -59,7 +59,7 @@ pub fn load(state: &mut State, entered: &str) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Handles a file that has been read.
+/// Compares the vehicle's parameters with a file that has been read, or shows the file's first fault.
 pub fn read(state: &mut State, path: String, content: &str) {
     match parameters::parse(content) {
         Ok(values) => compare(state, Other::File { path, values }),

@@ -253,7 +253,7 @@ fn added(list: ListKind, number: Option<usize>) -> Edit {
     }
 }
 
-/// The same before the item under the cursor, where the order matters.
+/// An item at the map's cursor, before the item under the cursor; in a list without an order, after the others.
 fn inserted(list: ListKind, number: Option<usize>) -> Edit {
     match (list, number) {
         (ListKind::Plan, Some(number)) => Edit::Plan(PlanEdit::Add {

@@ -1,4 +1,4 @@
-//! Files of drafts, the lists that vehicles have on board, and the way there.
+//! Files of drafts, the lists on board vehicles, and uploads to them.
 
 use std::sync::Arc;
 
@@ -85,7 +85,7 @@ pub fn fill(state: &mut State, drafts: impl IntoIterator<Item = Draft>) {
     view::point_at_item(state);
 }
 
-/// Says what the current draft holds.
+/// Shows the content of the current draft on the last line.
 pub(super) fn say_summary(state: &mut State) {
     if let Some(draft) = state.rooms.plans.drafts.current() {
         let holds = preflight::summary(draft.document());

@@ -1,4 +1,4 @@
-//! What the vehicle would say about a draft, and how fast it would fly it.
+//! The faults of a draft by the vehicle's rules, and the speeds at which the vehicle would fly it.
 
 use super::ground::CLEARANCE_M;
 use crate::app::State;

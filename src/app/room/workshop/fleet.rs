@@ -19,7 +19,7 @@ pub struct Seat<'a> {
     pub design: Option<&'a Design>,
 }
 
-/// The seats of a mission.
+/// The seats of a mission, each with the design chosen for it.
 pub fn seats<'a>(state: &'a State, mission: &Listing) -> Vec<Seat<'a>> {
     let fleet = state.training.fleets.get(&mission.id);
     let chosen = |seat: usize| match fleet.map(Vec::as_slice)? {

@@ -104,7 +104,7 @@ pub(super) fn compare_or_choose(state: &mut State) {
     }
 }
 
-/// A design of the list.
+/// A design in the list: the trainee's own, or a built-in one.
 pub(super) struct ListedDesign {
     pub design: Design,
     /// Whether it is the trainee's own.

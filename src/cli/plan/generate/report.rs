@@ -1,4 +1,4 @@
-//! What was planned: checked, rehearsed, printed and written.
+//! Checks, rehearses, prints and writes the generated plans.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -20,7 +20,6 @@ pub(super) enum Field {
     Height,
 }
 
-/// The names of the fields.
 #[cfg(test)]
 pub(in crate::mission) fn field_names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|(name, ..)| *name)

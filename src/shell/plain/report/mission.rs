@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::text::{Text, text};
 
-/// What has been printed of a mission.
+/// The parts of a mission's state that have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedMission {
     /// The decided objectives, and the hint.

@@ -13,7 +13,7 @@ use crate::mission::{Progress, ShownContact, Trust};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 
-/// How well a contact is confirmed, by sign, in the order of the legend.
+/// The sign of each level of confirmation of a contact, in the order of the legend.
 pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Seen, '?', Role::Contact, "map-legend-seen"),
     (Trust::Confirmed, '!', Role::Accent, "map-legend-confirmed"),

@@ -84,7 +84,7 @@ pub fn role(look: &Look) -> Role {
     }
 }
 
-/// Whether a contact is a fire, which the field shows.
+/// Whether a contact is a fire: the map shows fires as a field, without names.
 pub fn is_fire(contact: &ShownContact) -> bool {
     contact.kind == FindKind::Fire
 }

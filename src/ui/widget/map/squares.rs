@@ -40,7 +40,7 @@ pub fn share_of_cell(view: &Viewport, side_m: f64) -> f64 {
     (side_m / column_m).min(1.0) * (side_m / row_m).min(1.0)
 }
 
-/// Fills a cell of the map.
+/// Draws a sign in a cell of the map.
 pub fn fill(cell: MapCell, sign: char, style: Style, panel: Panel<'_>, buffer: &mut Buffer) {
     let (column, row) = cell;
     let at = (panel.area.x + column, panel.area.y + row);

@@ -107,7 +107,7 @@ struct PolygonArea {
     version: u8,
 }
 
-/// The fence in the form of the file.
+/// The fence as the file stores it.
 ///
 /// # Errors
 /// Items that belong to no complete area, or a second return point.

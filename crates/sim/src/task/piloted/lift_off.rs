@@ -29,7 +29,7 @@ enum Ascent {
 /// The state of a lift-off.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct LiftOff {
-    /// Since when the throttle stick has commanded a vehicle on the ground to climb.
+    /// The time since which the throttle stick has commanded a vehicle on the ground to climb.
     spooling_since: Option<Duration>,
     ascent: Ascent,
 }

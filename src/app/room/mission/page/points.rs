@@ -1,4 +1,4 @@
-//! What to do next time, and the points to keep and to improve, from the last review of the mission.
+//! The plan for the next flight, and the points to keep and to improve, from the last review of the mission.
 
 use super::MissionPage;
 use crate::app::room::page::Tone;
