@@ -44,11 +44,11 @@ struct Flyer {
     home: Option<[f64; 2]>,
 }
 
-/// The vehicles in the air, in cells as large as the limits: only vehicles in the same or in neighbouring cells can be
-/// too close to each other, so that the cost grows with their number and not with its square.
+/// The vehicles in the air, in square cells as wide as the limit across: only vehicles in the same or in neighbouring
+/// cells can be too close to each other, so that the cost grows with their number and not with its square.
 struct CellGrid {
     flyers: Vec<Flyer>,
-    cells: HashMap<[i64; 3], Vec<usize>>,
+    cells: HashMap<u64, Vec<usize>>,
     limits: SeparationLimits,
 }
 
@@ -67,13 +67,13 @@ impl CellGrid {
     fn new(vehicles: &Vehicles, limits: SeparationLimits) -> Self {
         let mut origin = None;
         let mut flyers = Vec::new();
-        let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+        let mut cells: HashMap<u64, Vec<usize>> = HashMap::new();
         for vehicle in vehicles.values() {
             let Some(flyer) = flyer(vehicle, &mut origin) else {
                 continue;
             };
-            let cell = cell(flyer.point, limits);
-            cells.entry(cell).or_default().push(flyers.len());
+            let place = cell(flyer.point, limits);
+            cells.entry(key(place)).or_default().push(flyers.len());
             flyers.push(flyer);
         }
         Self {
@@ -98,10 +98,11 @@ impl CellGrid {
     /// The other vehicles in the cells around a vehicle.
     fn around<'a>(&'a self, flyer: &'a Flyer) -> impl Iterator<Item = &'a Flyer> + 'a {
         let own = cell(flyer.point, self.limits);
-        let steps = (0..27).map(|at| [at / 9 - 1, at / 3 % 3 - 1, at % 3 - 1]);
-        let cells =
-            steps.map(move |step| [0, 1, 2].map(|axis| own[axis].saturating_add(step[axis])));
-        let found = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
+        let steps = (0..9).map(|at| [at / 3 - 1, at % 3 - 1]);
+        let cells = steps.map(move |step| [0, 1].map(|axis| own[axis].wrapping_add(step[axis])));
+        let found = cells
+            .filter_map(|cell| self.cells.get(&key(cell)))
+            .flatten();
         let others = found.map(|at| &self.flyers[*at]);
         others.filter(|other| other.vehicle != flyer.vehicle)
     }
@@ -152,12 +153,14 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
         })
 }
 
-fn cell([north_m, east_m, up_m]: [f64; 3], limits: SeparationLimits) -> [i64; 3] {
-    [
-        (north_m / limits.across_m).floor() as i64,
-        (east_m / limits.across_m).floor() as i64,
-        (up_m / limits.height_m).floor() as i64,
-    ]
+/// The cell of a point, counted north and east from the origin.
+fn cell([north_m, east_m, _]: [f64; 3], limits: SeparationLimits) -> [i32; 2] {
+    [north_m, east_m].map(|metres| (metres / limits.across_m).floor() as i32)
+}
+
+/// A cell as one number, which is faster to hash.
+fn key([north, east]: [i32; 2]) -> u64 {
+    u64::from(north.cast_unsigned()) << 32 | u64::from(east.cast_unsigned())
 }
 
 #[cfg(test)]
