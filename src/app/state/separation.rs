@@ -40,8 +40,8 @@ pub struct CloseVehicle {
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    /// Its pad, in metres north and east.
-    home: Option<[f64; 2]>,
+    /// Its pad.
+    home: Option<LatLon>,
 }
 
 /// The vehicles in the air, in square cells as wide as the limit across: only vehicles in the same or in neighbouring
@@ -49,6 +49,8 @@ struct Flyer {
 struct CellGrid {
     flyers: Vec<Flyer>,
     cells: HashMap<u64, Vec<usize>>,
+    /// The place that points count from.
+    origin: Option<LatLon>,
     limits: SeparationLimits,
 }
 
@@ -79,6 +81,7 @@ impl CellGrid {
         Self {
             flyers,
             cells,
+            origin,
             limits,
         }
     }
@@ -110,8 +113,8 @@ impl CellGrid {
     /// The pad that a vehicle is above.
     fn pad_of(&self, flyer: &Flyer) -> Option<[f64; 2]> {
         let [north_m, east_m, _] = flyer.point;
-        let is_above = |home: &[f64; 2]| apart_m(*home, [north_m, east_m]) < self.limits.across_m;
-        flyer.home.filter(is_above)
+        let pad = <[f64; 2]>::from(self.origin?.offset_to(flyer.home?));
+        (apart_m(pad, [north_m, east_m]) < self.limits.across_m).then_some(pad)
     }
 
     /// The distance of two vehicles, if they are too close. Above pads that are close together, they may be closer.
@@ -122,10 +125,13 @@ impl CellGrid {
             across_m: maths::hypot(north, east),
             height_m: up.abs(),
         };
+        if close.across_m >= self.limits.across_m || close.height_m >= self.limits.height_m {
+            return None;
+        }
         let pads = self.pad_of(flyer).zip(self.pad_of(other));
         let pads_m = pads.map_or(f64::INFINITY, |(own, other)| apart_m(own, other));
         let limit_m = neighbours_limit_m(pads_m, self.limits.across_m);
-        (close.across_m < limit_m && close.height_m < self.limits.height_m).then_some(close)
+        (close.across_m < limit_m).then_some(close)
     }
 }
 
@@ -140,8 +146,7 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
     }
     let here = vehicle.global?;
     let origin = *origin.get_or_insert(here.at_point);
-    let metres = |place| <[f64; 2]>::from(origin.offset_to(place));
-    let [north_m, east_m] = metres(here.at_point);
+    let [north_m, east_m] = <[f64; 2]>::from(origin.offset_to(here.at_point));
     let point = [north_m, east_m, here.altitude_amsl_m];
     point
         .iter()
@@ -149,7 +154,7 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
         .then_some(Flyer {
             vehicle: vehicle.id,
             point,
-            home: vehicle.home.map(|home| metres(home.at_point)),
+            home: vehicle.home.map(|home| home.at_point),
         })
 }
 

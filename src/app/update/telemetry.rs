@@ -26,7 +26,7 @@ use crate::vehicle::{Severity, Vehicle};
 use crate::vehicle_id::VehicleIds;
 
 /// How often distances between vehicles are checked, in milliseconds.
-const SEPARATION_MS: u128 = 250;
+const SEPARATION_MS: u128 = 500;
 
 /// Time passes by the wall clock; flight time does too, except in a replay.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
