@@ -107,16 +107,18 @@ fn judge_free(
     let difference = refly(&mut inputs.head.world(), inputs);
     let program = inputs.head.program.clone();
     let length = clock(inputs.lasts());
-    let words = if inputs.is_whole() {
-        text!("verify-verified-flight", length = length)
+    let (verdict, words) = if inputs.is_whole() {
+        let whole = text!("verify-verified-flight", length = length);
+        (Verdict::Verified, whole)
     } else {
-        text!("verify-verified-part", length = length)
+        let part = text!("verify-verified-part", length = length);
+        (Verdict::VerifiedPart, part)
     };
     let document = match difference.or_else(|| contradiction(journal?, inputs)) {
         None => VerifyDocument {
             words,
             is_good: true,
-            ..VerifyDocument::new(Verdict::Verified, program)
+            ..VerifyDocument::new(verdict, program)
         },
         Some(difference) => VerifyDocument::differing(difference, program),
     };
@@ -175,7 +177,7 @@ fn judge_run(
     Ok(match (difference, verification) {
         (Some(difference), _) => VerifyDocument::differing(difference, program),
         (None, Some(verification)) => VerifyDocument {
-            words: verified(mission, head.seed, verification.rescored.report.score),
+            words: verified(stored, mission, verification.rescored.report.score),
             is_good: true,
             ..VerifyDocument::new(Verdict::Verified, program)
         },
@@ -184,13 +186,16 @@ fn judge_run(
 }
 
 /// The words for a flight that matches its record.
-fn verified(mission: &Mission, seed: u64, score: u16) -> Text {
+fn verified(stored: &Stored, mission: &Mission, score: u16) -> Text {
     let mut words = vec![text!(
         "verify-verified",
         mission = mission.id.as_str(),
-        seed = seed.to_string(),
+        seed = stored.head.seed.to_string(),
         score = score
     )];
+    if !stored.has_checksum() {
+        words.push(text!("verify-no-checksum"));
+    }
     if store::mission_file(mission) == MissionFile::Own {
         words.push(text!("verify-own-mission"));
     }

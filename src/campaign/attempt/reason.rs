@@ -30,7 +30,7 @@ pub enum PracticeReason {
     OwnAirframes,
     /// Time runs slower than in reality.
     SlowMotion,
-    /// The record of the flight does not follow from the files beside it.
+    /// The record of the flight cannot be confirmed by the files beside it.
     UnconfirmedRecord,
 }
 

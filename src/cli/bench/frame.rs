@@ -185,7 +185,8 @@ fn flying(id: VehicleId, frame: u32) -> Vehicle {
         at,
     });
     vehicle.global = Some(GlobalPosition {
-        at_point: home.moved(far, far / 2.0),
+        // Far enough apart that no distance alert hides the rest.
+        at_point: home.moved(10.0 * far, 5.0 * far),
         altitude_amsl_m: 180.0 + far % 60.0,
         altitude_m: far % 60.0,
         north_m_s: (far % 10.0) as f32,

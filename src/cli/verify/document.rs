@@ -18,6 +18,8 @@ use crate::vehicle::VehicleId;
 pub(super) enum Verdict {
     /// The repeated flight matches the record.
     Verified,
+    /// The same for a free flight whose input log has no end, as far as the log goes.
+    VerifiedPart,
     /// The repeated flight differs from the record.
     Differs,
     /// The repeated flight differs, and another program has flown the original.
