@@ -49,6 +49,7 @@ plan-result-error = the vehicle refused it without giving a reason
 plan-differs = what was read back differs from what was sent
 hazard-plan-auto = a vehicle is flying its plan: it will follow the new one at once
 hazard-plan-rehearsal = the rehearsal of the plan of { $vehicle } failed: { $reason }
+hazard-plan-same = { $first } and { $second } carry the same plan: flown together, they would meet
 hazard-plan-armed = a vehicle is armed
 hazard-fence-off = a vehicle is armed: without the fence, nothing keeps it inside
 refused-logs-here = logs cannot be read this way: use `logs list` or `logs download`

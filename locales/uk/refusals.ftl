@@ -49,6 +49,7 @@ plan-result-error = апарат відхилив це, не назвавши п
 plan-differs = зчитане назад відрізняється від надісланого
 hazard-plan-auto = апарат летить за планом і відразу перейде на новий
 hazard-plan-rehearsal = випробування плану апарата { $vehicle } невдале: { $reason }
+hazard-plan-same = { $first } і { $second } мають той самий план: у спільному польоті вони зіткнуться
 hazard-plan-armed = двигуни апарата активні
 hazard-fence-off = двигуни апарата активні: без геозони його ніщо не зупинить
 refused-logs-here = так журнали прочитати не можна: скористайтеся `logs list` або `logs download`

@@ -15,6 +15,8 @@ use crate::vehicle::{PlanPhase, Vehicle};
 pub(super) const AUTO: &str = "AUTO";
 /// The modes in which a plan that was begun waits: those of `hold`, and those that a pilot holds a vehicle in.
 const WAITING_MODES: [&str; 6] = ["BRAKE", "LOITER", "GUIDED", "POSHOLD", "HOLD", "ALT_HOLD"];
+/// Below this speed over ground a vehicle stands.
+const STANDING_M_S: f32 = 0.5;
 
 /// Flies the plan on board, or interrupts it. Items are numbered as on board: 0 is home.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -153,10 +155,18 @@ fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text>
         }
         // Older autopilots do not report whether they pause.
         None => Ok(vec![go_on]),
+        // A vehicle that reaches its item while it slows down for a pause stands, and reports the next item as active.
+        Some(PlanPhase::Active) if stands(vehicle) => Ok(vec![go_on]),
         Some(PlanPhase::Active | PlanPhase::NoPlan) => {
             Err(text!("refused-plan-flown", item = progress.current))
         }
     }
+}
+
+/// Whether a vehicle is known to stand still.
+fn stands(vehicle: &Vehicle) -> bool {
+    let speed_m_s = vehicle.ground_speed_m_s();
+    speed_m_s.is_some_and(|speed_m_s| speed_m_s < STANDING_M_S)
 }
 
 /// `DO_SET_MISSION_CURRENT`; `resets` forgets the jumps and begins a plan that has stopped.

@@ -393,7 +393,12 @@ fn store(vehicle: &mut Vehicle, kind: ListKind, items: Vec<Item>) {
         .is_some_and(|heartbeat| heartbeat.autopilot == ARDUPILOT);
     let plans = &mut vehicle.plans;
     match kind {
-        ListKind::Plan => plans.plan.content = Some(Arc::new(Plan { items, home_first })),
+        ListKind::Plan => {
+            // The number that the vehicle has reported is older than the list.
+            let last = u16::try_from(items.len().saturating_sub(1)).ok();
+            vehicle.plan.total = vehicle.plan.total.and(last);
+            plans.plan.content = Some(Arc::new(Plan { items, home_first }));
+        }
         ListKind::Fence => plans.fence.content = Some(Arc::new(FencePlan::from_items(items))),
         ListKind::Rally => plans.rally.content = Some(Arc::new(RallyPlan::from_items(items))),
     }

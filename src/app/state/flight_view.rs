@@ -124,17 +124,36 @@ impl FlightView {
             .extend(failed.map(|failed| (failed.vehicle, failed)));
     }
 
-    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because their
-    /// plans have failed in a rehearsal.
+    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because the plans
+    /// that it starts have failed in a rehearsal or are the same.
     pub fn hazard(&self, order: &Order) -> Option<Text> {
         let of_vehicles = order.hazard(&self.vehicles);
-        of_vehicles.or_else(|| self.rehearsal_hazard(order))
+        of_vehicles.or_else(|| match order.act {
+            Act::Command(Command::PlanFlight(PlanFlight::Start)) => self
+                .rehearsal_hazard(order)
+                .or_else(|| self.same_plan_hazard(order)),
+            Act::Command(_)
+            | Act::Deed(_)
+            | Act::Manoeuvre(_)
+            | Act::Plans(_)
+            | Act::Rehearse { .. } => None,
+        })
+    }
+
+    /// Vehicles that start the same plan together would meet.
+    fn same_plan_hazard(&self, order: &Order) -> Option<Text> {
+        let mut known = BTreeMap::new();
+        order.targets.iter().find_map(|id| {
+            let plan = self.vehicles.get(id)?.plans.plan.content.as_ref()?;
+            let mark = ContentHash::of(plan.flown()).0;
+            let first = known
+                .insert(mark, *id)
+                .filter(|_| !plan.flown().is_empty())?;
+            Some(text!("hazard-plan-same", first = first, second = *id))
+        })
     }
 
     fn rehearsal_hazard(&self, order: &Order) -> Option<Text> {
-        let Act::Command(Command::PlanFlight(PlanFlight::Start)) = order.act else {
-            return None;
-        };
         let failed = |id: &VehicleId| {
             let failed = self.failed_rehearsals.get(id)?;
             let plan = self.vehicles.get(id)?.plans.plan.content.as_ref()?;
@@ -303,5 +322,24 @@ mod tests {
             ..RehearsalFindings::default()
         });
         assert_eq!(view.hazard(&start), None, "it passes now");
+    }
+
+    #[test]
+    fn vehicles_with_the_same_plan_start_together_only_after_a_confirmation() {
+        let mut view = FlightView::default();
+        let second = |height_m| {
+            let mut vehicle = carrying(height_m);
+            vehicle.id = 2;
+            Arc::new(vehicle)
+        };
+        view.insert(Arc::new(carrying(20.0)));
+        view.insert(second(20.0));
+        let mut start = order("plan start");
+        assert_eq!(view.hazard(&start), None, "one vehicle");
+        start.targets = vec![1, 2];
+        let reason = view.hazard(&start).expect("it asks").to_string();
+        assert!(reason.contains("1 and 2 carry the same plan"), "{reason}");
+        view.insert(second(25.0));
+        assert_eq!(view.hazard(&start), None);
     }
 }

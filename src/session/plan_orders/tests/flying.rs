@@ -124,6 +124,36 @@ fn a_pause_holds_in_auto_and_a_resumption_goes_on() {
     rig.refuses("plan resume", "at item 3");
 }
 
+/// The vehicle stops beyond its item, and reports the next one as active.
+#[test]
+fn a_pause_close_to_a_place_can_be_resumed() {
+    let places = LatLon::new(HOME.lat_deg, HOME.lon_deg);
+    let mut rig = Rig::flying(&square());
+    rig.until(60, |vehicle| {
+        let at = vehicle.global.map(|it| places.offset_to(it.at_point));
+        at.is_some_and(|it| <[f64; 2]>::from(it)[0] > 116.0)
+    });
+    let (state, reason) = rig.give("plan pause", 15);
+    assert_eq!(state, RowState::Done, "{reason}");
+    rig.pass(s(5));
+    let speed = |rig: &Rig| rig.session.vehicle().ground_speed_m_s().expect("known");
+    assert!(speed(&rig) < 0.5);
+    rig.works("plan resume", 10);
+    rig.pass(s(5));
+    assert!(speed(&rig) > 2.0, "{:?}", rig.session.vehicle().plan);
+}
+
+#[test]
+fn a_plan_starts_as_soon_as_its_upload_is_done() {
+    let mut rig = Rig::new(true);
+    rig.file("plan", ListKind::Plan, &square());
+    rig.works("mode guided", 5);
+    rig.works("arm", 5);
+    rig.upload(ListKind::Plan, "plan");
+    assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
+    rig.works("plan start", 5);
+}
+
 #[test]
 fn a_resumption_from_another_mode_never_begins_again() {
     for restart in [0.0, 1.0] {
