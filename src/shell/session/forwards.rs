@@ -59,8 +59,10 @@ impl SessionForwards {
 }
 
 fn summary(feed: &ForwardFeed) -> ForwardSummary {
-    let status = feed.status.borrow();
+    // Before the status is borrowed: a task that holds the lock of the forwards reads the status, and a writer that
+    // waits in between would block both.
     let counts = feed.counts();
+    let status = feed.status.borrow();
     ForwardSummary {
         name: feed.spec.to_string(),
         up: status.state == LinkState::Up,
