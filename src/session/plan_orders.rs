@@ -67,7 +67,7 @@ pub(super) struct PlanOrders {
 /// The order in progress, and its transfer.
 #[derive(Debug, Clone)]
 struct Job {
-    /// The order that is told the progress; `None` for a list of the mission.
+    /// The order whose row shows the progress; `None` for a list that the mission puts on board.
     order: Option<VehicleCommand>,
     command: PlanCommand,
     transaction: Box<Transaction>,

@@ -201,7 +201,7 @@ fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let line = &palette.before_tab;
     let head = line.get(..completion.replaces.start).unwrap_or(line);
     let tail = line.get(completion.replaces.end..).unwrap_or_default();
-    // The name of a folder goes on with that of a file in it.
+    // After the name of a folder, the completion continues with a file in it.
     let is_whole = !completion.text.ends_with('/');
     let gap = if is_whole && !tail.starts_with(' ') {
         " "

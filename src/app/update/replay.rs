@@ -232,7 +232,7 @@ mod tests {
         let done = actions::act(&mut state, Action::Escape);
         assert_eq!(done, Effects::none());
         assert_eq!(state.room(), Room::Fly);
-        assert!(state.replay.is_some(), "the replay goes on");
+        assert!(state.replay.is_some(), "the replay is still open");
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub(super) enum FtpWork {
 /// What an answer means for the task.
 pub(super) enum FtpNews {
     Nothing,
-    /// The task goes on.
+    /// The task continues.
     Progress(FtpEvent),
     /// The task is done or has failed; a session that it may have opened is left to close.
     End(FtpEvent),

@@ -95,7 +95,7 @@ fn lists_of_a_mission_come_on_board_without_a_row_and_before_orders() {
         assert_eq!(own.len(), document.list(kind).len(), "{kind:?}");
         assert_eq!(own[1].command, document.list(kind)[1].command);
     }
-    // The session goes on as usual.
+    // Orders after it work as usual.
     rig.file("other", ListKind::Plan, &list(ListKind::Plan, 3, 2.0));
     rig.upload(ListKind::Plan, "other");
     assert_eq!(rig.ended(s(30)), RowState::Done);

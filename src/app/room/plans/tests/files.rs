@@ -66,7 +66,10 @@ fn a_draft_stays_with_the_file_that_it_was_saved_to() {
         other[..],
         [Effect::File(FileEffect::Write { replace: true, .. })]
     );
-    assert!(!replaces, "another file may be somebody's");
+    assert!(
+        !replaces,
+        "a file that the draft did not come from is not replaced"
+    );
 }
 
 #[test]
