@@ -1,7 +1,5 @@
 //! Drafts of plans on the map: lines, fences, rally points, and the cursor.
 
-use std::collections::BTreeSet;
-
 use ratatui::buffer::Buffer;
 
 use super::canvas::{Canvas, Stroke};
@@ -41,7 +39,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let Board { canvas, labels, .. } = board;
     canvas.draw(panel, buffer);
-    labels::draw(labels, &BTreeSet::new(), panel, buffer);
+    labels::draw(labels, &[], panel, buffer);
     markers::draw(state, panel.look, &view, panel.area, buffer);
     legend::draw_scale(panel.look, &view, panel.area, buffer);
     draw_cursor(&view, room.map().pointed(&view), panel, buffer);

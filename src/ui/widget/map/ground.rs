@@ -100,13 +100,15 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
 }
 
-/// The cells that the vehicles' signs, brackets and numbers will cover.
-fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<MapCell> {
+/// The cells of the vehicles' signs, by row and column, each once.
+fn vehicle_cells(state: &State, view: &Viewport) -> Vec<MapCell> {
     let vehicles = state.session().vehicles().values();
-    let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
-    places
-        .flat_map(|(column, row)| (column.saturating_sub(1)..=column + 2).map(move |at| (at, row)))
-        .collect()
+    let mut cells: Vec<MapCell> = vehicles
+        .filter_map(|vehicle| view.cell(vehicle.global?.at_point))
+        .collect();
+    cells.sort_unstable();
+    cells.dedup();
+    cells
 }
 
 /// Draws the cells of surveys: their names until they are sampled, then their values.

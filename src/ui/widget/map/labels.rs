@@ -15,6 +15,9 @@ use crate::ui::widget::put;
 /// A column and a row of the map.
 pub type MapCell = (u16, u16);
 
+/// Columns after a vehicle's sign that its number is expected to cover.
+const NUMBER_WIDTH: u16 = 2;
+
 /// A text at a cell.
 pub struct Label {
     pub cell: MapCell,
@@ -33,13 +36,8 @@ impl Label {
     }
 }
 
-/// Draws the labels that can be read, on the map's panel; `vehicles` are the cells that vehicles will cover.
-pub fn draw(
-    labels: Vec<Label>,
-    vehicles: &BTreeSet<MapCell>,
-    panel: Panel<'_>,
-    buffer: &mut Buffer,
-) {
+/// Draws the labels that can be read, on the map's panel; `vehicles` are the sorted cells of the vehicles' signs.
+pub fn draw(labels: Vec<Label>, vehicles: &[MapCell], panel: Panel<'_>, buffer: &mut Buffer) {
     let labels = readable(labels, vehicles);
     for label in &labels {
         let (column, row) = label.cell;
@@ -135,7 +133,7 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 
 /// The labels without those that would overlap another one: later ones take precedence. If only a name has no room, its
 /// sign stays. Vehicles are drawn over everything, so a label that they would partly cover is left out as well.
-fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
+fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();
     let mut kept = Vec::new();
@@ -145,7 +143,7 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
         // Words need a space on both sides; signs may be adjacent.
         let margin = u16::from(width > 1);
         let mut around = column.saturating_sub(margin)..column + width + margin;
-        let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(at, row)));
+        let is_cut = width > 1 && cells(&label).any(|cell| is_under_vehicle(cell, vehicles));
         if is_cut || around.any(|at| taken.contains(&(at, row))) {
             let is_free = !taken.contains(&(column, row));
             let sign = label.text.chars().next();
@@ -163,6 +161,14 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
         kept.push(label);
     }
     kept
+}
+
+/// Whether a vehicle will cover the cell: by its sign, the bracket before it or the number after it.
+fn is_under_vehicle((column, row): MapCell, vehicles: &[MapCell]) -> bool {
+    let signs = column.saturating_sub(NUMBER_WIDTH)..=column + 1;
+    signs
+        .into_iter()
+        .any(|at| vehicles.binary_search(&(at, row)).is_ok())
 }
 
 #[cfg(test)]
@@ -184,20 +190,19 @@ mod tests {
     fn a_vehicle_leaves_no_piece_of_a_word() {
         let kept = |vehicle: u16| -> Vec<String> {
             let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
-            let covered = (vehicle..vehicle + 3).map(|column| (column, 0)).collect();
-            let kept = readable(labels, &covered);
+            let kept = readable(labels, &[(vehicle, 0)]);
             kept.into_iter().rev().map(|label| label.text).collect()
         };
-        assert_eq!(kept(40), ["peak4", "!c2", "H"]);
-        assert_eq!(kept(8), ["!c2", "H"]);
-        assert_eq!(kept(22), ["peak4", "!", "H"], "a sign says what is there");
-        assert_eq!(kept(29), ["peak4", "!c2", "H"], "a sign is never in pieces");
+        assert_eq!(kept(41), ["peak4", "!c2", "H"]);
+        assert_eq!(kept(9), ["!c2", "H"]);
+        assert_eq!(kept(23), ["peak4", "!", "H"], "a sign says what is there");
+        assert_eq!(kept(30), ["peak4", "!c2", "H"], "a sign is never in pieces");
     }
 
     #[test]
     fn a_sign_never_stands_beside_a_word() {
         let labels = vec![label(13, "?"), label(14, "?"), label(10, "!c2")];
-        let kept = readable(labels, &BTreeSet::new());
+        let kept = readable(labels, &[]);
         let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
         assert_eq!(texts, ["?", "!c2"]);
         assert_eq!(kept[1].cell, (14, 0));
@@ -211,7 +216,7 @@ mod tests {
         let below = Style::new().add_modifier(Modifier::BOLD | Modifier::REVERSED);
         buffer.set_string(0, 0, "66666666", below);
         let panel = Panel::new(&look, area);
-        draw(vec![label(2, "A3")], &BTreeSet::new(), panel, &mut buffer);
+        draw(vec![label(2, "A3")], &[], panel, &mut buffer);
         let shown: String = buffer
             .content
             .iter()
