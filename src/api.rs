@@ -28,7 +28,7 @@ pub use view::{
 
 /// The version of this interface; it increases with every change that is not an addition.
 pub const INTERFACE: u32 = 1;
-/// The most bytes of a line that a program may send.
+/// The maximum length of a line from a program, in bytes.
 pub const LONGEST_LINE: usize = 64 * 1024;
 /// The shortest and the longest time between two states of a watched subject, in seconds.
 pub const WATCH_S: std::ops::RangeInclusive<f64> = 0.05..=3600.0;
@@ -39,12 +39,12 @@ pub const USUAL_WATCH_S: f64 = 0.5;
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
-    /// Carry out a line of the command grammar. Its targets have to be named. The answer is `ok`, followed by a `row`
+    /// Carry out a line of the command grammar. It must name its targets. The answer is `ok`, followed by a `row`
     /// whenever the state of a vehicle changes, and by `ended`.
     Say {
         /// The line, such as `1-4 takeoff 20`.
         line: String,
-        /// Whether a line that asks the user for a confirmation is confirmed.
+        /// Whether a line that would need a confirmation by the user is confirmed.
         #[serde(default)]
         confirm: bool,
     },
@@ -55,11 +55,12 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         vehicle: Option<VehicleId>,
     },
-    /// Answer `ok`; then send these subjects, and again whenever they change. Replaces what was watched before; an empty list ends it.
+    /// Answer `ok`; then send these subjects, and send them again whenever they change. Replaces the subjects watched
+    /// before; an empty list ends watching.
     Watch {
         what: Vec<Topic>,
         /// The shortest time between two states of the same subject, in seconds; 0.5 by default. Notices and rows are
-        /// sent at the same times, but none is left out.
+        /// sent at the same times, but all of them are sent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         every_s: Option<f64>,
     },
@@ -78,7 +79,7 @@ pub enum Subject {
     Links,
     /// The parameters of one vehicle, as far as they have been read.
     Parameters,
-    /// The plan on board of one vehicle, as far as it has been read.
+    /// The plan on board one vehicle, as far as it has been read.
     Plan,
     /// The records of flights, newest first.
     Records,
@@ -195,7 +196,7 @@ pub struct Welcome {
     pub sortie: String,
     /// The version of this interface.
     pub interface: u32,
-    /// Whether lines are carried out; otherwise the socket is only for reading.
+    /// Whether lines are carried out; otherwise the socket is read-only.
     pub commands: bool,
 }
 

@@ -128,12 +128,12 @@ enum CliCommand {
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
-    /// Says lines to a console that was started with --api, and prints what becomes of them.
+    /// Sends lines to a console that was started with --api, and prints their outcomes.
     #[command(after_help = "Examples:\n  \
                             sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
                             sortie say /tmp/lab.sock --confirm \"all kill\"")]
     Say(say::SayArguments),
-    /// Prints the changing state of a console that was started with --api, as JSON lines.
+    /// Prints every change in the state of a console that was started with --api, as JSON lines.
     #[command(after_help = "Examples:\n  \
                             sortie watch /tmp/lab.sock ledger notices\n  \
                             sortie watch /tmp/lab.sock vehicles --every 5\n  \

@@ -42,8 +42,8 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The causes of the score and the improvements: the part of the page that explains the result, in so many columns, up
-/// to [`WIDTH`].
+/// The causes of the score and the improvements: the part of the page that explains the result, in at most `width`
+/// columns, which is limited to [`WIDTH`].
 pub fn explanation(report: &Report, locale: &Locale, width: usize) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.width = width.min(WIDTH);

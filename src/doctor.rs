@@ -192,7 +192,7 @@ pub struct Chart {
     up_since: Option<Duration>,
 }
 
-/// The changes of a link within the window.
+/// The changes to a link's counters within the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct ChartChange {
     bytes: u64,
@@ -257,7 +257,7 @@ impl Chart {
         }
     }
 
-    /// The changes of a sender's sequence counts within the window.
+    /// The changes to a sender's sequence counts within the window.
     fn numbered(&self, sender: &Sender) -> NumberedFrames {
         let ids = sender.ids();
         let of = |seen: Option<&(Duration, Observation)>| {

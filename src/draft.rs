@@ -1,4 +1,4 @@
-//! Plans, fences and rally points that are being drawn: their content, every change of it, and how to undo it.
+//! Plans, fences and rally points that are being drawn: their content, every change to it, and how to undo it.
 //!
 //! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document of the old one, so the
 //! history of a draft is the list of its documents.
@@ -51,7 +51,7 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// A draft with a content of its own. With a vehicle, it is meant for that vehicle alone.
+    /// A draft with content that is nowhere else. With a vehicle, it is meant for that vehicle alone.
     pub fn new(
         name: impl Into<String>,
         document: Arc<Document>,

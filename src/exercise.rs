@@ -222,7 +222,7 @@ impl<L> Exercise<L> {
         std::mem::take(&mut self.notices)
     }
 
-    /// Handles the changes of a vehicle's commands and its notices.
+    /// Handles the changes to a vehicle's commands, and its notices.
     fn take_reports(&mut self, index: usize, now: Duration) {
         for report in self.seats[index].session.take_reports() {
             match report {

@@ -97,7 +97,7 @@ impl fmt::Display for RowState {
     }
 }
 
-/// A change of one row.
+/// A change to one row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowUpdate {
     pub entry: EntryId,

@@ -46,7 +46,7 @@ pub struct Inbox {
     // Shared with readers; copied on a change while a reader holds it.
     parameters: Arc<ParameterList>,
     clock: clock::BootClock,
-    /// The time of the last reason against arming: reasons that come together replace earlier ones.
+    /// The time of the last reason not to arm: reasons that arrive together replace earlier ones.
     reasons_at: Option<Duration>,
     /// When `BATTERY_STATUS` last reported pack 0, which then overrides `SYS_STATUS`.
     pack_heard_at: Option<Duration>,

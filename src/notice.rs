@@ -1,4 +1,4 @@
-//! Notices to people.
+//! Notices to the operator: events that a line reports.
 
 use std::time::Duration;
 

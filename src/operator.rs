@@ -32,7 +32,7 @@ pub use rehearsing::{FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings,
 /// Work for the owner of an operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Dispatch {
-    /// Apply a change of a row to the ledger.
+    /// Apply a change to a row of the ledger.
     Row(RowUpdate),
     /// Give a vehicle a command.
     Command(VehicleId, VehicleCommand),

@@ -133,7 +133,7 @@ impl Replay {
         events
     }
 
-    /// Carries out the user's control.
+    /// Applies a control of the replay, such as play or seek; returns its events.
     pub fn steer(&mut self, effect: ReplayEffect) -> Vec<Event> {
         match self.control(effect) {
             Ok(()) => self.approach(),

@@ -108,7 +108,7 @@ pub struct Vehicle {
     pub link: LinkQuality,
     /// Its position since it was last heard, in simulated radio. Never shown to the operator.
     pub unheard: Option<Unheard>,
-    /// The last reported reasons against arming, newest last, without the "`PreArm`: " prefix.
+    /// The last reported reasons not to arm, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
     /// The last few status texts, newest last.
     pub texts: Vec<StatusText>,

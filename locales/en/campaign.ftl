@@ -28,9 +28,9 @@ reward-heading = Career
 reward-exam-passed = EXAM PASSED
 reward-exam-failed = EXAM NOT PASSED
 reward-credits = credits +{ $pay }, { $now } now
-reward-credits-wear = credits +{ $pay }, -{ $wear } for wear of your drones, { $now } now
+reward-credits-wear = credits +{ $pay }, -{ $wear } for wear on your drones, { $now } now
 reward-unpaid = no credits: { $why }; { $now } now
-reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear of your drones, { $now } now
+reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear on your drones, { $now } now
 reward-practice = practice earns none
 reward-not-passed = the mission was not passed
 reward-not-better = only a score above { $best } earns more
@@ -55,8 +55,8 @@ profiles-exists = the profile `{ $name }` already exists
 profiles-name = a profile's name is one line of 1 to { $most } characters
 profiles-no-profile = not a profile: { $fault }
 profiles-mended = { $count ->
-    [one] 1 damaged row of the profiles was read from the backup
-   *[other] { $count } damaged rows of the profiles were read from the backup
+    [one] 1 damaged row of the profiles was restored from the backup
+   *[other] { $count } damaged rows of the profiles were restored from the backup
 }
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-fault-empty = the file is empty

@@ -19,7 +19,7 @@ ask-how-many = { $answer } (how many vehicles)
 ask-cancelled = cancelled, nothing was done: { $question }
 
 select-missing = no vehicle { $vehicles }
-select-missing-all = no vehicle { $vehicles }: the selection stays as it was
+select-missing-all = no vehicle { $vehicles }: the selection is unchanged
 
 palette-title = command
 palette-grammar = [targets] verb [arguments]: { $complete } completes, { $older } brings back older lines
@@ -91,6 +91,6 @@ setting-theme = colours
 setting-lang = language: English, українська; a profile remembers it
 setting-symbols = characters for curves and maps
 setting-fps = maximum frames per second
-setting-bell = ring the bell for serious alerts
+setting-bell = terminal bell for serious alerts
 setting-notify = desktop notifications for serious alerts
 setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first

@@ -61,13 +61,13 @@ verify-of-vehicle = vehicle { $vehicle }: { $what }
 verify-other-program = other program: { $program } flew it, and here it differs at { $seconds } s ({ $what })
 verify-other-mission = other mission: { $mission } in the record (hash { $hash }) differs from the one in this program
 verify-rescored = re-scored from telemetry only: { $score } points, as recorded
-verify-rescored-other = re-scored from telemetry only: { $score } points; another score is recorded
+verify-rescored-other = re-scored from telemetry only: { $score } points; the record states a different score
 verify-inputs-missing = re-scored from telemetry only: { $score } points; the vehicles' inputs were not recorded
 verify-damaged = line { $line } of the input log is damaged
 verify-no-end = the input log is incomplete: its end is missing
 verify-other-clock = the clocks of the mission and of the simulator do not match
 verify-other-end = the medal, result or time at the end does not follow from the record
-verify-exam-paused = the flight counts as an exam, which has no pauses, but the record has one
+verify-exam-paused = the flight counts as an exam, which allows no pauses, but the record contains one
 verify-own-airframes = the flight counts, but its airframes are not those of the mission
 verify-beyond-inputs = the record continues beyond the end of the input log
 verify-too-many = the input log names { $count } drones: no flight has more than 255 vehicles
@@ -82,8 +82,8 @@ verify-other-journal = the journal belongs to another flight
 verify-own-mission = the mission is not part of the course
 verify-other-backend = the run says that ArduPilot flew it, but it has an input log of the embedded simulator
 verify-no-checksum = the record has no checksum, so later edits of it cannot be noticed
-verify-stated = only stated in the record, not proved: program { $program }, profile { $profile }, date { $when }, what it was flown by, the number of the try and what it counted for
-verify-stated-guest = only stated in the record, not proved: program { $program }, no profile, date { $when }, what it was flown by, the number of the try and what it counted for
+verify-stated = only stated in the record, not proved: program { $program }, profile { $profile }, date { $when }, source of the commands, number of the try, and what it counted as
+verify-stated-guest = only stated in the record, not proved: program { $program }, no profile, date { $when }, source of the commands, number of the try, and what it counted as
 verify-stated-free = only stated in the record, not proved: program { $program }
 
 # `sortie records key` and `sign`, and signatures in `sortie verify`

@@ -54,7 +54,7 @@ people-node-lost = no place for a node within { $distance } m
 # Plans on board and what is done with them before they are flown.
 plan-fault-of = { $vehicle }: { $fault }
 plan-fault-sea-level = a height above sea level
-plan-fault-outside = a place beyond the fence
+plan-fault-outside = a place outside the fence
 plan-fault-endless = a jump without end
 plan-fault-stay = a stay that empties the battery
 plan-fault-copied = the plan of another vehicle

@@ -94,4 +94,4 @@ grammar-script-selection = a script has no selection
 grammar-say-who = name the vehicles, as in `{ $line }`
 grammar-wait-timed-out = line { $line }: `{ $wait }` timed out
 grammar-if-then = `if` needs `then` and a line: `if 3 alerted then 3 rtl`
-grammar-if-state = a condition is a state, as in `if 3 alerted then 3 rtl`
+grammar-if-state = write a state as the condition, as in `if 3 alerted then 3 rtl`

@@ -66,7 +66,7 @@ mission-battery-critical = battery critical
 mission-battery-low = battery low
 
 # Translations in mission files.
-mission-untranslated = no `{ $key }`: Ukrainian shows the English text
+mission-untranslated = no `{ $key }`: the Ukrainian screens show the English text
 mission-english-only = in English only: add `title_uk`, `brief_uk`, `text_uk` next to the English texts
 mission-translation-empty = `{ $key }` is empty: remove it to show the English text
 
@@ -188,7 +188,7 @@ mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief
 mission-prediction-is = { $points } predicted
 mission-goal = your goal
 mission-goal-none = { $key } sets one, as in `goal time 200s`: score, time, battery, safety, commands, attention
-mission-reading = the clock
+mission-reading = clock
 mission-reading-first = it starts when you leave the brief
 mission-reading-is = running; { $key } pauses it while you read
 mission-reading-paused = paused; { $key } resumes
@@ -209,7 +209,7 @@ inject-done = injected: { $what }
 # Tries, hints and equipment, in the room of the mission.
 mission-tries = your tries
 mission-try = { $score } points, { $medal }
-mission-try-best = { $score } points, { $medal }, the best
+mission-try-best = { $score } points, { $medal }, best so far
 mission-try-practice = { $score } points, practice
 mission-try-unfinished = not finished
 mission-next-hint = hint

@@ -55,7 +55,7 @@ plan-broken-off = an upload of its { $verb ->
     [plan] plan
     [fence] fence
    *[rally] rally points
-} was interrupted; the old list is kept: `{ $verb } upload { $file }` puts it back
+} was interrupted; the old list is kept: `{ $verb } upload { $file }` restores it
 plan-broken-off-empty = an upload of its { $verb ->
     [plan] plan
     [fence] fence
@@ -107,12 +107,12 @@ outcome-plan-same = { $count } items ({ $mark }) were already on board
 outcome-plan-read = { $count } items ({ $mark })
 outcome-plan-saved = { $count } items saved: { $file }
 outcome-plan-kept = { $reason }; the old list is still on board
-outcome-plan-restored = { $reason }; the old list was put back
-outcome-plan-unread = the vehicle was silent; nothing was changed
+outcome-plan-restored = { $reason }; the old list was restored
+outcome-plan-unread = no answer from the vehicle; nothing was changed
 outcome-plan-unknown = the list on board is unknown: check it with `plan show` before you fly
 plan-stage-lost = the link is lost: the transfer continues when it is back
-plan-stage-restoring = the old list is being put back
-outcome-logs-silent = the vehicle does not list its logs
+plan-stage-restoring = the old list is being restored
+outcome-logs-silent = the vehicle does not answer the request for its logs
 outcome-log-stalled = the vehicle stopped sending log { $number }: { $percent } % of it saved; repeat the download to continue
 outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of log { $number } saved; disarm it and repeat the download to continue
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
@@ -126,7 +126,7 @@ rehearse-landed = lands after { $time }; uses { $used } % of the battery, { $lef
 rehearse-ends-in-air = the plan ends in the air after { $time }; uses { $used } % of the battery
 rehearse-battery = uses { $used } % of the battery: more than is left
 rehearse-meets = comes too close to another vehicle; flight time { $time }
-rehearse-fence = breaks its fence after { $time }
+rehearse-fence = breaches its fence after { $time }
 rehearse-left-plan = leaves its plan for { $mode } and ends after { $time }
 rehearse-grounded = does not take off
 rehearse-crashed = collides after { $time }
@@ -139,8 +139,8 @@ rehearse-wind-given = wind { $speed } m/s from { $from }° (given)
 rehearse-wind-estimated = wind { $speed } m/s from { $from }° (estimated by { $vehicle })
 rehearse-wind-mission = wind { $speed } m/s from { $from }° (of the mission)
 rehearse-wind-simulator = wind { $speed } m/s from { $from }° (`SIM_WIND_SPD`)
-rehearse-wind-unknown = calm air, the wind is unknown; `plan rehearse wind 270 8` gives one
+rehearse-wind-unknown = calm air (wind unknown); `plan rehearse wind 270 8` sets a wind
 rehearse-airframes-own = airframes of the session's drones
 rehearse-airframes-standard = standard airframe
-rehearse-airframes-mixed = airframes of the session's drones, for { $vehicles } the standard one
+rehearse-airframes-mixed = airframes of the session's drones; the standard airframe for { $vehicles }
 rehearse-closest = rehearsal: { $a } and { $b } come closest, at { $time }: { $horizontal } m horizontally, { $vertical } m vertically

@@ -1,6 +1,6 @@
 # Parameters: the room, files, and faults of values.
 
-action-changed-parameters = show only changed ones, or those of the file
+action-changed-parameters = show only parameters changed or in the file
 action-save-parameters = save the parameters to a file
 action-load-parameters = load a file and show the differences
 action-compare-parameters = compare with a file or another vehicle

@@ -2,7 +2,7 @@
 
 plain-greeting = plain console: one command per line, `help` lists them, `quit` leaves
 plain-asks = { $question }: { $reason }; type { $answer } and Enter to do it, anything else cancels
-plain-unconfirmed = not confirmed, and not done: from a pipe, the next line has to be { $answer }, or `no`
+plain-unconfirmed = not confirmed, so nothing was done: from a pipe, the next line has to be { $answer }, or `no`
 plain-wait-in-vain = timed out: { $line }
 plain-no-room = this needs the console with a screen
 plain-critical = CRITICAL

@@ -55,7 +55,7 @@ scoring-advice-mandatory = Reach every mandatory objective; without it the score
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
 scoring-advice-crash = Bring the vehicle down with rtl or land and wait until it disarms.
-scoring-advice-motors = Never stop motors in the air; rtl or land end a flight.
+scoring-advice-motors = Never stop motors in the air: use rtl or land to end a flight.
 scoring-advice-force = Arm without force: wait until the arming checks pass.
 scoring-advice-reserve = Return earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
@@ -76,7 +76,7 @@ scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert 
 # Utilisation.
 scoring-none-flown = no drone was flown
 scoring-never-flown = never flown: drone { $vehicles }
-scoring-idle = drone { $vehicle } idle in the air { $time }
+scoring-idle = drone { $vehicle } idle in the air for { $time }
 scoring-never-idle = none of the { $count } drones was idle
 scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
 scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.

@@ -14,7 +14,7 @@ alert-ekf-velocity = швидкість
 alert-ekf-where = позиція
 alert-ekf-height = висота
 alert-ekf-compass = компас
-alert-separation = ЗАБЛИЗЬКО { $vehicle }: { $across } m, висота { $height } m
+alert-separation = ЗАБЛИЗЬКО до { $vehicle }: { $across } m, висота { $height } m
 alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
 alert-turn-back = повертайтеся: треба { $needed } із { $left } %
@@ -55,8 +55,8 @@ alert-acknowledged = { $count ->
    *[many] { $count } тривог підтверджено: вони лишаються в таблиці, доки не минуть
 }
 alert-muted = тривоги без звуку: { $kind }
-alert-unmuted = тривоги виду { $kind } знову подають сигнал
+alert-unmuted = тривоги знову зі звуком: { $kind }
 alert-muted-list = без звуку: { $kinds }
-alert-muted-none = усі тривоги подають сигнал
-alert-no-kind = невідомий вид тривог `{ $word }`
+alert-muted-none = усі тривоги зі звуком
+alert-no-kind = невідомий вид тривоги: `{ $word }`
 alert-kinds-are = види: { $kinds }

@@ -10,7 +10,10 @@ mission-visit = { $count ->
     [few] { $count } місця
    *[many] { $count } місць
 }
-mission-visit-of = { $passed }/{ $count } місць
+mission-visit-of = { $count ->
+    [one] { $passed }/{ $count } місця
+   *[many] { $passed }/{ $count } місць
+}
 mission-visit-advice = Відвідайте ще { $place }: протримайтеся { $dwell } s не далі ніж за { $radius } m від нього.
 mission-hover = { $time } s
 mission-hover-of = { $held }/{ $time } s

@@ -14,9 +14,9 @@ action-copy-design = зберегти копію проєкту
 action-rename-design = дати проєкту іншу назву
 action-export-design = записати проєкт у файл
 action-import-design = прочитати проєкт із файлу
-action-next-view = показати показники, потужність, вантаж, завдання
-action-mission-before = складати для попереднього завдання
-action-mission-after = складати для наступного завдання
+action-next-view = гортати показники, потужність, вантаж, завдання
+action-mission-before = складати дрони для попереднього завдання
+action-mission-after = складати дрони для наступного завдання
 action-seats = показати місця флоту або знову верстак
 action-all-seats = обрати проєкт для всіх місць
 action-fly-fleet = виконати завдання цими дронами
@@ -35,8 +35,8 @@ bench-hint-new = новий
 bench-hint-mission = завдання
 bench-hint-files = файли
 bench-hint-open = на верстак
-bench-hint-copy = копія
-bench-hint-rename = назва
+bench-hint-copy = копіювати
+bench-hint-rename = назвати
 bench-hint-delete = видалити
 bench-hint-other = інший
 bench-hint-assign = цей проєкт на місце
@@ -52,19 +52,19 @@ bench-add-payload = додати ...
 bench-locked = закрито
 bench-part = { $name }: { $mass } g, { $price } cr за штуку
 bench-misfit = не підходить: { $reason }
-bench-for-sale = ще не ваше: { $key } купує право на деталь за { $price } cr
+bench-for-sale = ще не ваша: { $key } купує право на деталь за { $price } cr
 bench-locked-by = продається після завдання «{ $mission }»
 bench-on-board = { $count ->
-    [one] на борту
+    [1] на борту
    *[other] на борту { $count }
 }
 bench-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, висота 50 m
-bench-part-for-sale = { $part }: ще не ваше, { $key } купує за { $price } cr
+bench-part-for-sale = { $part }: ще не ваша, { $key } купує за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання залежно від вантажу
 bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; якщо додати ще { $spare } kg, тяга становитиме { $good } ваги
-bench-polar-about = найдовший політ за { $longest } m/s, найдальший за { $farthest } m/s
+bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 
 bench-no-mission = завдання не обрано
@@ -79,12 +79,12 @@ bench-budget = флот коштує { $cost } з { $budget } cr
 bench-no-budget = флот коштує { $cost } cr; обмеження немає
 bench-fleet = флот для «{ $mission }»
 bench-fleet-about = на верстаку: { $name }
-bench-lent = позичає завдання
+bench-lent = позичено завданням
 bench-seat-taken = місце { $seat }: { $name }
 bench-seats-taken = усі місця: { $name }
 bench-seats-lent = завдання знову позичає свої дрони
-bench-does-not-fly = не літає: { $reason }
-bench-lacks-licence = { $part } ще не ваше: спершу купіть право на деталь
+bench-does-not-fly = не полетить: { $reason }
+bench-lacks-licence = { $part } ще не ваша: спершу купіть право на деталь
 bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr
 
 bench-designs = проєкти

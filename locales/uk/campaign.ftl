@@ -15,7 +15,7 @@ skill-plans = складання й перевірка планів
 skill-prediction = передбачені бали
 
 locked-pass = пройдіть «{ $mission }»
-locked-medal = здобудьте медаль ({ $medal }) у «{ $mission }»
+locked-medal = здобудьте медаль ({ $medal }) за «{ $mission }»
 locked-skill = { $skill }: { $has } %, треба { $wanted } %
 locked-licence = треба ліцензію на { $wanted ->
     [one] { $wanted } дрон
@@ -46,12 +46,12 @@ reward-licence = ліцензія на кількість дронів { $before
 reward-mission = нове завдання: { $mission }
 reward-parts = нові деталі в продажу: { $parts }
 reward-skill = { $skill } { $before } % -> { $after } %: { $why }
-reward-skill-new = { $skill } { $after } %, уперше: { $why }
+reward-skill-new = { $skill } { $after } %, перша перевірка: { $why }
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = не вдається зберігати профілі в { $path }: { $error }
 profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через --data
-profiles-older = { $path } створено старішою версією sortie, тут можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
+profiles-older = { $path } створено старішою версією sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`
@@ -59,9 +59,9 @@ profiles-exists = профіль `{ $name }` уже є
 profiles-name = ім'я профілю — один рядок від 1 до { $most } знаків
 profiles-no-profile = це не профіль: { $fault }
 profiles-mended = { $count ->
-    [one] { $count } пошкоджений запис профілів узято з резервної копії
-    [few] { $count } пошкоджені записи профілів узято з резервної копії
-   *[many] { $count } пошкоджених записів профілів узято з резервної копії
+    [one] { $count } пошкоджений рядок профілів узято з резервної копії
+    [few] { $count } пошкоджені рядки профілів узято з резервної копії
+   *[many] { $count } пошкоджених рядків профілів узято з резервної копії
 }
 profiles-rescued = профілі були пошкоджені ({ $fault }), їх відновлено з { $copy }; пошкоджений файл — { $damaged }
 profiles-fault-empty = файл порожній
@@ -70,7 +70,7 @@ profiles-lost = профілі були пошкоджені ({ $fault }), ре�
 
 mission-locked = «{ $mission }» ще закрито: { $why }
 career-nowhere = профілі тут не зберігаються: тека даних недоступна
-career-waits = політ ще не збережено: { $fault }; sortie спробує знову перед наступним польотом і наприкінці роботи
+career-waits = політ ще не збережено: { $fault }; sortie спробує знову перед наступним польотом і під час виходу
 launch-practice = Лише тренування: { $why }
 practice-seed = ви обрали варіант самі
 practice-script = команди дає скрипт

@@ -10,11 +10,11 @@ lack-flights = { $count ->
    *[other] ще { $count } польотів
 }
 lack-missions = { $count ->
-    [one] ще одне завдання
+    [1] ще одне завдання
    *[other] ще завдань: { $count }
 }
 lack-days = { $count ->
-    [one] політ в інший день
+    [1] політ в інший день
    *[other] польоти в інші дні: ще { $count }
 }
 

@@ -5,7 +5,7 @@ ask-leave = ЗАВЕРШИТИ сеанс
 ask-start = ПОЧАТИ інший сеанс
 ask-restart = ПОЧАТИ завдання СПОЧАТКУ
 ask-abandon = ПРИПИНИТИ завдання
-ask-abandon-reason = завершення достроково не дає балів; розбір покаже досягнуте
+ask-abandon-reason = дострокове завершення не дає балів; розбір покаже досягнуте
 ask-mission-lost = завдання не завершено, його не буде зараховано
 ask-given-up = завдання не завершено; вихід припиняє його, і політ зараховується як спроба
 ask-exam-ends = іспит не завершено; вихід закінчує його, і політ зараховується
@@ -19,11 +19,11 @@ ask-type = введіть { $answer }
 ask-how-many = { $answer } (скільки апаратів)
 ask-cancelled = скасовано, нічого не зроблено: { $question }
 
-select-missing = немає апарата { $vehicles }
-select-missing-all = немає апарата { $vehicles }: вибір не змінено
+select-missing = немає таких апаратів: { $vehicles }
+select-missing-all = немає таких апаратів: { $vehicles }; вибір не змінено
 
 palette-title = команда
-palette-grammar = [цілі] дієслово [аргументи]: { $complete } доповнює, { $older } повертає давніші рядки
+palette-grammar = [кому] дієслово [аргументи]: { $complete } доповнює, { $older } повертає давніші рядки
 palette-to = для { $vehicles }
 palette-to-cursor = для { $vehicles } (під курсором)
 palette-to-selected = для { $vehicles } (вибрані)
@@ -33,7 +33,7 @@ palette-asks = { $key } надсилає для { $vehicles } після під�
 
 prompt-connect = під'єднатися до
 
-help-commands = команди: [цілі] дієслово [аргументи]
+help-commands = команди: [кому] дієслово [аргументи]
 help-console = команди консолі
 
 mission-none = зараз немає завдання
@@ -45,15 +45,15 @@ ask-else = будь-яка інша: ні
 
 help-title = довідка   { $scroll } гортати   { $section } розділ   { $search } шукати   { $key } закрити
 help-none = у довідці нічого не знайдено
-help-targets = цілі: 3  1-4,7  @group  all; без цілей — вибрані апарати
+help-targets = кому: 3  1-4,7  @group  all; без цього — вибраним апаратам
 
 small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }
 small-keys = Збільште термінал або вийдіть із програми: { $key }.
 
-prompt-connect-tcp = ArduPilot SITL, порт на кожен апарат
+prompt-connect-tcp = ArduPilot SITL, окремий порт для кожного апарата
 prompt-connect-udpin = слухати; апарати надсилають сюди
 prompt-connect-udp = надсилати апарату або маршрутизатору
-prompt-connect-serial = автопілот або радіомодем на кабелі
+prompt-connect-serial = автопілот або радіомодем через кабель
 prompt-connect-file = запис польоту
 prompt-connect-several = кілька адрес: розділіть їх пробілами.  { $submit } під'єднує, { $escape } закриває
 

@@ -31,7 +31,7 @@ debrief-to-many = { $what } (дронів: { $count })
 debrief-drone = дрон { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 
-debrief-improve = ЩО ПОКРАЩИТИ   (спершу те, що дає найбільше)
+debrief-improve = ЩО ПОЛІПШИТИ   (спершу те, що дає найбільше)
 debrief-nothing = Більше балів здобути не можна.
 # Щонайбільше 5 колонок.
 debrief-good = добре
@@ -56,7 +56,7 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = За такого темпу ви тримаєте зайнятими дронів: { $handled }; літало: { $flown }.
+debrief-fan-out = За такого темпу ви завантажуєте дронів: { $handled }; літало: { $flown }.
 debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
 debrief-use = у повітрі { $airborne } s, із завданням { $percent } %, простій { $idle } s
@@ -74,7 +74,7 @@ debrief-sign-mark = повідомлення
 debrief-sign-found = знайдено
 debrief-sign-missed = пропущено
 debrief-sign-shades = { $shades } від слабкого до сильного
-debrief-scale = колонка — { $metres } m
+debrief-scale = стовпець — { $metres } m
 debrief-height = { $metres } m
 debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
 debrief-gaps = не обстежено: { $area } m², найбільше біля n { $north } e { $east }
@@ -114,4 +114,4 @@ workload-how = частка останньої хвилини, зайнята к
 workload-figures = команд: { $commands }; ви були зайняті { $interaction } s; дрони разом працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
-workload-question = Завантаженість від 1 (майже нічого) до 5 (забагато)? { $key } відповідає, на бали не впливає
+workload-question = Завантаженість від 1 (майже нічого) до 5 (забагато)? Відповідь: { $key }, на бали не впливає

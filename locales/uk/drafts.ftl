@@ -1,7 +1,7 @@
 # Екран планів і рядки про чернетки.
 
 room-plans = плани
-action-plans = креслити плани, геозони й точки збору
+action-plans = малювати плани, геозони й точки збору
 action-next-item = перейти до наступного пункту
 action-previous-item = перейти до попереднього пункту
 action-mark-items = позначати пункти звідси
@@ -16,7 +16,7 @@ action-take-plan = відкрити те, що є на борту апараті
 action-save-draft = зберегти чернетку у файл
 action-upload-draft = завантажити чернетку на борт апаратів
 action-survey-draft = поділити намальовану ділянку між апаратами
-action-try-drafts = разом пролетіти чернетки в симуляції
+action-try-drafts = випробувати чернетки разом у симуляції
 action-undo-edit = скасувати останню зміну
 action-redo-edit = повторити скасовану зміну
 action-write-height = вписати висоту позначених пунктів
@@ -88,17 +88,17 @@ plans-column-slope = нахил
 plans-column-time = час
 plans-column-parameters = параметри
 plans-leg = відрізок { $length }, { $time }
-plans-climb = підйом { $height }, { $time }
+plans-climb = набір { $height }, { $time }
 plans-cursor = курсор
 plans-from-item = від пункту
-plans-heights = висоти  { $length }, { $time } за { $speed } m/s
+plans-heights = висоти  { $length }, { $time } на { $speed } m/s
 plans-upload = на борт: { $done } з { $count }
 plans-upload-failed = на борт: невдач { $failed } з { $count }, причини на екрані команд
 plans-upload-done = на борту; далі `arm`, `plan start`
 plans-repeats = , без повторів переходів
 
 draft-holds = { $name }: { $holds }
-draft-none = чернеток немає: почніть її командою `draft new`, `draft open FILE` або `draft take`
+draft-none = чернетки немає: почніть її командою `draft new`, `draft open FILE` або `draft take`
 draft-empty = чернетка порожня: спершу додайте пункти
 draft-no-item = такого пункту немає; у списку їх { $count }
 draft-jump-target = пункт { $item } — перехід до пункту, який буде видалено: спершу видаліть перехід
@@ -106,12 +106,12 @@ draft-no-leg = до цього пункту не веде відрізок, аб
 draft-unknown-height = висота дому чи рельєфу невідома: задайте висоту числом
 draft-no-cursor = карта ще не показує місця: задайте його, наприклад `draft home LAT LON`
 draft-no-home = дім невідомий: задайте його командою `draft home LAT LON`
-draft-no-place = ці пункти не мають місця
+draft-no-place = ці пункти не прив'язані до місця
 draft-no-radius = радіус мають лише кола геозони
 draft-no-fields = { $command } не має параметрів
 draft-no-field = { $command } не має параметра `{ $name }`; є { $names }
 draft-file-faulty = { $path }:{ $line }:{ $column }: { $fault }
-draft-nothing-on-board = з { $vehicles } ще нічого не зчитано; `plan show` зчитує план
+draft-nothing-on-board = ще нічого не зчитано з апаратів: { $vehicles }; `plan show` зчитує план
 draft-none-for-vehicles = жодна чернетка не належить апарату: такі чернетки створюють `draft take` і плани для цілого рою
 draft-no-vehicles = жодного апарата не вибрано
 draft-divided = чернетки для { $vehicles }: перегляньте їх, далі `draft upload each`
@@ -121,7 +121,7 @@ draft-ask-close = Закрити чернетку { $name }?
 draft-ask-close-reason = Її не збережено.
 draft-ask-quit-reason = Чернетку плану не збережено.
 
-verb-draft = креслити план, геозону й точки збору: починати, відкривати, змінювати, зберігати й завантажувати чернетки
+verb-draft = малювати план, геозону й точки збору: починати, відкривати, змінювати, зберігати й завантажувати чернетки
 argument-draft-new = почати порожню чернетку
 argument-draft-name = назва чернетки
 argument-draft-save = записати чернетку у файл
@@ -170,26 +170,26 @@ argument-draft-height = висота
 argument-draft-field = назва параметра
 argument-draft-value = значення
 draft-ground-level = рельєф вважається рівним
-draft-ground-read = висоти рельєфу з { $path }; відрізки, нижчі за { $clearance } m над ним, є помилками
+draft-ground-read = висоти рельєфу з { $path }; відрізки, що проходять нижче ніж за { $clearance } m над ним, — помилки
 draft-ground-none = { $path }: немає файлу для цього місця; файли названо за південно-західними кутами, як-от `N50E030.hgt`
 plans-above-ground = щонайменше { $height } m над рельєфом
 argument-draft-ground = брати висоту рельєфу з файлів SRTM (`.hgt`) у теці; без теки рельєф вважається рівним
 argument-draft-ground-folder = тека
 draft-trial-flies = { $count ->
-    [one] { $count } план летить у симуляції
-    [few] { $count } плани летять у симуляції
-   *[other] { $count } планів летять у симуляції
+    [one] { $count } план випробовується в симуляції
+    [few] { $count } плани випробовуються в симуляції
+   *[other] { $count } планів випробовуються в симуляції
 }
 draft-trial-none = жодна чернетка не має плану
-draft-trial-busy = чернетки ще летять: зачекайте на результат
+draft-trial-busy = чернетки ще випробовуються: зачекайте на результат
 draft-trial-broken = симуляція чернеток не вдалася
 draft-trial-refused = { $name }: апарат відхилив би список: { $list }
 draft-trial-conflicts = { $count ->
     [one] { $count } конфлікт
     [few] { $count } конфлікти
    *[other] { $count } конфліктів
-}: { $a } і { $b } о { $time }; `draft deconflict` розведе їх
-draft-trial-fence = { $name } порушує геозону о { $time }
+}: { $a } і { $b } на { $time }; `draft deconflict` розведе їх
+draft-trial-fence = { $name } порушує геозону на { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану
 draft-trial-figures = { $count ->
     [one] { $count } план виконано
@@ -198,6 +198,6 @@ draft-trial-figures = { $count ->
 } за { $time }, заряду лишається щонайменше { $left } %
 draft-trial-delay = { $name } стартує на { $seconds } s пізніше
 draft-trial-layer = { $name } летить на { $height } m вище
-draft-trial-disarm = задайте DISARM_DELAY 0 для очікування
-argument-draft-rehearse = разом пролетіти чернетки всіх апаратів у симуляції
+draft-trial-disarm = на час очікування задайте DISARM_DELAY 0
+argument-draft-rehearse = випробувати чернетки всіх апаратів разом у симуляції
 argument-draft-deconflict = знайти пізніші старти чи різні висоти для чернеток, що надто зближуються

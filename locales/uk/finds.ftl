@@ -32,7 +32,7 @@ detect-advice-wrong = хибних повідомлень { $wrong }: сперш
 coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
-coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } таких зон.
+coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б, щоб покрити зону { $coverage } раза.
 
 # Дотримання відстані.
 standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
@@ -63,7 +63,7 @@ plan-fault-no-return = немає повернення
 plan-rehearsed-of = випробувано до польоту: { $good }
 plan-unrehearsed = політ без вдалого випробування: { $vehicles }
 plan-rehearsed-target = випробувати всі { $count }
-plan-rehearsed-advice = Перед першим злетом — `all plan rehearse`: кожен рядок має закінчитися посадкою. Після кожної зміни плану випробуйте його знову.
+plan-rehearsed-advice = Перед першим зльотом — `all plan rehearse`: кожен рядок має закінчитися посадкою. Після кожної зміни плану випробуйте його знову.
 plan-mended-of = хибних планів замінено: { $good }
 plan-unmended = політ за хибним планом: { $vehicles }
 plan-mended-target = жодного польоту за хибним планом
@@ -72,7 +72,7 @@ plan-kept-of = справних планів без змін: { $good }
 plan-unkept = замінено справні плани: { $vehicles }
 plan-kept-target = справні плани без змін
 plan-kept-advice = Замінюйте лише плани, у яких знайшли помилку: новий план може мати власні.
-plan-flown-of = у польоті: { $good }
+plan-flown-of = вилетіли: { $good }
 plan-outlook-unrehearsed = не випробувано: { $vehicles }
 plan-outlook-unmended = хибні: { $vehicles }
 plan-outlook-unkept = замінено: { $vehicles }

@@ -11,6 +11,6 @@ need-radius = радіус дії за вітру { $wind } m/s
 need-time = час у повітрі, посадка з { $reserve } %
 need-thrust = відношення тяги до ваги за вітру { $wind } m/s
 need-link = дальність радіо на висоті { $height } m
-need-cost = вартість дрона в кредитах
+need-cost = вартість дрона, cr
 need-none = немає
 workshop-fit-seats = місця { $seats }: є / потрібно

@@ -11,7 +11,7 @@ hangar-cannot-open = не вдалося відкрити ангар у { $folde
 
 hangar-none = Ці апарати не симулює жоден процес. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
 hangar-opening = ангар відкривається ...
-hangar-ready = готові { $ready } з { $count }
+hangar-ready = готово { $ready } з { $count }
 hangar-host-title = хост
 hangar-stage = етап
 hangar-pid = pid

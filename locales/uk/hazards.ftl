@@ -13,7 +13,7 @@ load-dropped = { $what }; лишилося { $left }
 load-nothing = у ціль не влучено
 load-empty = { $load }: нічого не лишилося, сядьте на майданчик на 20 s
 load-served = вантаж поповнено
-load-shut = розпилювач закрито
+load-shut = розпилювач вимкнено
 load-spray-left = лишилося { $left } s
 load-on-ground = апарат стоїть на землі
 load-too-high = { $height } m — це зависоко: щонайбільше { $limit } m
@@ -39,7 +39,7 @@ locate-advice = Перетніть ділянку з двох боків, лет
 perimeter-none = карти ще немає
 perimeter-next = карта через { $seconds } s
 perimeter-target = { $fit } на { $times } s
-perimeter-advice = огляньте весь край незадовго до зняття карти; фронт за вітром лишіть наостанок
+perimeter-advice = огляньте весь край незадовго до того, як карту заберуть; фронт за вітром лишіть наостанок
 
 # Захист ділянки від пожежі.
 protect-safe = нічого не згоріло

@@ -38,11 +38,11 @@ mission-map-advice = Наносьте на карту кожну клітинк�
 # Повернення. Порада на першому місці починає речення.
 mission-recover-target = { $radius } m, { $percent } %
 mission-recover-metres = { $distance } m
-mission-recover-home = { $home }/{ $count } на місці
+mission-recover-home = { $home }/{ $count } вдома
 mission-recover-lost = втрачено
 mission-recover-not-flown = не злітав
 mission-recover-in-air = у повітрі
-mission-recover-away = { $distance } m до майданчика
+mission-recover-away = { $distance } m від майданчика
 mission-recover-charge = треба { $needed } %, є { $percent } %
 mission-recover-landing = ще не сів
 mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: rtl сідає саме там.
@@ -81,7 +81,7 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = підказка: { $hint }
 mission-landed = Посадку виконано. Політ завершиться, коли всі повідомлення будуть остаточні: додайте, чого бракує, або зачекайте.
-mission-grounded = FAILSAFE ({ $reason }) посадив { $vehicle }: злітайте знову, якщо вистачить заряду, або завершіть командою `abandon`, без балів
+mission-grounded = FAILSAFE ({ $reason }) посадив апарат { $vehicle }: злітайте знову, якщо вистачить заряду, або завершіть командою `abandon`, без балів
 mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.
@@ -119,7 +119,7 @@ mission-reward-mission = завдання «{ $title }»
 mission-reward-part = деталь { $part }
 mission-reward-threat = загроза { $threat }
 mission-lines = рядки { $first }-{ $last } з { $count }   { $key } гортають
-mission-vehicle-gone = його симулятор завершився: апарат втрачено
+mission-vehicle-gone = його симулятор завершив роботу: апарат втрачено
 
 # Що завдання відповідає на дії.
 deed-over = завдання завершено
@@ -160,7 +160,7 @@ mission-goal-score-result = балів: { $points }
 # Пауза.
 mission-paused = пауза { $seconds } s
 pause-begins = ПАУЗА: `continue` або { $key } — далі
-pause-ends = час іде далі
+pause-ends = симуляцію продовжено
 pause-is-one = пауза вже триває
 pause-is-none = паузи немає
 pause-not-begun = пауза не потрібна: відлік почнеться, коли ви закриєте інструктаж
@@ -205,12 +205,12 @@ mission-then-is = { $drones } показує дрони й запускає го
 mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }
 mission-marks-count = повідомлено { $count }
 mission-pledge-line = ваш план: { $words }
-mission-said-score = бали { $points }
+mission-said-score = балів: { $points }
 
 # Що невідкладне, на всю ширину екрана; коротко в заголовку.
 mission-alert = ! { $seconds } s: { $text }
 mission-alert-short = ! { $seconds } s
-mission-urgent-more = і ще термінового: { $count }
+mission-urgent-more = і ще термінових: { $count }
 mission-radio-weak = ! слабкий зв'язок з { $vehicle }: { $margin } dB
 inject-done = введено: { $what }
 

@@ -34,7 +34,7 @@ outcome-no-answer = { $tries ->
    *[many] немає відповіді на { $tries } спроб за { $seconds } s
 }
 outcome-no-parameter = можливо, параметра { $name } немає
-outcome-value-became = { $name } = { $value } (потрібно було { $wanted })
+outcome-value-became = { $name } = { $value } (запит: { $wanted })
 outcome-other-name = { $outcome } (так у цього апарата зветься { $name })
 outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, із протилежним значенням)
 outcome-not-seen = не помічено: { $effect }
@@ -52,7 +52,7 @@ outcome-queue-full = не надіслано: у черзі до апарата 
 }
 outcome-forgotten = апарат забуто
 outcome-not-heard = не надіслано: такого апарата не чути
-outcome-task-busy = не надіслано: консоль не встигає обробляти цей апарат
+outcome-task-busy = не надіслано: консоль не встигає за цим апаратом
 
 # Список, збережений відтоді, як передавання обірвалося.
 plan-broken-off = передавання { $verb ->
@@ -120,7 +120,7 @@ plan-stage-restoring = повертається старий список
 outcome-logs-silent = апарат не показує переліку журналів
 outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; завантажте ще раз, щоб продовжити
 outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й завантажте ще раз, щоб продовжити
-outcome-log-length = { $file } має { $bytes } байтів, а апарат називає { $expected }: завантажте ще раз
+outcome-log-length = у { $file } байтів: { $bytes }, а апарат називає { $expected }: завантажте ще раз
 
 outcome-plan-idle = для цього апарата немає частини; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
@@ -144,7 +144,7 @@ rehearse-wind-given = вітер { $speed } m/s з напрямку { $from }° 
 rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from }° (за оцінкою { $vehicle })
 rehearse-wind-mission = вітер { $speed } m/s з напрямку { $from }° (за завданням)
 rehearse-wind-simulator = вітер { $speed } m/s з напрямку { $from }° (`SIM_WIND_SPD`)
-rehearse-wind-unknown = тиша, бо вітер невідомий; задати його: `plan rehearse wind 270 8`
+rehearse-wind-unknown = штиль, бо вітер невідомий; задати його: `plan rehearse wind 270 8`
 rehearse-airframes-own = рами дронів цього сеансу
 rehearse-airframes-standard = стандартна рама
 rehearse-airframes-mixed = рами дронів цього сеансу, для { $vehicles } — стандартна

@@ -21,7 +21,7 @@ refused-plan-no-files = плани з файлів читає лише конс�
 refused-plan-clear-auto = апарат летить за планом: спершу `hold` і `guided`
 refused-plan-empty = у файлі немає такого списку
 refused-plan-unreadable = { $file }: { $error }
-refused-plan-file = { $file }: помилка в рядку { $line }, стовпчику { $column }; жоден апарат не змінено
+refused-plan-file = { $file }: помилка в рядку { $line }, стовпці { $column }; жоден апарат не змінено
 refused-plan-format = { $file }: цей формат не вміщує списку; візьміть `.waypoints` або `.plan`
 refused-plan-exists = { $file } уже існує: візьміть іншу назву, а для кількох апаратів — { "{" }id{ "}" } у назві
 refused-plan-item = пункт { $item }: { $reason }
@@ -65,7 +65,7 @@ refused-neither-parameter-but = не надіслано: апарат не ма�
 refused-protected-parameter = { $parameter } — частина завдання: змінювати його можна лише в тренуванні
 refused-protected-home = точка дому — частина завдання: переносити її можна лише в тренуванні
 refused-protected-limits = геозона й точки збору — частина завдання: змінювати їх можна лише в тренуванні
-refused-protected-raw = необроблені команди дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
+refused-protected-raw = довільні MAV_CMD дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
 refused-protected-item = пункт { $item } ({ $command }) змінює дім або геозону, а вони — частина завдання: план із ним можна завантажити лише в тренуванні
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
 

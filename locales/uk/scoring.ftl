@@ -51,11 +51,11 @@ scoring-use-less = Зекономте { $energy } Wh, щоб укластися 
 scoring-advice-commands = Уникайте відмов: прочитайте причину, перш ніж повторити команду.
 scoring-advice-mandatory = Досягніть усіх обов'язкових цілей, без цього бали обмежено: { $objectives }.
 scoring-advice-geofence = Не вилітайте за межі геозони: перш ніж надіслати, звірте числа в goto з картою.
-scoring-advice-height = Тримайтеся нижче за обмеження висоти; його вказано в інструктажі.
+scoring-advice-height = Тримайтеся нижче від межі висоти; її вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
 scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують rtl або land.
 scoring-advice-force = Не активуйте двигунів примусово: зачекайте, доки пройдуть передпольотні перевірки.
-scoring-advice-reserve = Повертайтеся раніше: сідайте, поки є резерв заряду.
+scoring-advice-reserve = Повертайтеся раніше: сідайте, поки заряд не нижчий за резерв.
 scoring-advice-land = Посадіть усі дрони до завершення завдання.
 scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
 scoring-advice-battery = Повертайтеся, перш ніж це зробить за вас аварійна реакція на низький заряд.
@@ -69,11 +69,11 @@ scoring-alerts-answered = { $count ->
 scoring-alerts-late = { $worst }; запізно ще { $more }
 scoring-alert-unanswered = { $alert }: без відповіді
 scoring-alert-took = { $alert }: { $seconds } s (межа { $limit } s)
-scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» відводилося { $limit } s.
+scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть апарат, потім читайте. На «{ $alert }» відводилося { $limit } s.
 
 # Завантаження.
 scoring-none-flown = жоден дрон не літав
-scoring-never-flown = не літали дрони: { $vehicles }
+scoring-never-flown = дрони без польоту: { $vehicles }
 scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
 scoring-never-idle = простою не було, дронів: { $count }
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
@@ -82,7 +82,7 @@ scoring-advice-slack = Завантажуйте всі дрони однаков
 
 # Підказки.
 scoring-advice-hints = { $count ->
-    [one] Виконайте це ще раз без підказки.
+    [1] Виконайте це ще раз без підказки.
    *[many] Виконайте це ще раз без підказок ({ $count }).
 }
 

@@ -46,7 +46,7 @@ fact-no-points = відкрито, без балів, польотів { $count 
 fact-open = відкрито, найбільше балів: { $score }, польотів { $count }
 fact-passed = пройдено, балів: { $score }, { $medal }, польотів { $count }
 fact-next = далі
-fact-next-is = це завдання: тренує { $skill }
+fact-next-is = це завдання; тренує: { $skill }
 fact-next-drill = вправа до нього тренує: { $skill }
 fact-review = час повторити
 fact-trains = тренує, %
@@ -61,8 +61,8 @@ fact-opens = відкриває
 fact-drones = дрони
 fact-drones-are = { $count }, ваша ліцензія на { $licence }
 fact-daily = сьогодні
-fact-daily-open = з варіантом дня ще не виконано
-fact-daily-flown = з варіантом дня виконано; повтори — тренування
+fact-daily-open = варіант дня ще не виконано
+fact-daily-flown = варіант дня виконано; повтори — тренування
 
 # Перелік профілів.
 profiles-title = профілі
@@ -95,7 +95,7 @@ standing-why-nothing = даних ще немає: виконайте завда
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = бали за завданнями
 standing-scores-nothing = польотів ще немає
-standing-mission = польотів { $count }, найкращий { $best }, останній { $last } { $when }
+standing-mission = польотів { $count }, найкращий { $best }, останній { $last }, { $when }
 standing-chart = бали за кожен політ: { $mission }   x не пройдено   p тренування
 standing-wealth = кредити й досвід після кожного польоту й купівлі
 standing-wealth-nothing = польотів ще немає
@@ -103,8 +103,16 @@ standing-curve = { $what }: зараз { $now }
 standing-curve-credits = кредити
 standing-curve-experience = досвід
 days-today = сьогодні
-days-ahead = через { $count } дн.
-days-ago = { $count } дн. тому
+days-ahead = { $count ->
+    [one] через { $count } день
+    [few] через { $count } дні
+   *[many] через { $count } днів
+}
+days-ago = { $count ->
+    [one] { $count } день тому
+    [few] { $count } дні тому
+   *[many] { $count } днів тому
+}
 
 # Скільки порад консоль дає без запиту.
 aids-full-about = поради: усі підказки й зауваження

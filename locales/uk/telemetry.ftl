@@ -7,7 +7,7 @@ carried-most = { $list ->
     [plan] план
     [fence] геозону
    *[rally] точки збору
-} { $mark } (пунктів { $items }) мають { $count } з { $all }
+} { $mark } (пунктів { $items }) мають: { $count } з { $all }
 carried-most-none = не мають { $list ->
     [plan] плану
     [fence] геозони
@@ -27,7 +27,7 @@ heard-plan-back = політ за планом повернувся з пунк�
 heard-plan-skipped = політ за планом перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }
 heard-plan-unknown = пункт { $item } пропущено: апарат не знає команди { $command } у плані
 heard-plan-unknown-somewhere = пункт пропущено: апарат не знає команди { $command } у плані
-heard-rebooted = перезапуск
+heard-rebooted = автопілот перезапущено
 heard-link-lost = зв'язок втрачено
 heard-link-back = зв'язок відновлено через { $seconds } s
 heard-ekf-lost = EKF: позицію втрачено

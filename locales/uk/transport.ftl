@@ -2,7 +2,7 @@
 
 transport-connecting = з'єднується
 transport-up = працює
-transport-waiting = немає, наступна спроба через { $seconds } s
+transport-waiting = не працює, наступна спроба через { $seconds } s
 transport-ended = завершено
 transport-is-up = канал { $link } працює
 transport-is-down = канал { $link }: { $reason }
@@ -20,7 +20,7 @@ transport-port-in-use = порт { $port } на { $host } зайнято: зав
 transport-not-here = { $host } не є адресою цієї машини: слухайте на 127.0.0.1 або 0.0.0.0
 transport-cannot-listen = не вдається слухати на порту { $port } вузла { $host }: { $error }
 transport-no-clients = не вдається приймати клієнтів: { $error }
-transport-no-serial = не вдається відкрити { $path } на { $baud } бод: { $error }
+transport-no-serial = не вдається відкрити { $path } на швидкості { $baud }: { $error }
 transport-without-serial = не вдається відкрити { $path }: програму зібрано без послідовних портів; зберіть її з --features serial
 transport-closed = закрито з іншого боку
 transport-takes-nothing = інший кінець більше не приймає даних
@@ -31,7 +31,7 @@ transport-fleet-busy = запити зараз не приймаються: се
 transport-no-file = не вдається відкрити { $path }: { $error }
 transport-damage = { $count ->
     [1] запис пошкоджено на байті { $byte }, пропущено байтів: { $bytes }
-   *[other] запис пошкоджено в багатьох місцях ({ $count }), уперше на байті { $byte }, пропущено байтів: { $bytes }
+   *[other] запис пошкоджено, місць: { $count }, перше на байті { $byte }, пропущено байтів: { $bytes }
 }
 transport-faults = { $first }; і { $second }
 transport-no-tlog = { $faults }; жодного повідомлення в ньому не знайдено: чи це tlog?
@@ -42,8 +42,8 @@ transport-tlog-unreadable = запис не читається на байті {
 transport-no-address = «{ $address }» не є адресою каналу: { $problem }; пишіть tcp:HOST:PORT (з'єднатися), tcpin:HOST:PORT (слухати), udp:HOST:PORT (надсилати), udpin:HOST:PORT (слухати), udpbcast:HOST:PORT, serial:PATH:BAUD або file:FILE.tlog
 transport-address-empty = адреса порожня
 transport-file-missing = бракує файлу
-transport-no-kind = невідомий вид зв'язку: «{ $kind }»
-transport-no-kind-no-port = у ній немає ні виду зв'язку, ні порту
+transport-no-kind = невідомий вид каналу: «{ $kind }»
+transport-no-kind-no-port = у ній немає ні виду каналу, ні порту
 transport-port-zero = порт 0 недосяжний
 transport-port-missing = бракує порту
 transport-no-port = «{ $port }» не є портом (від 0 до 65535)

@@ -33,9 +33,9 @@ pub struct VehicleView {
     pub ready_to_arm: bool,
     pub lat_deg: Option<f64>,
     pub lon_deg: Option<f64>,
-    /// Height above home.
+    /// Height above home, in metres.
     pub altitude_m: Option<f64>,
-    /// Height above mean sea level.
+    /// Height above mean sea level, in metres.
     pub altitude_amsl_m: Option<f64>,
     pub ground_speed_m_s: Option<f32>,
     pub heading_deg: Option<f32>,
@@ -50,7 +50,7 @@ pub struct VehicleView {
     pub link_lost: bool,
     /// The share of its messages that arrives.
     pub link_percent: u8,
-    /// Its last reasons against arming, newest last.
+    /// Its latest reasons not to arm, newest last.
     pub prearm: Vec<String>,
 }
 
@@ -158,7 +158,7 @@ impl EntryView {
     }
 }
 
-/// A notice; identical ones within a short time are one.
+/// A notice; identical ones within a short time are merged.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct NoticeView {
     /// When the first one came, in seconds since the start of the program.
@@ -365,7 +365,7 @@ pub struct RecordView {
     pub run: Option<String>,
 }
 
-/// The plan on board of a vehicle.
+/// The plan on board a vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct PlanView {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -165,7 +165,7 @@ pub enum FileEffect {
     },
 }
 
-/// A change of the profile in use or of its data.
+/// A change to the profile in use or to its data.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CareerEffect {
     /// Switch to the profile with this name.
@@ -192,7 +192,7 @@ pub enum CareerEffect {
     DropDesign(String),
 }
 
-/// A change of the session.
+/// A change to the session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
     StartMission(Launch),
@@ -271,7 +271,7 @@ pub enum ReplayEffect {
     Keep(Box<Review>),
 }
 
-/// A change of the terminal.
+/// A change to the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TerminalEffect {
     SetTheme(String),
@@ -282,7 +282,7 @@ pub enum TerminalEffect {
     Notify(Text),
 }
 
-/// A change of the speed-up.
+/// A change to the speed-up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaceChange {
     /// The new speed-up of simulated time over the wall clock.

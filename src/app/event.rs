@@ -54,7 +54,7 @@ pub enum Event {
     Session(SessionEvent),
     /// News of a replay.
     Replay(ReplayEvent),
-    /// A change of the profile in use or of its data.
+    /// A change to the profile in use or to its data.
     Career(CareerEvent),
     /// A file was read or written by the shell.
     File(FileEvent),

@@ -1,4 +1,4 @@
-//! Credits and experience.
+//! The prices and rewards of a career: credits, licences, experience and levels.
 
 use super::CareerFlight;
 use crate::geo::maths;

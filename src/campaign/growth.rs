@@ -1,5 +1,5 @@
 //! The growth of a career: the same history as in [`CareerStanding`], step by step, for charts and to explain changes
-//! of a skill.
+//! in a skill.
 
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ pub struct Try {
     pub stake: Stake,
 }
 
-/// The change of a skill by one flight.
+/// The change that one flight makes to a skill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkillMove {
     /// Id of the mission.
@@ -111,7 +111,7 @@ impl Growth {
         self.tries.get(mission).map_or(&[], Vec::as_slice)
     }
 
-    /// The changes of a skill, oldest first.
+    /// The changes in a skill, oldest first.
     pub fn moves(&self, skill: Skill) -> &[SkillMove] {
         self.moves.get(&skill).map_or(&[], Vec::as_slice)
     }

@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::parts;
 
-/// The changes of a career by a flight.
+/// The changes that a flight makes to a career.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Reward {
     /// The stake of the flight.

@@ -37,7 +37,7 @@ pub(super) struct BackendArguments {
     #[command(flatten)]
     programs: ProgramOptions,
     /// Use this airframe: a JSON frame file of ArduPilot's SITL. Repeat the option for several vehicles: one file for
-    /// each, the last one for all that follow.
+    /// each; the last one applies to all further vehicles.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
 }

@@ -38,7 +38,8 @@ pub(super) enum BenchCommand {
     /// Measures a recording of flying vehicles: the time to open it, the time to show any moment of it, and the cost
     /// of recording.
     Replay(replay::BenchReplayArguments),
-    /// Measures the cost of more and more vehicles for the simulator and the console, with the method of the paper.
+    /// Measures the cost of a growing number of vehicles for the simulator and the console, with the method of the
+    /// paper.
     Scale(scale::ScaleArguments),
     /// Measures the cost of simulated vehicles that fly and stream position and attitude, from one to thousands.
     Sim(sim::BenchSimArguments),

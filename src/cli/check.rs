@@ -39,7 +39,7 @@ pub(super) struct CheckArguments {
     /// Print the JSON schema of mission files, for editors.
     #[arg(long, conflicts_with_all = ["files", "fly"])]
     schema: bool,
-    /// Print the reference of mission files, as it stands in the mission guide.
+    /// Print the reference of mission files, as the mission guide contains it.
     #[arg(long, conflicts_with_all = ["files", "fly", "schema"])]
     reference: bool,
     /// Print one JSON document instead of the table.

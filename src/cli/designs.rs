@@ -14,9 +14,9 @@ use crate::workshop::Design;
 /// Options of commands that fly a mission.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct DesignArguments {
-    /// Fly this drone of the workshop in the mission: a design file, or the name of a design. One design is for all
-    /// drones; with several, each drone takes the next one, and the last is for all that follow. Separate them with
-    /// commas, or repeat the option.
+    /// Fly this drone of the workshop in the mission: a design file, or the name of a design. One design applies to
+    /// all drones; with several, each drone takes the next one, and the last one applies to all further drones.
+    /// Separate them with commas, or repeat the option.
     #[arg(
         long = "design",
         value_name = "DESIGN",

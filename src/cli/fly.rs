@@ -64,8 +64,9 @@ pub(super) struct FlyArguments {
 /// The forwards of `sortie fly` and `sortie connect`.
 #[derive(Debug, Args)]
 pub(super) struct ForwardArguments {
-    /// Share the links with ground stations at this address: "ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]",
-    /// such as udp:127.0.0.1:14550 or "tcpin:127.0.0.1:5790 read-only"; repeat it for several.
+    /// Share the links with ground stations at this address: "ADDR [read-only] [only NAMES] [except NAMES] [rate
+    /// HZ]", such as udp:127.0.0.1:14550 or "tcpin:127.0.0.1:5790 read-only"; repeat the option for several
+    /// addresses.
     #[arg(long = "forward", value_name = "ADDR", value_parser = forward)]
     forwards: Vec<ForwardSpec>,
 }
@@ -73,8 +74,8 @@ pub(super) struct ForwardArguments {
 /// The interface for programs of `sortie fly` and `sortie connect`.
 #[derive(Debug, Args)]
 pub(super) struct ApiArguments {
-    /// Let programs of yours use the console through a Unix socket at this path: they read its state and give commands.
-    /// Flights then count as practice, as flown by a script.
+    /// Let your own programs use the console through a Unix socket at this path: they read its state and give
+    /// commands. Flights then count as practice, as flown by a script.
     #[arg(long, value_name = "SOCKET")]
     api: Option<PathBuf>,
     /// Let programs only read the console's state through this socket; flights count as usual.

@@ -31,7 +31,7 @@ pub(super) struct PlanArguments {
 
 #[derive(Debug, Subcommand)]
 enum PlanCommand {
-    /// Checks plans by the rules of the vehicle that is to fly them, and prints each fault with its line and column.
+    /// Checks plans by the rules of the vehicle that will fly them, and prints each fault with its line and column.
     #[command(after_help = "Examples:\n  \
                             sortie plan check survey.plan\n  \
                             sortie plan check --ceiling 120 --radius 500 *.waypoints\n  \
@@ -47,14 +47,14 @@ enum PlanCommand {
                             sortie plan rehearse one.plan two.plan three.plan\n  \
                             sortie plan rehearse *.waypoints --wind 8,270 --json")]
     Rehearse(rehearse::RehearseArguments),
-    /// Divides parallel lines over an area among vehicles: one plan each.
+    /// Covers an area with parallel lines, divided among vehicles: one plan each.
     #[command(after_help = "Examples:\n  \
                             sortie plan survey field.kml --home 50.45,30.52 --vehicles 4 --spacing 20 --write parts\n  \
                             sortie plan survey field.geojson --homes pads.kml --height 40 --course 30\n  \
                             sortie plan survey --points '50.45,30.52 50.46,30.52 50.46,30.54' --home 50.449,30.52")]
     Survey(generate::SurveyArguments),
-    /// Divides a search among vehicles: expanding square or sectors around a datum, parallel or creeping lines over an
-    /// area (IAMSAR).
+    /// Makes a search pattern, divided among vehicles: expanding square or sectors around a datum, parallel or
+    /// creeping lines over an area (IAMSAR).
     #[command(after_help = "Examples:\n  \
                             sortie plan search square --datum 50.45,30.52 --radius 200 --home 50.449,30.52 --vehicles 3\n  \
                             sortie plan search parallel field.kml --home 50.449,30.52 --vehicles 3 --write parts")]

@@ -79,8 +79,8 @@ enum RecordsCommand {
         after_help = "Examples:\n  sortie records sign\n  sortie records sign 3 --key keys/minisign.key"
     )]
     Sign(SignArguments),
-    /// Joins the `DataFlash` log of a vehicle to a record: modes, errors, events, changed parameters, and the state of
-    /// vibration, EKF and battery become moments.
+    /// Joins the `DataFlash` log of a vehicle to a record: modes, errors, events, changed parameters, vibration, EKF
+    /// and battery become moments.
     #[command(
         after_help = "Examples:\n  sortie records join logs/v3-log12.bin\n  sortie records join flight.bin 4 --vehicle 3"
     )]
@@ -91,7 +91,7 @@ enum RecordsCommand {
         /// The numbers in the list: `3`, `2-5` or `1,4-6`.
         #[arg(required = true, value_name = "NUMBERS")]
         records: Vec<String>,
-        /// Delete the records; without this option, they are only counted.
+        /// Delete the records; without this option, the command only counts them.
         #[arg(long)]
         yes: bool,
     },

@@ -60,7 +60,7 @@ pub(super) struct RunArguments {
     /// --profile, a flight with a chosen seed counts as practice.
     #[arg(long)]
     seed: Option<u64>,
-    /// Fly the seed of the day: always refused, because it is flown by hand.
+    /// Fly the seed of the day: always refused, because only flights by hand may use it.
     #[arg(long, hide = true)]
     daily: bool,
     /// Fly an exam: always refused, because exams are flown by hand.

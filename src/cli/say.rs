@@ -15,7 +15,7 @@ use crate::api::Request;
 pub(super) struct SayArguments {
     /// The socket of the console, as given with --api.
     socket: PathBuf,
-    /// Lines of the command grammar, such as "all takeoff 20"; each one waits until the one before has ended.
+    /// Lines of the command grammar, such as "all takeoff 20"; each one waits until the previous one has ended.
     #[arg(required = true, value_name = "LINE")]
     lines: Vec<String>,
     /// Confirm lines that would ask the user, such as kill.

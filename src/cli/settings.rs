@@ -137,7 +137,7 @@ impl CliSettings {
         Some(Records::within(self.data.as_deref()?, limits))
     }
 
-    /// The record of a number in the list, a name or a file.
+    /// Finds a record by its number in the list, its name, or one of its files.
     pub fn find_record(&self, named: &str) -> Result<RecordFiles, Failure> {
         Records::find(self.records().as_ref(), named).map_err(|fault| {
             let locale = Locale::new(self.language());

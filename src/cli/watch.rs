@@ -20,10 +20,10 @@ pub(super) struct WatchArguments {
     /// The topics: vehicles, notices, ledger, mission; all of them if none is named.
     #[arg(value_name = "TOPIC", value_parser = topic_parser())]
     topics: Vec<Topic>,
-    /// Let at least this many seconds pass between two states.
+    /// Wait at least this many seconds between two states of a topic.
     #[arg(long, value_name = "S", default_value_t = api::USUAL_WATCH_S)]
     every: f64,
-    /// Print a JSON schema of the interface, and end.
+    /// Print the JSON schema of the interface and exit.
     #[arg(long)]
     schema: bool,
 }

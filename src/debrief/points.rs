@@ -1,4 +1,4 @@
-//! What the points are for: objectives, components, improvements.
+//! The reasons for the points: objectives, components, improvements.
 
 use unicode_width::UnicodeWidthStr as _;
 

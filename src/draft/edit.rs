@@ -1,4 +1,4 @@
-//! The changes of a document, as keys and lines name them.
+//! Changes to a document, as keys and lines name them.
 
 use std::ops::Range;
 
@@ -112,7 +112,7 @@ pub enum Insertion {
     After(usize),
 }
 
-/// A change of a document.
+/// A change to a document.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Edit {
     Plan(PlanEdit),
@@ -132,7 +132,7 @@ pub enum Edit {
     Home(Spot),
 }
 
-/// A change of the plan.
+/// A change to the plan.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanEdit {
     Add {
@@ -156,7 +156,7 @@ pub enum PlanEdit {
     },
 }
 
-/// A change of the fence.
+/// A change to the fence.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FenceEdit {
     /// Adds a corner to a polygon, after this item.
@@ -172,7 +172,7 @@ pub enum FenceEdit {
     Flip(usize),
 }
 
-/// A change of existing items.
+/// A change to existing items.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ItemsChange {
     Delete,

@@ -1,4 +1,4 @@
-//! Changes of the plan.
+//! Changes to the plan.
 
 use super::edit::{Insertion, Items, NewItem, PlanEdit, PlanFrame, Spot, Surroundings};
 use super::place::{found, known, place, refused};

@@ -59,7 +59,7 @@ impl Stop {
 /// The course of a plan, without the repetitions of its jumps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Profile {
-    /// Where the way begins.
+    /// The place where the path begins.
     pub start: Option<LatLon>,
     pub stops: Vec<Stop>,
     pub length_m: f64,

@@ -31,8 +31,8 @@ impl Drafts {
         self.all.get_mut(self.current)
     }
 
-    /// Notes that a content of a draft has been written to a file, which from now on is its file. Unless the draft is
-    /// meant for a vehicle or another one has that name, it is also named after the file.
+    /// Notes that a draft was written to a file, which is its file from now on. The draft is also named after the
+    /// file, unless it is meant for a vehicle or another draft has that name.
     pub fn note_saved(&mut self, name: &str, path: &str, document: Arc<Document>) {
         let is_free = name == path || self.all.iter().all(|draft| draft.name != path);
         let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) else {

@@ -3,10 +3,10 @@
 use crate::geo::{Extent, LatLon, Square};
 use crate::plan::{Document, Item};
 
-/// The most squares for one plan.
+/// The maximum number of squares for one plan.
 const MOST_SQUARES: usize = 36;
 
-/// The squares over which a plan leads.
+/// The squares that a plan crosses.
 pub fn squares(document: &Document) -> Vec<Square> {
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let places = document.plan.iter().filter_map(Item::place);

@@ -29,7 +29,7 @@ pub struct Trial {
 /// The outcome of a trial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tried {
-    /// What became of it.
+    /// The outcome in words.
     pub text: Text,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
     pub is_sound: bool,

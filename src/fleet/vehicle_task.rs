@@ -30,7 +30,7 @@ pub(super) enum ToVehicle {
     FetchParameters,
     /// Its autopilot has been restarted.
     Restarted,
-    /// A change of its simulator or its link.
+    /// A change to its simulator or its link.
     Want(Want),
     /// The vehicle is reached by another link or peer from now on.
     Route(LinkHandle, LinkPeer),

@@ -85,7 +85,7 @@ impl InstanceProbe {
         [list.received(), list.count().unwrap_or(0)]
     }
 
-    /// The vehicle's latest reason against arming.
+    /// The vehicle's latest reason not to arm.
     pub fn complaint(&self) -> Option<&str> {
         self.complaint.as_deref()
     }

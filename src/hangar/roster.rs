@@ -126,7 +126,7 @@ impl Roster {
         }
     }
 
-    /// Publishes a change of an instance.
+    /// Publishes a change to an instance.
     pub fn show(&self, instance: &Instance) {
         self.seen.send_if_modified(|all| {
             let changed = all.get(&instance.id) != Some(instance);

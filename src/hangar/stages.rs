@@ -6,8 +6,8 @@ use super::SitlStage;
 
 /// The time without a new stage before a remark is shown; an instance is never ended for being slow.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// The same for readiness: navigation filters settle in 42 simulated seconds, ten times faster than real time if the
-/// machine allows it.
+/// The time without readiness before a remark is shown: navigation filters settle in 42 simulated seconds, ten times
+/// faster than real time if the machine allows it.
 const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
 /// The simulated time of silence after which the heartbeat counts as lost; one is sent every second.
 const SILENCE: Duration = Duration::from_secs(10);

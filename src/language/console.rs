@@ -292,7 +292,7 @@ pub enum DraftLine {
     },
     /// Upload the current draft to these vehicles, otherwise to the selected ones.
     Upload(Option<VehicleChoice>),
-    /// Put each one that is meant for a vehicle on board of that vehicle.
+    /// Upload each draft that is meant for a vehicle to that vehicle.
     UploadEach,
     Undo,
     Redo,

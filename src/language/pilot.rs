@@ -249,7 +249,8 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
     matches!(wait.until, Until::Passed(time) if waited >= time)
 }
 
-/// Whether a condition holds for all of some vehicles (`None`: of all), of which there must be at least one.
+/// Whether a condition holds for all of these vehicles; with `None`, for all known vehicles, of which there must be
+/// at least one.
 fn holds(wait: &Wait, vehicles: Option<&[VehicleId]>, seen: Seen<'_>) -> bool {
     let known = seen.vehicles;
     match vehicles {

@@ -249,7 +249,7 @@ impl RelayCore {
 
     fn report(&self, facts: &FrameFacts, frame: &Frame) {
         if let Some(deed) = deed_of(&frame.content) {
-            // A report that finds no room is one of many.
+            // If the queue is full, the report is dropped: there are many others.
             drop(self.news.try_send(StationNews {
                 station: StationId(facts.sender),
                 system: facts.receiver.map(|receiver| receiver.system),

@@ -75,7 +75,7 @@ pub enum SimulatorError {
         host: String,
         port: u16,
     },
-    /// A port cannot be listened on for another reason.
+    /// Listening on a port fails for another reason.
     #[error("cannot listen on port {port} of {host} (see --tcp): {source}")]
     Listen {
         /// The address to listen on.
@@ -93,7 +93,7 @@ pub enum SimulatorError {
         /// The first vehicle's port.
         port: u16,
     },
-    /// The system's limit of open files is too low for so many sockets.
+    /// The system's limit of open files is too low for this number of sockets.
     #[error(
         "{vehicles} vehicle(s) need {needed} sockets, more open files than this system allows: raise the limit \
          (ulimit -n), fly fewer, or serve them over one socket with --udp"

@@ -1,4 +1,4 @@
-//! `FENCE_STATUS`: whether the fence is broken.
+//! `FENCE_STATUS`: whether the vehicle is outside its fence.
 
 use mavlink::dialects::ardupilotmega::{FENCE_STATUS_DATA, FenceBreach};
 

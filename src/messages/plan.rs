@@ -71,7 +71,7 @@ impl PlanWatch {
         }
     }
 
-    /// Applies `MISSION_ITEM_REACHED`.
+    /// Applies `MISSION_ITEM_REACHED`: notes the item as reached.
     pub(super) fn apply_reached(
         &mut self,
         vehicle: &mut Vehicle,

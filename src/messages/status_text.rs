@@ -19,7 +19,7 @@ const MOST_UNFINISHED: usize = 8;
 const SAME_CHECK: Duration = Duration::from_secs(2);
 /// The placeholder for missing chunks.
 const MISSING: &[u8] = b"...";
-/// The prefixes by which `ArduPilot` marks a reason against arming: from its periodic check, or from a refused arm
+/// The prefixes by which `ArduPilot` marks a reason not to arm: from its periodic check, or from a refused arm
 /// command.
 const REASON_PREFIXES: [&str; 2] = ["PreArm:", "Arm:"];
 
@@ -191,8 +191,8 @@ fn text_of(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Adds a text to the vehicle's and to the notices. A reason against arming is also kept separately; one that comes
-/// later than [`SAME_CHECK`] after the last one (`reasons_at`) replaces all earlier ones.
+/// Adds a text to the vehicle's and to the notices. A reason not to arm is also kept separately; one that comes later
+/// than [`SAME_CHECK`] after the last one (`reasons_at`) replaces all earlier ones.
 pub(super) fn apply(
     vehicle: &mut Vehicle,
     joined: &Joined,

@@ -116,7 +116,7 @@ fn random(seed: u64) -> ChaCha8Rng {
 }
 
 impl Mission {
-    /// What the vehicle of a seat needs before the flight: its lists, and a fence that is on.
+    /// The needs of a seat's vehicle before the flight: its lists, and a fence that is on.
     pub(crate) fn board_wants(&self, seat: usize, seed: u64) -> Vec<Want> {
         let mut wants = Vec::new();
         let document = self.board_document(seat, seed);

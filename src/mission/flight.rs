@@ -75,7 +75,7 @@ pub struct Flight {
     swarm: SwarmAccount,
     threats: Threats,
     plans: PlanLog,
-    /// What the vehicles need before the flight, until it is taken.
+    /// The demands of the vehicles before the flight, until they are taken.
     board: Vec<Demand>,
     clues: CluesGiven,
     /// The index of the lesson's current step.
@@ -148,7 +148,7 @@ impl Flight {
         }
     }
 
-    /// Sets what gives the commands.
+    /// Sets the source of the commands.
     pub fn set_flown_by(&mut self, flown_by: Option<FlownBy>) {
         self.flown_by = flown_by;
     }

@@ -154,7 +154,7 @@ pub(crate) struct ObjectiveScene<'a> {
     /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub releases: &'a [Release],
-    /// What was done with the plans on board.
+    /// The actions on the plans on board.
     pub plans: &'a PlanLog,
 }
 

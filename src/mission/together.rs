@@ -16,8 +16,8 @@ impl Mission {
         self.rules.separation_m.unwrap_or(USUAL_SEPARATION_M)
     }
 
-    /// The rules for surveys, formations and the like: the line spacing follows from the sensors, the separation from
-    /// the mission if it sets one.
+    /// The rules for surveys, formations and other manoeuvres: the line spacing follows from the sensors, the
+    /// separation from the mission if it sets one.
     pub fn swarm_rules(&self) -> Rules {
         let swaths = self.seats.sensors.iter().filter_map(|sensor| {
             // A detector's strip has the same width at any height; a camera's widens.

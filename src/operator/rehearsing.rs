@@ -76,7 +76,7 @@ impl PartialEq for PlanRehearsal {
     }
 }
 
-/// What is known besides the vehicles: the wind that the user gives, and that of the mission.
+/// The winds that are known without the vehicles: that of the user, and that of the mission.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Winds {
     pub(super) given: Option<Wind>,
@@ -182,7 +182,8 @@ impl PlanRehearsal {
         }
     }
 
-    /// Gives the vehicles their airframes, in the order of their numbers; the last one is for all that follow.
+    /// Gives the vehicles their airframes, in the order of their numbers; the last one applies to all further
+    /// vehicles.
     pub fn set_airframes(&mut self, airframes: &[Arc<Airframe>]) {
         for member in &mut self.crew {
             let seat = usize::from(member.seat.vehicle).saturating_sub(1);

@@ -114,7 +114,7 @@ impl ParameterList {
             .map(|(index, _)| index)
     }
 
-    /// A number that changes with every change of the list.
+    /// A number that changes whenever the list does.
     pub fn revision(&self) -> u64 {
         self.revision
     }

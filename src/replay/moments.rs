@@ -29,7 +29,7 @@ const MOST: usize = 10_000;
 #[derive(Debug, Default)]
 pub(super) struct Lookout {
     found: Vec<Moment>,
-    /// Increases with every change of the moments.
+    /// Increases whenever the moments change.
     revision: u64,
     /// The last revision returned.
     given: Option<u64>,

@@ -1,4 +1,4 @@
-//! How a recording is played: where to, how fast, which stretch over and over, and where it stops.
+//! The playback of a recording: its goal, its rate, the section that is repeated, and its stops.
 
 use std::time::Duration;
 

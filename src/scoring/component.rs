@@ -11,7 +11,7 @@ use crate::text::Text;
 
 /// The minimum share of the objectives required for points for time, so that quitting early earns none.
 const TIME_NEEDS_OBJECTIVES: f64 = 0.6;
-/// The same share for energy.
+/// The minimum share of the objectives required for points for energy.
 pub const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
 /// The cap of the objectives' component if a mandatory objective is missed.
 const MISSED_MANDATORY_CAP: f64 = 0.5;

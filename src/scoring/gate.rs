@@ -58,7 +58,7 @@ impl GateMeasure {
     }
 }
 
-/// The name of lost vehicles in a gate.
+/// The name by which gates count lost vehicles.
 const CRASHES: &str = "crashes";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -71,7 +71,7 @@ struct Job {
     order: Option<VehicleCommand>,
     command: PlanCommand,
     transaction: Box<Transaction>,
-    /// What may be wrong with the list that is sent.
+    /// Warnings about the list that is sent.
     warnings: Vec<Text>,
     /// The progress last reported, and whether the link was lost then.
     told: Option<(u8, bool)>,
@@ -201,12 +201,12 @@ impl PlanOrders {
     }
 }
 
-/// What an order is to bring about.
+/// The state that an order should reach.
 #[derive(Debug, Default)]
 struct Wanted {
     /// The list that the vehicle is to carry; `None` if the order only reads.
     items: Option<Vec<Item>>,
-    /// What may be wrong with it.
+    /// Warnings about the list.
     warnings: Vec<Text>,
 }
 

@@ -137,8 +137,8 @@ impl PlanReader {
         self.acknowledged[kind as usize].as_deref()
     }
 
-    /// Takes the next list that is read as the known one: after a transfer of an unknown end, it is not another
-    /// program's.
+    /// Takes the next list that is read as the known one: after a transfer with an unknown outcome, it does not count
+    /// as changed by another program.
     pub fn forget_acknowledged(&mut self, kind: ListKind) {
         self.acknowledged[kind as usize] = None;
     }

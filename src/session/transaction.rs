@@ -278,7 +278,7 @@ impl Transaction {
     }
 }
 
-/// The request of the next order, or its end without sending.
+/// Prepares the request of an order, or ends the order without sending.
 fn prepare(
     order: &VehicleCommand,
     deadline: Duration,

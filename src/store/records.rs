@@ -34,15 +34,15 @@ const REVIEW: &str = ".review.json";
 const RUN: &str = ".run.jsonl";
 /// The suffix of the inputs of simulated vehicles.
 const INPUTS: &str = super::runs::INPUTS;
-/// The most bytes of a head.
+/// The maximum length of a head, in bytes.
 const HEAD_LEN: u64 = 256 * 1024;
 
 /// The limits of the stored records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RecordLimits {
-    /// The most records; the oldest are removed first.
+    /// The maximum number of records; the oldest are removed first.
     pub count: usize,
-    /// The most bytes of all. One record may take half of it.
+    /// The maximum size of all records, in bytes. One record may take half of it.
     pub bytes: u64,
 }
 
@@ -91,7 +91,7 @@ impl RecordFiles {
         frames.ok_or_else(|| text!("replay-no-frames", file = self.stem.as_str()))
     }
 
-    /// The files that belong to one of them. A file with another suffix counts as frames.
+    /// The files of the record to which one file belongs. A file with another suffix counts as frames.
     pub fn beside(path: &Path) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let stem = [JOURNAL, RUN, INPUTS, FRAMES]
@@ -274,7 +274,7 @@ impl Records {
         self.list().into_iter().rev().find_map(|it| it.frames)
     }
 
-    /// The same for the records of a profile, or for those without one.
+    /// The frames of the newest record that has any, among those of a profile, or of guests (`None`).
     pub fn newest_of(&self, profile: Option<&str>) -> Option<PathBuf> {
         let is_theirs = |files: &RecordFiles| {
             let head = files.head();

@@ -125,7 +125,7 @@ pub fn read_bytes(path: &Path, kind: &'static str) -> Result<Vec<u8>, StoreError
     Ok(bytes)
 }
 
-/// Reads at most so many bytes from the start of a file.
+/// Reads at most `most` bytes from the start of a file.
 ///
 /// # Errors
 /// It does not exist or cannot be read.
@@ -141,7 +141,7 @@ pub fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, StoreError> {
     Ok(bytes)
 }
 
-/// The most names of one folder that are offered.
+/// The maximum number of names of one folder that are offered.
 const MOST_NAMES: usize = 1000;
 
 /// The names in a folder in order, without hidden ones; those of folders end with `/`. Empty if it cannot be read. An

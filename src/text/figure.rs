@@ -1,4 +1,4 @@
-//! Numbers as text.
+//! Numbers and times as text.
 
 use crate::geo::maths;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! Wrapping text.
+//! Wraps text to a width.
 
 use unicode_width::UnicodeWidthStr as _;
 

@@ -16,7 +16,7 @@ const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
 
-/// `RTL_ALT`.
+/// The default of `RTL_ALT`, in metres.
 const RETURN_HEIGHT_M: f64 = 15.0;
 /// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
 const CONE_SLOPE: f64 = 3.0;

@@ -99,7 +99,7 @@ fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
             .message()
             .map(|it| it.text.to_string())
             .as_deref(),
-        Some("no vehicle 17-19: the selection stays as it was")
+        Some("no vehicle 17-19: the selection is unchanged")
     );
     assert_eq!(selection(&console), [2, 3]);
     assert_eq!(selection(console.write("9-11").press("enter")), [9]);

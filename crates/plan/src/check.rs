@@ -199,11 +199,11 @@ pub enum FindingKind {
     },
     /// The leg to the item goes into the ground, or comes too near to it.
     LowOverGround {
-        /// The least height above the ground, in metres.
+        /// The minimum height of the leg above the ground, in metres.
         height_m: f32,
         /// Where that is, in metres from the start of the leg.
         along_m: f32,
-        /// The least that is allowed, in metres.
+        /// The minimum height that is allowed, in metres.
         least_m: f32,
     },
     /// The height counts from the ground, and no terrain file covers the leg.

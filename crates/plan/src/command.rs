@@ -38,9 +38,9 @@ pub const DO_CHANGE_SPEED: u16 = 178;
 pub const DO_SET_HOME: u16 = 179;
 /// Switches the fence on or off.
 pub const DO_FENCE_ENABLE: u16 = 207;
-/// To move a switch of the remote control: parameter 1 is its function.
+/// Moves a switch of the remote control: parameter 1 is its function.
 pub const DO_AUX_FUNCTION: u16 = 218;
-/// The start of the way back.
+/// The start of the return path.
 pub const DO_RETURN_PATH_START: u16 = 188;
 /// The start of a landing.
 pub const DO_LAND_START: u16 = 189;
@@ -52,7 +52,7 @@ pub const DO_SET_ROI: u16 = 201;
 pub const JUMP_TAG: u16 = 600;
 /// Continues at a tag: parameter 1 is the tag, parameter 2 the number of repetitions.
 pub const DO_JUMP_TAG: u16 = 601;
-/// The place to which a vehicle returns after it has broken a fence.
+/// The place to which a vehicle returns after a fence breach.
 pub const FENCE_RETURN_POINT: u16 = 5000;
 /// A corner of an inclusion polygon; parameter 1 is the number of its corners.
 pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
@@ -114,7 +114,7 @@ pub fn is_circle(command: u16) -> bool {
     matches!(command, FENCE_CIRCLE_INCLUSION | FENCE_CIRCLE_EXCLUSION)
 }
 
-/// Whether a vehicle carries it out on its own, one after the other; other commands act beside it.
+/// Whether it is a navigation command: these are carried out one after the other, while others act at the same time.
 /// Source: `AP_Mission::is_nav_cmd`.
 pub fn is_navigation(command: u16) -> bool {
     // NAV_SET_YAW_SPEED, NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME.

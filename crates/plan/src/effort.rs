@@ -14,7 +14,7 @@ const CLIMBING: f64 = 1.3;
 const DRAG_PER_SPEED2: f64 = 0.0012;
 /// The steps in which the highest speed of a short leg is found.
 const TOP_SPEED_STEPS: u32 = 14;
-/// `LAND_ALT_LOW`.
+/// The default of `LAND_ALT_LOW`, in metres.
 const LANDING_HEIGHT_M: f64 = 10.0;
 
 /// How fast a copter flies.

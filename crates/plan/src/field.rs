@@ -28,7 +28,7 @@ pub enum FieldUnit {
 pub struct Field {
     /// Its name, a single word.
     pub name: &'static str,
-    /// What its value is measured in.
+    /// The unit of its value.
     pub unit: FieldUnit,
     /// Its place among the first four parameters, from 0.
     index: usize,

@@ -219,7 +219,7 @@ fn parsed(
     in_archive: bool,
     options: ReadOptions,
 ) -> (SourceFormat, Result<Parsed, Vec<Fault>>) {
-    // A mark of the byte order is kept in the text, so that places stay right.
+    // A byte order mark stays in the text, so that positions stay correct.
     let start = text.trim_start_matches('\u{feff}').trim_start();
     match start.chars().next() {
         Some('<') if in_archive => (SourceFormat::Kmz, kml::parse(text, options)),

@@ -103,7 +103,7 @@ pub struct Manner {
 /// Why there are no plans.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum GenerateError {
-    /// No vehicle.
+    /// There is no vehicle to make a plan for.
     #[error("no vehicle")]
     NoVehicle,
     /// The area has no extent, or the line no length.
@@ -119,7 +119,7 @@ pub enum GenerateError {
     #[error("the fence is not valid")]
     Fence,
     /// The fence leaves nothing of the area, or the pattern breaks it.
-    #[error("the pattern breaks the fence")]
+    #[error("the pattern crosses the fence")]
     OutsideFence,
     /// No way inside the fence leads from the home of this vehicle (counted from 0) to its part.
     #[error("no way inside the fence for vehicle {0}")]

@@ -39,7 +39,7 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// Whether they are in no conflict, even if one of them is late by up to so many seconds.
+    /// Whether they are in no conflict, even if one of them is up to `late_s` seconds late.
     pub fn is_apart(&self, late_s: u32) -> bool {
         self.late_s.is_none_or(|least| least > late_s)
     }
@@ -62,8 +62,8 @@ pub(crate) fn limit_m(starts_m: f64) -> f64 {
     neighbours_limit_m(starts_m.max(LEAST_LIMIT_M), TOO_NEAR_M)
 }
 
-/// The horizontal limit of two vehicles whose pads are so far apart, in metres; `usual_m` is that of vehicles from
-/// distant pads. Pads less than a metre apart are the same place, of which nothing follows.
+/// The horizontal limit of two vehicles whose pads are `pads_m` apart, in metres; `usual_m` is that of vehicles from
+/// distant pads. Pads less than a metre apart count as the same place, for which the usual limit applies.
 pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
     if (LEAST_LIMIT_M..usual_m * NEIGHBOURS).contains(&pads_m) {
         (pads_m * NEIGHBOURS_SHARE).max(LEAST_LIMIT_M).min(usual_m)
@@ -72,7 +72,7 @@ pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
     }
 }
 
-/// The same for two points in metres north, east and up.
+/// The nearness of two points in metres north, east and up: less than 1 is a conflict.
 pub(crate) fn nearness(a: [f64; 3], b: [f64; 3], limit_m: f64) -> f64 {
     let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let horizontal = (north * north + east * east) / (limit_m * limit_m);

@@ -86,7 +86,8 @@ pub struct Proposal {
     pub remedies: Vec<Remedy>,
     /// The time that the changes cost, in seconds, summed over all vehicles.
     pub lost_s: f64,
-    /// All pairs stay apart even if one vehicle is so many seconds late: [`LATE_S`], or 0 if that cannot be reached.
+    /// All pairs stay apart even if one vehicle is this many seconds late: [`LATE_S`], or 0 if that cannot be
+    /// reached.
     pub late_s: u32,
     /// The rehearsal with the changes.
     pub outcome: Outcome,
@@ -214,7 +215,7 @@ impl Search<'_> {
         })
     }
 
-    /// Later starts.
+    /// Separates the vehicles by later starts.
     pub(crate) fn by_delays(&self, tracks: &[Track]) -> Result<Option<Proposal>, RehearsalError> {
         for margin in MARGINS {
             let Some(delays) = delays(tracks, margin * margin, self.late_s) else {
@@ -232,7 +233,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Separate heights.
+    /// Separates the vehicles by different heights.
     pub(crate) fn by_layers(
         &self,
         first: &Outcome,
@@ -269,7 +270,7 @@ impl Search<'_> {
     }
 }
 
-/// The delays with the least sum that keep the vehicles apart.
+/// The delays with the smallest sum that keep the vehicles apart.
 fn delays(tracks: &[Track], factor: f64, late_s: u32) -> Option<Vec<u32>> {
     let mut pairs = Pairs::new(tracks, factor, late_s);
     let found = best_order(tracks.len(), |order| {
@@ -279,7 +280,7 @@ fn delays(tracks: &[Track], factor: f64, late_s: u32) -> Option<Vec<u32>> {
     found.map(|(_, delays)| delays)
 }
 
-/// The least delay of each vehicle that keeps it away from those before it in an order.
+/// The shortest delay of each vehicle that keeps it away from those before it in an order.
 fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
     let mut delays = vec![0; order.len()];
     for (place, &vehicle) in order.iter().enumerate() {
@@ -314,7 +315,7 @@ impl<'a> Pairs<'a> {
         }
     }
 
-    /// Whether `a` stays away from `b` if it starts so many seconds after it, or one of them is late.
+    /// Whether `a` stays away from `b` if it starts `after_s` seconds later, even if one of them is late.
     fn are_apart(&mut self, a: usize, b: usize, after_s: i64) -> bool {
         let mut differences = after_s - self.late_s..=after_s + self.late_s;
         differences.all(|difference_s| self.are_apart_at(a, b, difference_s))
@@ -341,7 +342,7 @@ fn pads_limit_m(a: &Track, b: &Track) -> f64 {
     limit_m(maths::hypot(a_north - b_north, a_east - b_east))
 }
 
-/// The layers with the least sum that separate the vehicles that come near each other.
+/// The layers with the smallest sum that separate the vehicles that come near each other.
 fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
     let found = best_order(vehicles, |order| {
         let layers = layers_in(order, near);

@@ -1,12 +1,12 @@
-//! What happens if a vehicle is late: whether it still keeps away from another one.
+//! Whether vehicles still keep away from each other if one of them is late.
 
 use crate::approach::{Approach, TOO_NEAR_VERTICALLY_M, nearness};
 use crate::place::{TRACK_EVERY, Track, sample_s};
 
-/// The margin in time, in seconds: vehicles should stay apart even if one of them is so much late.
+/// The margin in time, in seconds: vehicles should stay apart even if one of them is this late.
 pub const LATE_S: u32 = 3;
 
-/// The least lateness of one of two vehicles that brings them into conflict; see [`Approach::late_s`].
+/// The shortest delay of one of two vehicles that brings them into conflict, in seconds; see [`Approach::late_s`].
 pub(crate) fn late_s(approach: &Approach, tracks: &[Track]) -> Option<u32> {
     if approach.is_conflict() {
         return Some(0);
@@ -26,7 +26,7 @@ pub(crate) fn late_s(approach: &Approach, tracks: &[Track]) -> Option<u32> {
     })
 }
 
-/// A vehicle that starts after so many points of its track.
+/// A vehicle that starts late, by a number of points of its track.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shifted<'a> {
     track: &'a Track,
@@ -49,7 +49,7 @@ impl<'a> Shifted<'a> {
     }
 }
 
-/// The number of a track's points in so many seconds.
+/// The number of a track's points in a number of seconds.
 pub(crate) fn points_in(seconds: u32) -> usize {
     let per_second = (1.0 / (sample_s() * f64::from(TRACK_EVERY))).round() as usize;
     seconds as usize * per_second
@@ -67,7 +67,7 @@ fn are_far(a: &Track, b: &Track, limit_m: f64) -> bool {
     })
 }
 
-/// The least and the greatest value of each axis.
+/// The minimum and the maximum of each axis.
 fn bounds(track: &Track) -> Option<[(f64, f64); 3]> {
     let mut points = track.points.iter().flatten();
     let first = points.next()?;

@@ -115,7 +115,7 @@ pub struct Flown {
     pub energy_left_percent: f64,
     /// The greatest distance from home over the ground, in metres.
     pub farthest_m: f64,
-    /// When the vehicle first broke its fence, in seconds of its flight: one that is switched on by `ArduCopter`'s
+    /// When the vehicle first breached its fence, in seconds of its flight: one that is switched on by `ArduCopter`'s
     /// rules (`FENCE_TYPE`, the areas, the circle around home, the heights), otherwise the areas of its list.
     pub broke_fence_s: Option<f64>,
     /// Whether it has a fence that is switched on, or areas in its list.
@@ -141,7 +141,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether all pairs stay apart, even if one vehicle is late by up to so many seconds, at most [`LATE_S`].
+    /// Whether all pairs stay apart, even if one vehicle is up to `late_s` seconds late; `late_s` is at most
+    /// [`LATE_S`].
     pub fn is_apart(&self, late_s: u32) -> bool {
         self.closest
             .iter()

@@ -5,7 +5,7 @@ const ALL_ORDERS: usize = 5;
 /// How many times, at most, all neighbours in the order of more vehicles are exchanged.
 const SWAP_ROUNDS: usize = 12;
 
-/// The best result of all orders of so many vehicles: the one with the least cost. Of more than [`ALL_ORDERS`] vehicles,
+/// The best result of all orders of the vehicles: the one with the lowest cost. Of more than [`ALL_ORDERS`] vehicles,
 /// neighbours are exchanged as long as that helps.
 pub(crate) fn best_order<R>(
     vehicles: usize,

@@ -53,9 +53,9 @@ pub(super) struct Safety {
     pub(super) armed_at: Duration,
     /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
     aligns_above_m: Option<f64>,
-    /// When the reasons against arming will be reported next.
+    /// When the reasons not to arm will be reported next.
     pub(super) reports_at: Duration,
-    /// Whether the last check found no reason against arming.
+    /// Whether the last check found no reason not to arm.
     pub(super) may_arm: bool,
     /// The time since which the vehicle has been idle on the ground.
     idle_since: Option<Duration>,
@@ -107,7 +107,7 @@ impl Safety {
     pub(super) fn disarm(&mut self) {
         self.armed = false;
         self.aligns_above_m = None;
-        // New reasons against arming are reported with the next check.
+        // New reasons not to arm are reported with the next check.
         self.reports_at = Duration::ZERO;
     }
 
@@ -143,7 +143,7 @@ impl Safety {
         !inputs.disarm_delay.is_zero() && now >= idle_since + inputs.disarm_delay
     }
 
-    /// Whether to report reasons against arming now; `is_free` if there are none.
+    /// Whether to report reasons not to arm now; `is_free` if there are none.
     pub(super) fn tells_obstacles(&mut self, is_free: bool, now: Duration) -> bool {
         let could_arm = std::mem::replace(&mut self.may_arm, is_free);
         if could_arm && !is_free && self.reports_at > now + checks::REPORT_SOON {

@@ -14,7 +14,7 @@ const LEAN_LAG_S: f64 = 0.15;
 const THRUST_LAG_S: f64 = 0.08;
 /// The time constant of the autopilot's compensation of vertical drag.
 const DRAG_LAG_S: f64 = 0.2;
-/// The least cosine of the lean that raises the throttle.
+/// The minimum cosine of the lean that raises the throttle.
 const BOOST_LEAST: f64 = 0.5;
 /// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;

@@ -273,8 +273,8 @@ impl World {
         }
     }
 
-    /// Puts a list on board of a vehicle, counted from 0, by the rules of an upload: the items of a plan are numbered from
-    /// 1 there. Returns `false` if the vehicle refuses an item. This is not an [input](Self::take_inputs).
+    /// Puts a list on board a vehicle, counted from 0, by the rules of an upload: the items of a plan are numbered
+    /// from 1 there. Returns `false` if the vehicle refuses an item. This is not an [input](Self::take_inputs).
     ///
     /// # Panics
     /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).

@@ -38,7 +38,7 @@ pub struct Truth {
     pub battery_consumed_mah: f64,
     /// Throttle, 0 to 1.
     pub throttle: f64,
-    /// The fences that are switched on and broken, as bits of `FENCE_TYPE`.
+    /// The fences that are switched on and breached, as bits of `FENCE_TYPE`.
     pub broken_fences: u8,
 }
 

@@ -227,7 +227,7 @@ impl Vehicle {
         }
     }
 
-    /// The same on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
+    /// The default heading demand on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
     pub(super) fn default_yaw_home(&self) -> YawDemand {
         if self.tuning.yaw_behaviour == 2 {
             YawDemand::Hold

@@ -138,7 +138,7 @@ impl Workbench {
         ends
     }
 
-    /// The reasons against arming, in the order of the vehicle's texts.
+    /// The reasons not to arm, in the order of the vehicle's texts.
     pub(super) fn obstacles(&self) -> impl Iterator<Item = &'static str> {
         let compasses = &self.compasses;
         [

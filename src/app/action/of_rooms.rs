@@ -118,13 +118,13 @@ pub enum PlansAction {
     CentreDraft,
 }
 
-/// Changes of the draft in the Plans room, in the list that is shown.
+/// Changes to the draft in the Plans room, in the list that is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DrawAction {
     /// Add an item at the map's cursor.
     AddItem,
-    /// The same before the item under the cursor.
+    /// Insert an item at the map's cursor, before the item under the cursor.
     InsertItem,
     /// Move the marked items to the map's cursor.
     MoveItem,

@@ -13,7 +13,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The names that the state knows, with those of the rooms.
+/// The names known to the state and to the rooms.
 #[derive(Debug)]
 struct Known<'a>(&'a State);
 

@@ -17,7 +17,7 @@ pub enum Tone {
     Missed,
     /// A condition that blocks or restricts the mission.
     Warning,
-    /// The next step.
+    /// Advice on the next step.
     Hint,
     /// The hint that was requested last.
     AskedHint,

@@ -52,7 +52,7 @@ impl ReviewPage {
         Self::Compared,
     ];
 
-    /// The message of its title.
+    /// The id of the message with its title.
     pub fn title(self) -> &'static str {
         match self {
             Self::Planned => "review-planned",

@@ -77,12 +77,12 @@ impl Workshop {
         self.view
     }
 
-    /// The line under the cursor of the list of designs.
+    /// The index of the line under the cursor in the list of designs.
     pub fn shelf(&self) -> usize {
         self.shelf
     }
 
-    /// The seat under the cursor.
+    /// The index of the seat under the cursor.
     pub fn seat(&self) -> usize {
         self.seat
     }

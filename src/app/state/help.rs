@@ -108,7 +108,7 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     found
 }
 
-/// What the help is about.
+/// The context of the help: keymap, room and kind of session.
 #[derive(Debug, Clone, Copy)]
 pub struct HelpScene<'a> {
     pub keymap: &'a Keymap,
@@ -119,7 +119,7 @@ pub struct HelpScene<'a> {
 }
 
 impl State {
-    /// What the help is about now.
+    /// The current context of the help.
     pub fn help_scene(&self) -> HelpScene<'_> {
         HelpScene {
             keymap: &self.keymap,

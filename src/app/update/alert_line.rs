@@ -1,4 +1,4 @@
-//! Commands about alerts.
+//! Carries out commands about alerts: acknowledge, mute, unmute.
 
 use crate::alert::AlertKind;
 use crate::app::State;

@@ -1,4 +1,4 @@
-//! What follows a confirmation, or needs none.
+//! Carries out actions after a confirmation, or actions that need none.
 
 use super::{batch, order};
 use crate::app::State;

@@ -79,7 +79,7 @@ fn begin(state: &mut State, count: usize) {
     }
 }
 
-/// The notice for the change of an instance, if any.
+/// The notice for a change to an instance, if any.
 fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option<Notice> {
     let notice = |severity, kind, text| Notice {
         kind,

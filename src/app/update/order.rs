@@ -17,7 +17,7 @@ use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
 use crate::verb::{CountsAs, Danger};
 
-/// The most targets listed one by one.
+/// The maximum number of targets listed one by one.
 const NAMED_TARGETS: usize = 12;
 
 pub enum Given {

@@ -1,4 +1,4 @@
-//! The command line.
+//! The command line while it is open: its keys, completions and history, and running its line.
 
 use crossterm::event::KeyEvent;
 use tui_input::Input;
@@ -64,7 +64,7 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     Effects::none()
 }
 
-/// Updates the completions after a change of the line.
+/// Updates the completions after a change to the line.
 pub fn edited(state: &mut State, mut palette: Palette) {
     let line = palette.input.value().to_owned();
     let cursor = byte_cursor(&palette.input);
@@ -119,7 +119,7 @@ fn look_into_folder(state: &mut State, line: &str, cursor: usize) {
     }
 }
 
-/// The question for the files of the folder that is being typed.
+/// Requests the files of the folder that is being typed, if they were not requested before.
 pub fn wanted(state: &mut State) -> Option<Effect> {
     let folder = state.typing.folder.as_mut().filter(|it| !it.is_asked)?;
     folder.is_asked = true;
@@ -128,7 +128,7 @@ pub fn wanted(state: &mut State) -> Option<Effect> {
     }))
 }
 
-/// Handles the answer to it.
+/// Handles the answer to [`wanted`]: the files of a folder.
 pub fn listed(state: &mut State, path: &str, names: Vec<String>) {
     let Some(folder) = &mut state.typing.folder else {
         return;

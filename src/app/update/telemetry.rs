@@ -28,7 +28,7 @@ use crate::vehicle_id::VehicleIds;
 /// How often distances between vehicles are checked, in milliseconds.
 const SEPARATION_MS: u128 = 500;
 
-/// Time passes by the wall clock; flight time does too, except in a replay.
+/// Advances wall time and, except in a replay, flight time.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
     // Messages live for whole seconds, and the debrief shows when it accepts keys.
     let before = (state.wall.as_secs(), state.is_deaf());
@@ -64,7 +64,7 @@ pub fn pass(state: &mut State, now: Duration) {
     }
 }
 
-/// A snapshot that arrives after its session has ended is dropped.
+/// Stores a vehicle's snapshot; one that arrives after its session has ended is dropped.
 pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     let session = &mut state.session;
     let is_known = |known: &Arc<Vehicle>| Arc::ptr_eq(known, &vehicle);

@@ -13,7 +13,7 @@ use crate::fidelity::{self, Answers, Comparison, Flight, Recording};
 const RECORDINGS: &str = "tests/data/fidelity";
 /// The suffix of a recording of sent frames.
 const SENT: &str = ".tx.tlog";
-/// The most answers of one kind that the table names.
+/// The maximum number of answers of one kind that the table names.
 const NAMED: usize = 6;
 
 /// Options of `sortie bench fidelity`.

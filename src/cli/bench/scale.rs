@@ -61,8 +61,7 @@ pub(in crate::cli) struct ScaleArguments {
     /// Measure each number this many times, each time with newly started vehicles, and take the median.
     #[arg(long, default_value = "3")]
     repeat: NonZeroU16,
-    /// Wait at least this many seconds between two kinds of commands, and in any case until the first has taken
-    /// effect.
+    /// Wait at least this many seconds between two kinds of commands, and always until the first has taken effect.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
     /// Use this simulator; by default the embedded one, unless a program is named.
@@ -70,7 +69,7 @@ pub(in crate::cli) struct ScaleArguments {
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
     programs: ProgramOptions,
-    /// Then double the number until the simulation falls behind real time, and name the overloaded part.
+    /// Afterwards, double the number until the simulation falls behind real time, and name the overloaded part.
     #[arg(long)]
     beyond: bool,
     /// Also draw the figures into this SVG file.

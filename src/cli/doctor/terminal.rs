@@ -5,7 +5,7 @@ use std::io::IsTerminal as _;
 
 use super::HostFinding;
 
-/// The least size of the screens: columns and rows.
+/// The minimum size of the screens: columns and rows.
 const LEAST: (u16, u16) = (80, 24);
 
 /// The findings about the terminal.

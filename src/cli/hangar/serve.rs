@@ -42,7 +42,7 @@ pub(super) struct ServeArguments {
     /// Limit the address space of each instance to this many mebibytes.
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(64..=65_536))]
     memory: Option<u64>,
-    /// Choose when to restart instances that end on their own.
+    /// Restart instances that end without a request: never or always.
     #[arg(long, value_name = "WHEN")]
     restart: Option<RestartWhen>,
     /// Keep the instances' files in this folder.
@@ -264,7 +264,7 @@ async fn report(mut seen: watch::Receiver<Instances>) {
     }
 }
 
-/// The log line about a change of an instance, if the change is worth one.
+/// The log line about a change to an instance, if the change is worth one.
 fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
     let is_new = before.is_none_or(|before| before.pid != now.pid);
     if let Some(pid) = now.pid.filter(|_| is_new) {

@@ -43,7 +43,7 @@ pub(super) struct SearchArguments {
     /// The most likely place, for `square` and `sector`; without it, the first point of FILE.
     #[arg(long, allow_hyphen_values = true, value_name = "LAT,LON", value_parser = parse_degrees)]
     datum: Option<Degrees>,
-    /// Search this far from the datum, in metres; the length of a leg of `sector`.
+    /// Search within this distance of the datum, in metres; for `sector`, the length of a leg.
     #[arg(long, value_name = "M", default_value_t = 100.0, value_parser = parse_gap)]
     radius: f64,
     /// Fly tracks at most this far apart, in metres.
@@ -55,9 +55,9 @@ pub(super) struct SearchArguments {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum SearchPattern {
-    /// Expanding square, divided among the vehicles.
+    /// An expanding square, divided among the vehicles.
     Square,
-    /// Sectors through the datum, each vehicle at a height of its own.
+    /// Sectors through the datum, flown by each vehicle at its own height.
     Sector,
     /// Lines along the longer side of an area.
     Parallel,

@@ -31,7 +31,7 @@ fn parse_clearance(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "expected a number of metres from 0 to 1000".to_owned())
 }
 
-/// The ground below a plan, and the least height above it.
+/// The ground below a plan, and the minimum height above it.
 pub(super) struct Ground {
     terrain: Terrain,
     clearance_m: f64,
@@ -44,7 +44,8 @@ impl Ground {
         check_terrain(document, &height, self.clearance_m)
     }
 
-    /// The least height of a plan above the ground, in metres, and the item to which that leg leads, counted from 0.
+    /// The minimum height of a plan above the ground, in metres, and the item to which that leg leads, counted from
+    /// 0.
     pub(super) fn lowest(&self, document: &Document) -> Option<(f64, usize)> {
         let height = |place| self.terrain.height_m(place);
         let legs = legs(document, &height).into_iter();

@@ -57,7 +57,7 @@ pub(super) struct FlyingArguments {
 #[derive(Debug, Args)]
 pub(super) struct AirArguments {
     /// Use this airframe: a frame file of ArduPilot's SITL, in JSON. Use the option once for all vehicles, or several
-    /// times: one file for each vehicle, the last one for all that follow.
+    /// times: one file for each vehicle; the last one applies to all further vehicles.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
     /// The mean wind: speed in m/s, and the direction from which it blows, in degrees.
@@ -347,7 +347,7 @@ struct PairRow {
     vertical_m: f64,
     at_s: f64,
     conflict: bool,
-    /// The least lateness that brings them into conflict; `null` if more than 3 s.
+    /// The shortest delay of one of them that brings them into conflict, in seconds; `null` if more than 3 s.
     late_s: Option<u32>,
 }
 

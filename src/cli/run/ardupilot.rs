@@ -25,7 +25,7 @@ const READY_WITHIN: Duration = Duration::from_secs(120);
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
 /// The interval of checks while no vehicle sends anything.
 const LOOK_EVERY: Duration = Duration::from_millis(5);
-/// The most pieces of output in a queue.
+/// The maximum number of pieces of output in a queue.
 const PIECES_KEPT: usize = 256;
 const PIECE_LEN: usize = 4096;
 

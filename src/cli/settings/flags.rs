@@ -55,7 +55,7 @@ pub(in crate::cli) struct Common {
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
-    /// Set the log level: error, warn, info, debug or trace, also for single parts: `warn,sortie::link=debug`.
+    /// Set the log level: error, warn, info, debug or trace, also for single modules: `warn,sortie::link=debug`.
     #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
     log_level: Option<String>,
 }

@@ -18,7 +18,7 @@ use crate::vehicle::VehicleId;
 pub(super) enum Verdict {
     /// The repeated flight matches the record.
     Verified,
-    /// The same for a free flight whose input log has no end, as far as the log goes.
+    /// The repeated flight matches the record of a free flight as far as its input log goes, which has no end.
     VerifiedPart,
     /// The repeated flight differs from the record.
     Differs,

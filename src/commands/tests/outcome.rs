@@ -154,7 +154,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &air,
             &Command::Arming(ArmingCommand::Disarm),
             4,
-            "disarm refused: it is in the air; land it, or use kill to stop the motors",
+            "disarm refused: it is in the air: use `land`, or `kill` to stop the motors",
         ),
         (
             "orbit",

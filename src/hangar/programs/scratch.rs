@@ -1,4 +1,4 @@
-//! A temporary folder.
+//! A temporary folder, removed when it is dropped.
 
 use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;

@@ -1,4 +1,4 @@
-//! The service's status.
+//! Answers the request for the service's status.
 
 use std::sync::Arc;
 

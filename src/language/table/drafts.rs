@@ -61,7 +61,7 @@ fn edit(edit: Edit) -> Built {
     line(DraftLine::Edit(edit))
 }
 
-/// A change of the items that a line names.
+/// A change to the items that a line names.
 fn items(given: &Arguments, change: ItemsChange) -> Built {
     edit(Edit::Items {
         list: list(given),

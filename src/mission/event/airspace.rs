@@ -13,7 +13,7 @@ use crate::vehicle::VehicleId;
 
 /// Vehicles closer than this have collided.
 const TOUCH_M: f64 = 0.5;
-/// The same distance for an aircraft, which is larger.
+/// Vehicles closer than this to an aircraft have collided with it; it is larger than they are.
 const AIRCRAFT_M: f64 = 5.0;
 /// A vehicle this near to a person, and as low as this, injures the person.
 const HURTS_WITHIN_M: f64 = 1.0;

@@ -15,7 +15,7 @@ use crate::text::Text;
 const WHILE: Duration = Duration::from_secs(20);
 /// The distance from the working area at which an aircraft appears and disappears.
 const APPROACH_M: f64 = 600.0;
-/// The same distance for people.
+/// The distance from the working area at which people appear and disappear.
 const WALK_M: f64 = 40.0;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

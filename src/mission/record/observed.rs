@@ -14,7 +14,7 @@ use crate::vehicle::{
 };
 use crate::wire::AUTOPILOT_COMPONENT;
 
-/// The changes of one vehicle.
+/// The changes in the state of one vehicle.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct ObservedVehicle {
     id: VehicleId,

@@ -11,14 +11,14 @@ use crate::text;
 use crate::text::{Text, clock, figure};
 use crate::vehicle::{Mode, Severity, VehicleId};
 
-/// The most conflicts that are reported.
+/// The maximum number of conflicts that are reported.
 const MOST_CONFLICTS: usize = 5;
 
 /// A vehicle of a rehearsal.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seat {
     pub(super) vehicle: VehicleId,
-    /// What is left in its battery, in percent.
+    /// The remaining charge of its battery, in percent.
     pub(super) charge_percent: f64,
     /// The plan that is flown.
     pub(super) plan: ContentHash,
@@ -32,7 +32,7 @@ pub struct Rehearsed {
     pub findings: RehearsalFindings,
 }
 
-/// What a rehearsal has found, for as long as the vehicles carry the same plans.
+/// The findings of a rehearsal, which hold as long as the vehicles carry the same plans.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RehearsalFindings {
     /// Where vehicles come too close to each other.
@@ -49,7 +49,7 @@ pub struct FailedRehearsal {
     pub vehicle: VehicleId,
     /// The plan that was flown.
     pub plan: ContentHash,
-    /// What happens to the vehicle.
+    /// The fate of the vehicle, in words.
     pub reason: Text,
 }
 
@@ -162,7 +162,7 @@ fn minutes(seconds: f64) -> String {
     clock(Duration::from_secs_f64(seconds.max(0.0)))
 }
 
-/// What becomes of a vehicle, and whether that is as planned.
+/// The outcome for a vehicle, and whether it is as planned.
 fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> (RowState, Text) {
     let time = minutes(flown.time_s);
     let used = 100.0 - flown.energy_left_percent;

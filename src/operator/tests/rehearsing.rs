@@ -106,7 +106,7 @@ fn the_wind_is_that_of_the_best_source_and_named() {
         conditions(&calm)
     );
     assert!(
-        conditions(&calm).contains("the wind is unknown"),
+        conditions(&calm).contains("wind unknown"),
         "{}",
         conditions(&calm)
     );

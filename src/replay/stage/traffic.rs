@@ -42,7 +42,7 @@ impl Traffic {
         self.sent.add(bytes);
     }
 
-    /// The rates of the recording's link, once a second. Losses and the like are not in a recording.
+    /// The rates of the recording's link, once a second. A recording contains no losses.
     pub fn summary(&mut self, film: &Film, now: Duration) -> Option<LinkSummary> {
         let span = now.saturating_sub(self.since);
         if span < SPAN {

@@ -1,4 +1,4 @@
-//! What a task does: its answers, and the requests that are due.
+//! The work of a task: handling its answers, and sending the requests that are due.
 
 use std::time::Duration;
 
@@ -27,10 +27,10 @@ pub(super) enum FtpWork {
     Closing(Exchange),
 }
 
-/// What an answer means for the task.
+/// The effect of an answer on the task.
 pub(super) enum FtpNews {
     Nothing,
-    /// The task continues.
+    /// The task continues; the event reports its progress.
     Progress(FtpEvent),
     /// The task is done or has failed; a session that it may have opened is left to close.
     End(FtpEvent),
@@ -38,7 +38,7 @@ pub(super) enum FtpNews {
     Closed(Option<FtpEvent>),
 }
 
-/// What is due.
+/// The work that is due: requests to send, or the end of the task.
 pub(super) enum FtpDue {
     Requests(Vec<FtpRequest>),
     /// The task is done or has failed.

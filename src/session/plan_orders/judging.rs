@@ -8,7 +8,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle, VehicleClass, check_rules};
 
-/// The most warnings that a row shows.
+/// The maximum number of warnings that a row shows.
 const MOST_SHOWN: usize = 2;
 
 /// A document's list for a vehicle, with warnings, unless it has errors.

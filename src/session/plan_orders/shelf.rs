@@ -14,7 +14,7 @@ use crate::vehicle::{Severity, VehicleId};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanOnFile {
     pub document: Document,
-    /// What was assumed in reading it, such as heights that the file lacks.
+    /// The assumptions made in reading it, such as heights that the file lacks.
     pub notes: Vec<Text>,
 }
 

@@ -315,7 +315,7 @@ impl Transaction {
         let is_old = compare::is_same(self.kind, &self.old, &held);
         if !self.restores {
             if self.reason.is_none() && self.writes < WRITES {
-                // Refusals of items are explained; files are refused without a word. The file that was just read
+                // Refusals of items are explained; files are refused without a reason. The file that was just read
                 // shows that no other one is open.
                 self.by_file &= self.writes == 0;
                 self.write(desk);

@@ -15,7 +15,7 @@ use crate::link::{LinkStatus, Tap};
 const EXAMINE_EVERY: Duration = Duration::from_secs(1);
 /// The time between counts of the messages.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
-/// The same, if there are very many kinds of messages.
+/// The time between counts if there are more than [`MANY`] kinds of messages.
 const LOOK_AT_MANY_EVERY: Duration = Duration::from_secs(1);
 const MANY: usize = 4000;
 

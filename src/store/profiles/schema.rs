@@ -2,7 +2,7 @@
 
 use rusqlite::{Connection, TransactionBehavior};
 
-/// The changes of each version from the previous one.
+/// The changes from each version to the next.
 const STEPS: [&str; 1] = ["
     CREATE TABLE profiles (
         -- Never used again: whoever still holds a removed profile must not write into somebody else's.

@@ -1,4 +1,4 @@
-//! The debrief.
+//! The debrief: the result at a glance, the text, and the map of the truth.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;

@@ -17,9 +17,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, clip, clock, width, wrap};
 use crate::vehicle_id::ranges;
 
-/// The least cells of the time line; below that it is left out.
+/// The minimum number of cells for the time line; with fewer, it is left out.
 const SHORTEST: usize = 10;
-/// The least cells of the time line beside a message, which otherwise is above it.
+/// The minimum number of cells for the time line beside a message; with fewer, the message is above it.
 const SHORTEST_BESIDE: usize = 20;
 /// The keys beside the time line get one column in this many, on a screen of at least this width and on a narrower one.
 const WIDE_BAR: usize = 120;
@@ -73,7 +73,7 @@ pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
     line.draw(cells, hints, panel.look)
 }
 
-/// The same line with a message in place of the keys, if both fit.
+/// The last line with a message in place of the keys, if both fit.
 pub fn bar_beside<'a>(
     state: &State,
     view: &ReplayView,

@@ -178,7 +178,7 @@ fn a_vehicle_that_leaves_its_plan_is_said_to_with_the_name_of_the_mode() {
     let said = text(&flown.stdout);
     assert_eq!(flown.status.code(), Some(1), "{said}");
     assert!(said.contains("left its plan for LAND"), "{said}");
-    assert!(said.contains("broken at"), "{said}");
+    assert!(said.contains("breached at"), "{said}");
 }
 
 #[test]

@@ -281,7 +281,7 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     let brief = console.press("B").screen(80, 50);
     for line in [
         "your tries",
-        "2026-11-21 14:03  905 points, gold, the best",
+        "2026-11-21 14:03  905 points, gold, best so far",
         "2026-11-22 14:03  310 points, no medal",
         "2026-11-26 14:03  837 points, silver",
     ] {

@@ -132,11 +132,11 @@ fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
     let told = |console: &Console| console.state().notices().lines().len();
     console.at(4).hear(findings());
     assert_eq!(told(&console), 0, "too early");
-    shows(&console, &["link doctor: nothing arrives at all"]);
+    shows(&console, &["link doctor: no data arrives"]);
     console.at(5).hear(findings());
     console.at(6).hear(findings());
     assert_eq!(told(&console), 1);
-    shows(&console, &["udpin:0.0.0.0:14550: nothing arrives at all"]);
+    shows(&console, &["udpin:0.0.0.0:14550: no data arrives"]);
     let mut console = Console::flying(1);
     console.hear(LinkEvent::Summaries(vec![link(
         "udpin:0.0.0.0:14550",

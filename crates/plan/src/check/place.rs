@@ -112,7 +112,7 @@ fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-/// The least distance of a point from a leg.
+/// The shortest distance between a point and a leg.
 fn nearest_m(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let leg = [to[0] - from[0], to[1] - from[1]];
     let way = [point[0] - from[0], point[1] - from[1]];

@@ -23,8 +23,8 @@ pub struct Leg {
     pub length_m: f64,
     /// Whether its heights count from the ground at both ends, so that the vehicle follows the ground.
     pub follows_ground: bool,
-    /// The least height above the ground, in metres, and where it is, in metres from the start; `None` if a part of the
-    /// leg is not covered.
+    /// The minimum height above the ground, in metres, and where it is, in metres from the start; `None` if a part of
+    /// the leg is not covered.
     pub lowest: Option<[f64; 2]>,
 }
 

@@ -109,7 +109,7 @@ impl<'a> Crew<'a> {
         effort(self.scene, &work).map_or(f64::INFINITY, |effort| effort.hover_s)
     }
 
-    /// The least energy limit with which all work is done, and the ends of the shares.
+    /// The lowest energy limit with which all work is done, and the ends of the shares.
     fn cut(&self) -> Option<(f64, Vec<f64>)> {
         let length_m = self.way.length_m();
         let alone = self.order.iter().map(|it| self.cost(*it, 0.0, length_m));

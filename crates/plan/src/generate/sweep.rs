@@ -7,7 +7,7 @@ use super::tour::{Begin, Way, cells, tour};
 use super::{Course, GenerateError, Scene};
 use crate::pattern::{Lane, Strips, distance_to_segment, is_in_rings};
 
-/// The most directions that are tried.
+/// The maximum number of directions that are tried.
 const MOST_COURSES: usize = 24;
 /// The points across an area at which its cover is tested.
 const SAMPLES: f64 = 100.0;

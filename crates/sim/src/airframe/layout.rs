@@ -55,7 +55,7 @@ const DODECA: &[(f64, f64)] = &[
 /// The supported numbers of motors.
 pub(super) const COUNTS: [usize; 5] = [4, 6, 8, 10, 12];
 
-/// The plus frame with a number of motors.
+/// A plus frame with this number of motors.
 pub(super) fn standard(count: usize, radius_m: f64) -> Vec<Motor> {
     let angles: Vec<(f64, f64)> = match count {
         6 => HEXA.to_vec(),

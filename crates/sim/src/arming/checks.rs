@@ -14,7 +14,7 @@ use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 use crate::plan::Item;
 
-/// The time between reports of the reasons against arming.
+/// The time between reports of the reasons not to arm.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
 /// The delay of a report of new reasons, after the last report.
 pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
@@ -136,14 +136,14 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) mission: &'a [Item],
     /// Whether there is a rally point.
     pub(crate) has_rally_point: bool,
-    /// The reasons against arming from the battery, the bench and the fence.
+    /// The reasons not to arm from the battery, the bench and the fence.
     pub(crate) battery: Option<&'static str>,
     pub(crate) workbench: Vec<&'static str>,
     pub(crate) fence: Option<&'static str>,
 }
 
 impl ArmingChecks<'_> {
-    /// The reasons against arming now; empty if there are none.
+    /// The reasons not to arm now; empty if there are none.
     pub(crate) fn obstacles(&self) -> Vec<Reason> {
         let values = &self.rules.values;
         let motors = self.motor_obstacles();

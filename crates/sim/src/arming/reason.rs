@@ -1,4 +1,4 @@
 use std::borrow::Cow;
 
-/// A reason against arming, as the vehicle words it.
+/// A reason not to arm, as the vehicle words it.
 pub(crate) type Reason = Cow<'static, str>;

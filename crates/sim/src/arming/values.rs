@@ -17,7 +17,7 @@ const STICK_MAX_US: f64 = 1700.0;
 /// The number of receiver channels that are checked.
 const CHANNELS: usize = 8;
 
-/// The reasons against arming that lie in parameters.
+/// The reasons not to arm that lie in parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ValueChecks {
     /// About the motors; with such a reason, no other check is made.

@@ -107,7 +107,7 @@ impl Autopilot {
         self.vehicle.safety.armed || (is_checked && self.arming_checks().obstacles().is_empty())
     }
 
-    /// Reports the reasons against arming when a report is due.
+    /// Reports the reasons not to arm when a report is due.
     pub(super) fn report_obstacles(&mut self) {
         let vehicle = &self.vehicle;
         let looks = vehicle.steps.is_multiple_of(LOOK_STEPS);

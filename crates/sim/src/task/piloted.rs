@@ -117,7 +117,7 @@ fn deflection(cockpit: &Cockpit<'_>) -> DVec2 {
     DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]))
 }
 
-/// The same where the sticks may refer to another heading than the nose (SIMPLE mode).
+/// The deflection of the sticks where they may refer to another heading than the nose (SIMPLE mode).
 fn simple_deflection(cockpit: &Cockpit<'_>) -> DVec2 {
     let stick = deflection(cockpit);
     match cockpit.stick_heading_deg {

@@ -88,7 +88,7 @@ impl Sketch {
         }
     }
 
-    /// The same, as part of a vehicle's plan.
+    /// The sketch, as part of a vehicle's plan.
     fn of_plan(self, vehicle: &Vehicle) -> Self {
         Self {
             vehicle: Some(vehicle.id),

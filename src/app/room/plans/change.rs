@@ -1,4 +1,4 @@
-//! Changes of the current draft.
+//! Changes to the current draft.
 
 use std::sync::Arc;
 

@@ -187,8 +187,8 @@ pub(super) fn take_by_key(state: &mut State) {
     }
 }
 
-/// The lines that upload each list of a draft to vehicles, like those for a file of that name. With a plan, a
-/// fence and rally points that all of them carry already are left out.
+/// The lines that upload each list of a draft to vehicles, like those for a file of that name. If the draft has a
+/// plan, a fence and rally points that all vehicles carry already are left out.
 ///
 /// # Errors
 /// The draft is empty.
@@ -245,7 +245,7 @@ pub fn is_kept(state: &State) -> bool {
     drafts.iter().all(|draft| is_elsewhere(state, draft))
 }
 
-/// Whether the content of a draft is also in a file, or on board of the vehicle that it is meant for.
+/// Whether the content of a draft is also in a file, or on board the vehicle that it is meant for.
 pub fn is_elsewhere(state: &State, draft: &Draft) -> bool {
     if draft.is_kept() {
         return true;

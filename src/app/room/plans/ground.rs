@@ -10,7 +10,7 @@ use crate::geo::{LatLon, Square, Terrain};
 use crate::text;
 use crate::vehicle::Severity;
 
-/// The least height above the ground, in metres, below which a leg is a fault.
+/// The height above the ground below which a leg is a fault, in metres.
 pub(super) const CLEARANCE_M: f64 = 10.0;
 
 /// The ground that the room knows.
@@ -45,7 +45,7 @@ pub(super) fn choose(state: &mut State, folder: Option<String>) {
     }
 }
 
-/// The question for the squares below the drafts that have not been asked for yet.
+/// Requests the ground in the squares below the drafts that have not been requested yet.
 pub fn wanted_ground(state: &mut State) -> Option<Effect> {
     let folder = state.rooms.plans.ground.folder.clone()?;
     let home = change::home(state).map(|home| Square::of(LatLon::from_e7(home.x, home.y)));
@@ -61,7 +61,7 @@ pub fn wanted_ground(state: &mut State) -> Option<Effect> {
     Some(Effect::File(FileEffect::Ground { folder, squares }))
 }
 
-/// Handles the answer to it: the ground of the squares that have files.
+/// Handles the answer to [`wanted_ground`]: the ground of the squares that have files.
 pub fn ground_read(state: &mut State, folder: &str, terrain: Terrain) {
     let own = &mut state.rooms.plans.ground;
     if own.folder.as_deref() != Some(folder) {

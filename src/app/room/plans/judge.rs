@@ -30,7 +30,7 @@ pub fn pace(state: &State) -> Pace {
     }
 }
 
-/// What is wrong with a document by the rules of the vehicle under the cursor.
+/// The faults of a document, by the rules of the vehicle under the cursor.
 pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles().get(&id));

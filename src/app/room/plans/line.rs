@@ -1,4 +1,4 @@
-//! Lines about drafts.
+//! Carries out lines about drafts, except uploads.
 
 use super::{change, divide, files, ground, trial};
 use crate::app::State;

@@ -311,7 +311,7 @@ impl Bench {
         }
     }
 
-    /// The first fault that a change of a slot causes.
+    /// The first fault that a change to a slot causes.
     fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()

@@ -42,7 +42,7 @@ pub fn is_saved(state: &State) -> bool {
     design.is_empty() || stored(state).iter().any(|it| it.design == design)
 }
 
-/// Handles a change of the trainee's own designs: the bench may match one of them now.
+/// Handles a change to the trainee's own designs: the bench may match one of them now.
 pub fn heard(state: &mut State) {
     let bench = &mut state.rooms.workshop.bench;
     let own = state

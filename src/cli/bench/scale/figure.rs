@@ -16,7 +16,7 @@ pub(super) struct Figure {
     pub title: &'static str,
     /// Measured points: the number of vehicles, and percent of a core.
     pub measured: Vec<(f64, f64)>,
-    /// The paper's least and most at a vehicle number of 0 and at the highest.
+    /// The paper's minimum and maximum without vehicles, and at the highest number of vehicles.
     pub paper: [[(f64, f64); 2]; 2],
     pub most_vehicles: f64,
     /// Where the vertical axis ends: a number with few digits.

@@ -19,7 +19,7 @@ const TAKEOFF_M: f64 = 10.0;
 /// The distance to the north and the height of the second command.
 const TARGET_NORTH_M: f64 = 1000.0;
 const TARGET_HEIGHT_M: f64 = 200.0;
-/// The least movement, up or north, of a vehicle that has obeyed.
+/// The minimum movement, up or north, of a vehicle that has obeyed, in metres.
 const MOVED_M: f64 = 2.0;
 /// How long all vehicles may take to obey, besides the time between two commands.
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
@@ -32,7 +32,7 @@ const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 pub(super) struct TrialPlan {
     /// The length of the measurement.
     pub window: Duration,
-    /// The least time between two kinds of commands.
+    /// The minimum time between two kinds of commands.
     pub spacing: Duration,
 }
 

@@ -33,13 +33,13 @@ pub(super) struct TeamArguments {
     /// Keep the heights at which vehicles cross this far apart, in metres.
     #[arg(long, value_name = "M", default_value_t = 6.0, value_parser = super::super::deconflict::parse_layer)]
     pub(super) layer: f32,
-    /// Fly at this speed, in m/s; by default at the vehicle's own.
+    /// Fly at this speed, in m/s; by default at the vehicle's own speed.
     #[arg(long, value_name = "M/S", value_parser = parse_speed)]
     pub(super) speed: Option<f64>,
     /// Stay inside the fence of this file; the plans contain it.
     #[arg(long, value_name = "FILE")]
     fence: Option<PathBuf>,
-    /// Write the plans: to `part-1.plan` and so on in this folder, or to files with this name, in which `{id}` is the
+    /// Write the plans to `part-1.plan` and so on in this folder, or to files with this name, in which `{id}` is the
     /// vehicle's number and the extension decides the format.
     #[arg(long, value_name = "DIR|NAME")]
     pub(super) write: Option<PathBuf>,

@@ -37,7 +37,7 @@ impl Part {
     }
 }
 
-/// What may stand before a value.
+/// The tokens that may precede a value.
 enum OperandPrefix {
     Bracket,
     Not,

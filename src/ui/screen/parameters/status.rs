@@ -73,7 +73,7 @@ fn progress(
         Fetching::Stalled | Fetching::NotAsked | Fetching::UnderWay { .. }
             if state.replay().is_some() =>
         {
-            // Values that nobody asked for have no index.
+            // Values that were not requested have no index.
             let received = known.map_or(0, |known| known.list.len());
             let text = text!("parameters-recorded", received = received, count = count);
             (text, Role::Muted)

@@ -61,7 +61,7 @@ fn leg(stop: &Stop, panel: Panel<'_>) -> String {
     format!("{}, {}", panel.text(&text), percent(slope))
 }
 
-/// The least height above the ground on the leg to an item, where the ground is known.
+/// The minimum height above the ground on the leg to an item, where the ground is known.
 fn above_ground(shown: &Shown<'_>, row: usize) -> Option<Text> {
     let ground = shown.room.ground();
     if ground.is_empty() || shown.room.list() != ListKind::Plan {

@@ -21,7 +21,7 @@ use crate::ui::widget::{aligned, put, row_of};
 
 /// Columns of the heights at the left.
 const AXIS: u16 = 6;
-/// The least height at the top, in metres.
+/// The minimum height at the top of the scale, in metres.
 const LEAST_TOP_M: f64 = 10.0;
 
 /// Places along the way whose ground decides the scale.

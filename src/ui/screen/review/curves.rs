@@ -18,7 +18,7 @@ use crate::ui::widget::put;
 /// A reading of a flight at a time of its mission.
 type Reading = fn(&ComparedFlight, Duration) -> Option<f64>;
 
-/// The curves: name, reading, and the least value at the top.
+/// The curves: name, reading, and the minimum value at the top of the scale.
 const CURVES: [(&str, Reading, f64); 2] = [
     ("compare-height", ComparedFlight::height_m, 1.0),
     ("compare-battery", ComparedFlight::battery_percent, 100.0),

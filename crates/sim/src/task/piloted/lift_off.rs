@@ -8,7 +8,7 @@ use crate::kinematics::square_root;
 
 /// The time from a climb by stick to the lift-off.
 const SPOOL: Duration = Duration::from_millis(1400);
-/// The same in a mode in which the stick drives the motors: fitted to a climb of 51 m in 7.8 s.
+/// The time to the lift-off in a mode in which the stick drives the motors: fitted to a climb of 51 m in 7.8 s.
 const MANUAL_SPOOL: Duration = Duration::from_millis(850);
 /// How long the throttle stick must ask for a climb until a takeoff to a height begins.
 const TRIGGERS: Duration = Duration::from_millis(400);
