@@ -34,7 +34,7 @@ pub use daily::daily_seed;
 pub use daily::exam_seed;
 pub use economy::{STARTER_PARTS, licence_price};
 pub use growth::{Growth, SkillMove, Try, Wealth};
-pub use knowledge::{Knowledge, Lack, Mastery};
+pub use knowledge::{Knowledge, Lack, MASTERY_CHANCE, Mastery};
 pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
 pub use reward::{OpenedItem, Reward, SkillChange};
 pub use skill::{Evidence, EvidenceBasis};

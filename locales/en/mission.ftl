@@ -7,7 +7,7 @@ mission-abandoned = abandoned
 mission-not-finished = not finished
 mission-over = mission { $outcome }
 mission-time-left = { $seconds } s left
-mission-objective-met = objective met: { $objective } ({ $result })
+mission-objective-met = objective met: { $objective }: { $result }
 mission-objective-open = objective open again: { $objective } ({ $result })
 
 mission-sensor-gas = gas
@@ -59,7 +59,7 @@ mission-hit-ground = hit the ground at { $speed } m/s
 mission-too-high = above { $height } m
 mission-outside-fence = outside geofence { $fence }
 mission-off-pad = landed { $distance } m off the pad
-mission-low-reserve = landed with { $percent } % battery
+mission-low-reserve = landed with { $percent } % battery: needs { $needed } %
 mission-not-landed = in the air when the mission ended
 mission-end-reserve = { $percent } % battery when the mission ended
 mission-battery-critical = battery critical

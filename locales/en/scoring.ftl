@@ -40,8 +40,8 @@ scoring-commands-forgiven = { $count ->
     [one] 1 refusal
    *[other] { $forgiven } refusals
 } forgiven
-scoring-commands-faulty = { $faults } of { $count } commands (per drone)
-scoring-rejected = { $count } rejected
+scoring-commands-faulty = { $faults }; { $count } commands, counted per drone
+scoring-rejected = { $count } refused
 scoring-unsafe = { $count } unsafe
 scoring-twice = { $count } given twice
 

@@ -7,7 +7,7 @@ mission-abandoned = припинено
 mission-not-finished = не завершено
 mission-over = завдання: { $outcome }
 mission-time-left = залишилося { $seconds } s
-mission-objective-met = ціль досягнуто: { $objective } ({ $result })
+mission-objective-met = ціль досягнуто: { $objective }: { $result }
 mission-objective-open = ціль знову не досягнуто: { $objective } ({ $result })
 
 mission-sensor-gas = газ
@@ -66,7 +66,7 @@ mission-hit-ground = удар об землю на швидкості { $speed }
 mission-too-high = вище за { $height } m
 mission-outside-fence = поза геозоною { $fence }
 mission-off-pad = посадка за { $distance } m від майданчика
-mission-low-reserve = посадка із зарядом { $percent } %
+mission-low-reserve = посадка із зарядом { $percent } %: потрібно { $needed } %
 mission-not-landed = у повітрі наприкінці завдання
 mission-end-reserve = заряд { $percent } % наприкінці завдання
 mission-battery-critical = критичний заряд акумулятора

@@ -36,8 +36,9 @@ scoring-commands-clean = { $count ->
 }
 scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->
-    [one] { $faults } з { $count } команди (по дронах)
-   *[many] { $faults } з { $count } команд (по дронах)
+    [one] { $faults }; { $count } команда, лік за дронами
+    [few] { $faults }; { $count } команди, лік за дронами
+   *[many] { $faults }; { $count } команд, лік за дронами
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }

@@ -26,7 +26,7 @@ const HALF_LIFE_DAYS: f64 = 14.0;
 const REVIEW_GROWTH: f64 = 1.8;
 const LONGEST_HALF_LIFE_DAYS: f64 = 180.0;
 /// The probability required for mastery.
-const MASTERED: f64 = 0.95;
+pub const MASTERY_CHANCE: f64 = 0.95;
 const OPPORTUNITIES: u32 = 4;
 const MISSIONS: usize = 2;
 const DAYS: usize = 2;
@@ -156,8 +156,8 @@ impl Knowledge {
         }
         let more = |have: usize, needed: usize| needed.saturating_sub(have);
         let mut lacks = Vec::new();
-        if self.chance(day) < MASTERED {
-            lacks.push(Lack::Chance((MASTERED * 100.0).round() as u8));
+        if self.chance(day) < MASTERY_CHANCE {
+            lacks.push(Lack::Chance((MASTERY_CHANCE * 100.0).round() as u8));
         }
         let flights = more(self.opportunities as usize, OPPORTUNITIES as usize);
         lacks.extend((flights > 0).then_some(Lack::Flights(flights)));
@@ -198,7 +198,7 @@ impl Knowledge {
         self.opportunities += 1;
         self.missions.insert(mission.to_owned());
         self.days.insert(day);
-        self.was_mastered |= self.chance >= MASTERED
+        self.was_mastered |= self.chance >= MASTERY_CHANCE
             && self.opportunities >= OPPORTUNITIES
             && self.missions.len() >= MISSIONS
             && self.days.len() >= DAYS;

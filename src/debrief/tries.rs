@@ -2,7 +2,7 @@
 
 use super::DebriefPage;
 use super::layout::right;
-use crate::scoring::{Report, ScoreGrade, TryReport};
+use crate::scoring::{Report, TryReport};
 
 /// Points per column of a bar.
 const PER_COLUMN: u16 = 20;
@@ -21,14 +21,13 @@ impl DebriefPage<'_> {
         self.heading("debrief-tries");
         for (one, score) in shown(&scored) {
             let bar = "#".repeat(usize::from(score / PER_COLUMN));
-            let letter = ScoreGrade::of(score).letter();
             let (number, kind) = if one.is_practice {
                 (String::new(), self.locale.say("debrief-practice"))
             } else {
                 (one.attempt.to_string(), String::new())
             };
             let number = right(&number, 4);
-            let words = format!("{number}  {score:>4} {letter}  {bar} {kind}");
+            let words = format!("{number}  {score:>4}  {bar} {kind}");
             self.line(words.trim_end());
         }
         self.gap();

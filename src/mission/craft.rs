@@ -260,7 +260,11 @@ impl Craft {
             ));
         }
         if let Some(percent) = self.below_reserve(mission) {
-            let text = text!("mission-low-reserve", percent = format!("{percent:.0}"));
+            let text = text!(
+                "mission-low-reserve",
+                percent = format!("{percent:.0}"),
+                needed = format!("{:.0}", mission.rules.land_reserve_percent)
+            );
             breaches.push((SafetyKind::LowReserve, text));
         }
         breaches

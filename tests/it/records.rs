@@ -226,7 +226,7 @@ fn a_record_of_a_mission_that_was_rewritten_says_so() {
         [text, json].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
     };
     let [text, json] = of(&record);
-    assert!(!text.contains("scores do not compare"), "{text}");
+    assert!(!text.contains("scores cannot be compared"), "{text}");
     assert!(json.contains("\"mission_file\": \"course\""), "{json}");
     let rewritten = record.replacen(
         "objective = 0.45, quality = 0.20",

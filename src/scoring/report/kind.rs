@@ -164,16 +164,4 @@ impl ScoreGrade {
             _ => Self::F,
         }
     }
-
-    /// The letter, the same in every language.
-    pub fn letter(self) -> char {
-        match self {
-            Self::S => 'S',
-            Self::A => 'A',
-            Self::B => 'B',
-            Self::C => 'C',
-            Self::D => 'D',
-            Self::F => 'F',
-        }
-    }
 }

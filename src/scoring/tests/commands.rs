@@ -135,7 +135,7 @@ fn a_command_to_several_counts_for_each_whoever_refuses_it() {
     let tally = log.tally(&ledger);
     assert_eq!((tally.given, tally.rejected, tally.accepted), (3, 2, 1));
     let words = tally.value_and_words().1;
-    assert_eq!(words, "2 rejected of 3 commands (per drone)");
+    assert_eq!(words, "2 refused; 3 commands, counted per drone");
 }
 
 proptest! {

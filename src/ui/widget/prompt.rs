@@ -59,8 +59,14 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
         draw_examples(state, panel.at(below(inner, row + 1)), buffer);
     } else if prompt.fault().is_none() {
         let text = panel.text(&advice(state, prompt.purpose()));
-        let line = Line::styled(text, panel.style(Role::Muted));
-        put(buffer, inner, 1, &line);
+        for (row, line) in (1..).zip(wrap(&text, usize::from(inner.width))) {
+            put(
+                buffer,
+                inner,
+                row,
+                &Line::styled(line, panel.style(Role::Muted)),
+            );
+        }
     }
     cursor
 }

@@ -287,6 +287,13 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     ] {
         assert!(brief.contains(line), "{line}: {brief}");
     }
+    // On a narrow screen, what to do comes before what was done.
+    let at = |what: &str| {
+        brief
+            .find(what)
+            .unwrap_or_else(|| panic!("{what}: {brief}"))
+    };
+    assert!(at("── objectives") < at("── your tries"), "{brief}");
     // The five newest attempts and the best one, without the unfinished one.
     assert!(!brief.contains("not finished"), "{brief}");
 }

@@ -119,6 +119,13 @@ fn parts_that_do_not_fit_look_so() {
         danger.contains("does not fit: the battery has 6 cells"),
         "{danger}"
     );
+    // Without room for the reason, no figure promises a gain.
+    let narrow = console.screen(80, 24);
+    let row = narrow
+        .lines()
+        .find(|line| line.contains("×LiPo 6S 5"))
+        .unwrap_or_else(|| panic!("{narrow}"));
+    assert!(!row.contains(['▲', '▼', '+']), "{narrow}");
 }
 
 #[test]

@@ -47,6 +47,9 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     first.brief();
     first.launch();
     first.points();
+    if !two {
+        first.objectives();
+    }
     first.tries();
     first.career();
     if two {
@@ -55,7 +58,6 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
         second.tasks();
         vec![first.text.finish(), second.text.finish()]
     } else {
-        first.objectives();
         first.workload();
         first.hints();
         first.rules();

@@ -94,7 +94,7 @@ fn title(report: &Report, panel: Panel<'_>) -> Line<'static> {
     Line::from(spans)
 }
 
-/// The outcome, such as `PASSED  ★★★ GOLD  ████████·· 887 / 1000  A`.
+/// The outcome, such as `PASSED  ★★★ GOLD  ████████·· 887 / 1000`.
 fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
     let role = if report.passed {
         Role::Ok
@@ -117,11 +117,7 @@ fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
         mark: None,
         role,
     };
-    let score = format!(
-        " {} / {PERFECT:.0}   {}",
-        report.score,
-        report.grade.letter()
-    );
+    let score = format!(" {} / {PERFECT:.0}", report.score);
     let mut spans = vec![
         Span::raw(" "),
         Span::styled(word, badge),

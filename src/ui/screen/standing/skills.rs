@@ -6,11 +6,12 @@ use ratatui::text::{Line, Span};
 
 use super::{StandingSubject, days};
 use crate::app::room::standing::Pane;
-use crate::campaign::{Lack, Mastery, Skill, SkillMove};
+use crate::campaign::{Lack, MASTERY_CHANCE, Mastery, Skill, SkillMove};
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
+use crate::ui::widget::gauge::Gauge;
 use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width};
 
 /// Columns of a skill's name, of its bar, and of its state.
@@ -85,19 +86,23 @@ fn line(
         skill.code(),
         aligned(&look.text(&skill.title()), name, false)
     );
-    let filled = (shown * BAR as f64).round() as usize;
+    let bar = Gauge {
+        share: shown,
+        mark: Some(MASTERY_CHANCE),
+        role,
+    };
     let end_role = if is_next { Role::Accent } else { Role::Muted };
-    Line::from(vec![
-        Span::raw(head),
-        Span::styled("█".repeat(filled), look.style(role)),
-        Span::styled("·".repeat(BAR - filled.min(BAR)), look.style(Role::Muted)),
+    let mut spans = vec![Span::raw(head)];
+    spans.extend(bar.spans(BAR, look));
+    spans.extend([
         Span::raw(percent),
         Span::styled(
             aligned(&look.text(&known.mastery(day).title()), MASTERY, false),
             look.style(role),
         ),
         Span::styled(end, look.style(end_role)),
-    ])
+    ]);
+    Line::from(spans)
 }
 
 /// Draws the changes of a skill, newest first.

@@ -171,18 +171,19 @@ impl PartColumns {
                 let reason = aligned(&look.text(reason), room, false);
                 spans.push(Span::styled(format!("  {reason}"), look.style(Role::Muted)));
             }
-            misfit => {
-                let mut changes = self.changes(&candidate.sheet, before, look);
-                if misfit.is_some() {
-                    // A gain is not shown for a part that cannot be used.
-                    for span in &mut changes {
-                        span.style = look.style(Role::Muted);
-                    }
-                }
-                spans.extend(changes);
-            }
+            // A part that cannot be used brings no gain.
+            Some(_) => spans.extend(self.no_changes(look)),
+            None => spans.extend(self.changes(&candidate.sheet, before, look)),
         }
         Line::from(spans)
+    }
+
+    /// A dash in each column.
+    fn no_changes(&self, look: &Look) -> Vec<Span<'static>> {
+        let dash = |&(_, columns): &(Measure, usize)| {
+            Span::styled(aligned("-", columns, true), look.style(Role::Muted))
+        };
+        self.shown.iter().map(dash).collect()
     }
 
     fn changes(&self, after: &Sheet, before: &Sheet, look: &Look) -> Vec<Span<'static>> {
