@@ -1,8 +1,9 @@
 //! The run record: all inputs of a mission, as lines of JSON, from which it can be scored again.
 //!
 //! The first line is the [`Head`]: the mission's text, the seed, the attempt. Then come ticks with changes (vehicles
-//! and rows of the ledger), deeds and other occurrences, in order. The last line is the [`End`] with the score. A
-//! [`Flight`](super::Flight) is a function of these lines, so a truncated record is scored as far as it goes.
+//! and rows of the ledger), deeds and other occurrences, in order, and a tick every second in any case. The last line
+//! is the [`End`] with the score. A [`Flight`](super::Flight) is a function of these lines, so a truncated record is
+//! scored as far as it goes.
 //!
 //! Numbers of telemetry are stored as the integers that messages carry, so that reading gives exactly the received
 //! values. Explanations of refusals are stored in English, so a debrief from a record shows them in English whatever
@@ -14,7 +15,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Mission, Stake, TICK};
+use super::{Mission, Stake, TICK, is_due};
 use crate::commands::Deed;
 use crate::hash::RunningHash;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
@@ -35,6 +36,8 @@ pub use verification::{Divergence, Verification, refly};
 
 /// The version of the format.
 const VERSION: u32 = 1;
+/// The time between lines while nothing changes, so that a record without an end shows how long the flight was.
+const LINE_EVERY: Duration = Duration::from_secs(1);
 
 /// The circumstances of a recorded flight.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -191,7 +194,8 @@ impl Recorder {
         };
         let is_next = self.stepped.is_some_and(|before| now == before + TICK);
         self.stepped = Some(now);
-        self.is_step_written = !is_next || change != RecordChange::default();
+        self.is_step_written =
+            !is_next || change != RecordChange::default() || is_due(now, LINE_EVERY);
         if self.is_step_written {
             let t = now.as_millis() as u64;
             let s = self.simulated;

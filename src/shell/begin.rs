@@ -138,7 +138,7 @@ impl Console {
             return;
         };
         if self.is_cut_off || !running.counts_when_left() {
-            return running.forget_unbegun();
+            return running.close_record();
         }
         running.abandon();
         // The last events belong to a session that is no longer shown.

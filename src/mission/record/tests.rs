@@ -128,6 +128,19 @@ fn a_damaged_line_is_named_and_ends_the_record() {
 }
 
 #[test]
+fn a_record_without_an_end_lasts_as_long_as_its_flight() {
+    let mut pilot = recorded();
+    pilot.take_off(20.0);
+    pilot.land();
+    // Nothing changes any more.
+    pilot.wait(45.0);
+    let record = pilot.flight.take_record();
+    let (flown, recorded) = (pilot.report(), rescored(&record));
+    let missing_s = flown.sim_time_s - recorded.sim_time_s;
+    assert!((0.0..1.0).contains(&missing_s), "{missing_s}");
+}
+
+#[test]
 fn what_is_no_record_is_refused_with_the_reason() {
     for (text, reason) in [
         ("", "not a recorded run"),

@@ -4,6 +4,7 @@ use crossterm::event::KeyCode;
 
 use super::*;
 use crate::app::event::TerminalEvent;
+use crate::mission::record::Stored;
 use crate::scoring::TryReport;
 use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
@@ -84,6 +85,35 @@ async fn a_flight_that_is_cut_off_is_not_given_up() {
     Box::pin(console.close()).await;
     drop(console);
     assert!(tries(&runs).iter().all(|one| one.score.is_none()));
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_record_of_a_flight_that_is_left_is_written_to_its_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let runs = Runs::at(folder.path());
+    let mut console = Box::pin(reading(&runs)).await;
+    run(&mut console, 3).await;
+    console.feed(key(KeyCode::Enter)).await;
+    run(&mut console, 5).await;
+    // The drone takes off between two writes of the record.
+    for line in ["all guided", "all arm", "all takeoff 20"] {
+        say(&mut console, line).await;
+        run(&mut console, 3).await;
+    }
+    for _ in 0..7 {
+        tokio::time::sleep(TICK).await;
+        console.tick().await;
+    }
+    let mission = console.app.state().session().mission();
+    let elapsed = mission.expect("it is flown").elapsed;
+    console.is_cut_off = true;
+    Box::pin(console.close()).await;
+    let file = runs.newest().expect("a record");
+    let text = std::fs::read_to_string(file).expect("text");
+    let stored = Stored::read(&text).expect("a record");
+    let report = stored.rescore().expect("a good mission").report;
+    let missing_s = elapsed.as_secs_f64() - report.sim_time_s;
+    assert!(missing_s.abs() < 0.05, "{missing_s} s are missing");
 }
 
 #[tokio::test(start_paused = true)]

@@ -73,6 +73,14 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
+    /// Writes the rest of a flight that was left.
+    pub fn finish(self, flight: &mut Flight) {
+        if let Ok(mut file) = self.file {
+            // No console is left to show a fault.
+            drop(file.append(&flight.take_record()));
+        }
+    }
+
     pub fn discard(self) {
         if let Ok(file) = self.file {
             file.discard();

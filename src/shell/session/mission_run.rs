@@ -307,14 +307,20 @@ impl RunningSession {
         })
     }
 
-    /// Removes the record of a mission whose clock has not started.
-    pub fn forget_unbegun(&mut self) {
-        let run = self.mission_run.as_mut();
-        if let Some(run) = run.filter(|run| !run.driver.has_begun()) {
+    /// Ends the record of a mission that is left and does not count: if its clock has not started, the record is
+    /// removed.
+    pub fn close_record(&mut self) {
+        let Some(run) = &mut self.mission_run else {
+            return;
+        };
+        let Some(logbook) = run.logbook.take() else {
+            return;
+        };
+        if run.driver.has_begun() {
+            logbook.finish(run.driver.flight_mut());
+        } else {
             run.driver.flight_mut().stop_record();
-            if let Some(logbook) = run.logbook.take() {
-                logbook.discard();
-            }
+            logbook.discard();
         }
     }
 
