@@ -194,7 +194,7 @@ impl Replay {
             SeekTarget::Earlier(by) => Some(now.saturating_sub(by)),
             SeekTarget::Next(kind) => self.contents.near(now, true, Some(kind)),
             SeekTarget::Previous(kind) => self.contents.near(now, false, Some(kind)),
-            SeekTarget::Mission(elapsed) => self.film.clock().record_time(elapsed),
+            SeekTarget::Mission(elapsed) => self.film.clock().record_time(elapsed).map(showing),
             SeekTarget::End => Some(self.length()),
         }
     }

@@ -34,7 +34,11 @@ fn watched(recorded: &Recorded) -> (Replay, Observer) {
 }
 
 fn seek(replay: &mut Replay, observer: &mut Observer, to: Duration) {
-    let mut events = replay.steer(ReplayEffect::Seek(SeekTarget::At(to)));
+    go(replay, observer, SeekTarget::At(to));
+}
+
+fn go(replay: &mut Replay, observer: &mut Observer, target: SeekTarget) {
+    let mut events = replay.steer(ReplayEffect::Seek(target));
     while replay.player.goal() >= replay.stage.now() + FRAME {
         events.extend(replay.approach());
     }

@@ -72,6 +72,15 @@ fn the_clock_of_a_mission_that_was_left_runs_to_its_end() {
 }
 
 #[test]
+fn a_time_of_the_mission_is_shown_when_it_is_gone_to() {
+    let recorded = recorded_with(&run_left());
+    let (mut replay, mut observer) = watched(&recorded);
+    go(&mut replay, &mut observer, SeekTarget::Mission(s(20)));
+    let mission = observer.app().state().session().mission();
+    assert_eq!(mission.map(|it| it.elapsed), Some(s(20)));
+}
+
+#[test]
 fn a_missing_moment_is_told_with_its_direction() {
     let recorded = record();
     let (mut replay, mut observer) = watched(&recorded);
