@@ -45,7 +45,10 @@ profiles-recovered = a finished flight of { $profile } was missing and is stored
 profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }
-progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence ->
+progress-standing = { $credits ->
+    [one] 1 credit
+   *[other] { $credits } credits
+}, level { $level } ({ $experience } of { $next } experience), licence for { $licence ->
     [one] 1 drone
    *[other] { $licence } drones
 }, flights: { $flights }
@@ -92,4 +95,10 @@ stake-exam = exam
 stake-daily = daily
 answer-yes = yes
 answer-no = no
-profile-member = { $name }: { $credits } credits, level { $level }, licence for { $licence } drones, flights: { $flights }
+profile-member = { $name }: { $credits ->
+    [one] 1 credit
+   *[other] { $credits } credits
+}, level { $level }, licence for { $licence ->
+    [one] 1 drone
+   *[other] { $licence } drones
+}, flights: { $flights }

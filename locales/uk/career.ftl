@@ -46,7 +46,19 @@ profiles-recovered = завершений політ ({ $profile }) не бул�
 profiles-left-exam = { $profile }: іспит { $mission } залишено достроково; зараховано балів: { $score }
 
 progress-title = Поступ: { $name }
-progress-standing = кредитів { $credits }, рівень { $level } (досвід { $experience } з { $next }), ліцензія на кількість дронів { $licence }, польотів { $flights }
+progress-standing = { $credits ->
+    [one] { $credits } кредит
+    [few] { $credits } кредити
+   *[many] { $credits } кредитів
+}, рівень { $level } (досвід { $experience } з { $next }), ліцензія на { $licence ->
+    [one] { $licence } дрон
+    [few] { $licence } дрони
+   *[many] { $licence } дронів
+}, { $flights ->
+    [one] { $flights } політ
+    [few] { $flights } польоти
+   *[many] { $flights } польотів
+}
 progress-next = далі: { $skill } у «{ $mission }»
 progress-aids = поради: { $aids }
 progress-lang = мова: { $lang }
@@ -90,4 +102,16 @@ stake-exam = іспит
 stake-daily = варіант дня
 answer-yes = так
 answer-no = ні
-profile-member = { $name }: кредитів { $credits }, рівень { $level }, дронів за ліцензією { $licence }, польотів { $flights }
+profile-member = { $name }: { $credits ->
+    [one] { $credits } кредит
+    [few] { $credits } кредити
+   *[many] { $credits } кредитів
+}, рівень { $level }, ліцензія на { $licence ->
+    [one] { $licence } дрон
+    [few] { $licence } дрони
+   *[many] { $licence } дронів
+}, { $flights ->
+    [one] { $flights } політ
+    [few] { $flights } польоти
+   *[many] { $flights } польотів
+}

@@ -307,3 +307,51 @@ impl ProfileCommands<'_> {
         trainee::done(&text, &self.locale)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Language;
+
+    #[test]
+    fn the_list_counts_in_the_grammar_of_each_language() {
+        for (language, count, expected) in [
+            (
+                Language::English,
+                1,
+                "1 credit, level 2, licence for 1 drone,",
+            ),
+            (
+                Language::English,
+                3,
+                "3 credits, level 2, licence for 3 drones,",
+            ),
+            (
+                Language::Ukrainian,
+                1,
+                "1 кредит, рівень 2, ліцензія на 1 дрон,",
+            ),
+            (
+                Language::Ukrainian,
+                3,
+                "3 кредити, рівень 2, ліцензія на 3 дрони,",
+            ),
+            (
+                Language::Ukrainian,
+                5,
+                "5 кредитів, рівень 2, ліцензія на 5 дронів,",
+            ),
+        ] {
+            let line = text!(
+                "profile-member",
+                name = "Anna",
+                credits = count,
+                level = 2,
+                licence = count,
+                flights = count
+            );
+            let line = Locale::new(language).text(&line);
+            assert!(line.contains(expected), "{line}");
+        }
+    }
+}
