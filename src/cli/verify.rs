@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use clap::Args;
 
-use self::document::{FlyingHand, Verdict, VerifyDocument};
+use self::document::{FlyingHand, Standing, Verdict, VerifyDocument};
 use super::Failure;
 use super::settings::CliSettings;
 use crate::mission::Mission;
-use crate::mission::record::{Divergence, Rescored, Stored, refly};
-use crate::record::{Head, Journal, StoredInputs, Subject};
+use crate::mission::record::{Divergence, RecordExtent, Rescored, Stored, refly};
+use crate::record::{Journal, StoredInputs, Subject};
 use crate::scoring::{FlightBackend, MissionFile};
 use crate::store::{self, RecordFiles, RecordPublicKey, read_run};
 use crate::text;
@@ -69,27 +69,36 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
     let text = files.inputs.as_deref().map(read).transpose()?;
     let inputs = text.as_deref().map(StoredInputs::read).transpose()?;
-    let Some(run) = files.run.as_deref() else {
-        let written = files.journal.as_deref().map(read).transpose()?;
-        let journal = written.and_then(|lines| Journal::read(&lines).ok());
-        return judge_free(journal.as_ref(), inputs.as_ref());
+    let (journal, faults) = match files.read_journal() {
+        Ok(journal) => (journal, Vec::new()),
+        Err(fault) => (None, vec![fault]),
     };
-    let journal = files.head().ok();
+    let Some(run) = files.run.as_deref() else {
+        let judged = judge_free(journal.as_ref(), inputs.as_ref())?;
+        return Ok(judged.with_faults(faults));
+    };
     let stored = Stored::read(&read(run)?)?;
     let head = &stored.head;
     let mission = head.flown()?;
     let judged = judge_run(&stored, &mission, inputs.as_ref(), journal.as_ref())?;
+    // A flight without an end has no score.
+    let score = match judged.standing {
+        Standing::Unfinished => None,
+        Standing::Good | Standing::Bad => Some(stored.rescore()?.report.score),
+    };
     let document = VerifyDocument {
         mission: Some(mission.id),
         seed: Some(head.seed),
-        score: Some(stored.rescore()?.report.score),
+        score,
         recorded_score: stored.end().map(|end| end.score),
         flown_by: head.flown_by.map(FlyingHand::from),
         profile: head.profile.clone(),
         when: Some(head.when.clone()),
         ..judged
     };
-    Ok(document.stating(&["program", "profile", "when", "flown_by", "attempt"]))
+    Ok(document
+        .stating(&["program", "profile", "when", "flown_by", "attempt"])
+        .with_faults(faults))
 }
 
 /// Compares a flight without a mission, of which only the flight itself can be repeated.
@@ -117,7 +126,7 @@ fn judge_free(
     let document = match difference.or_else(|| contradiction(journal?, inputs)) {
         None => VerifyDocument {
             words,
-            is_good: true,
+            standing: Standing::Good,
             ..VerifyDocument::new(verdict, program)
         },
         Some(difference) => VerifyDocument::differing(difference, program),
@@ -156,7 +165,7 @@ fn judge_run(
     stored: &Stored,
     mission: &Mission,
     inputs: Option<&StoredInputs>,
-    journal: Option<&Head>,
+    journal: Option<&Journal>,
 ) -> Result<VerifyDocument, Text> {
     let head = &stored.head;
     let is_known = match store::mission_file(mission) {
@@ -172,17 +181,51 @@ fn judge_run(
     let difference = verification
         .as_ref()
         .and_then(|it| it.difference.clone())
-        .or_else(|| stored.misstatement(journal, inputs).map(at_the_start));
+        .or_else(|| {
+            let journal = journal.map(|it| &it.head);
+            stored.misstatement(journal, inputs).map(at_the_start)
+        });
     let program = head.program.clone();
     Ok(match (difference, verification) {
         (Some(difference), _) => VerifyDocument::differing(difference, program),
-        (None, Some(verification)) => VerifyDocument {
-            words: verified(stored, mission, verification.rescored.report.score),
-            is_good: true,
-            ..VerifyDocument::new(Verdict::Verified, program)
+        (None, Some(verification)) => match verification.extent {
+            RecordExtent::Whole => VerifyDocument {
+                words: verified(stored, mission, verification.rescored.report.score),
+                standing: Standing::Good,
+                ..VerifyDocument::new(Verdict::Verified, program)
+            },
+            RecordExtent::Part { to, went_on } => {
+                let is_left = !went_on && journal.is_some_and(Journal::is_whole);
+                unfinished(stored, to, is_left)
+            }
         },
         (None, None) => rescored(stored, program)?,
     })
+}
+
+/// The result for a flight that matches its record, which ends at a mission time without a score: it was left, as its
+/// journal states, or the record was cut off.
+fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
+    let head = &stored.head;
+    let (mission, seed) = (head.mission.as_str(), head.seed.to_string());
+    let (verdict, words) = if is_left {
+        let left = text!(
+            "verify-left",
+            at = clock(to),
+            mission = mission,
+            seed = seed
+        );
+        (Verdict::VerifiedLeft, left)
+    } else {
+        let cut = text!("verify-cut", at = clock(to), mission = mission, seed = seed);
+        (Verdict::VerifiedCut, cut)
+    };
+    VerifyDocument {
+        words,
+        to_s: Some(to.as_secs_f64()),
+        standing: Standing::Unfinished,
+        ..VerifyDocument::new(verdict, head.program.clone())
+    }
 }
 
 /// The words for a flight that matches its record.
@@ -218,7 +261,10 @@ fn rescored(stored: &Stored, program: String) -> Result<VerifyDocument, Text> {
     }
     Ok(VerifyDocument {
         words: Text::joined("\n", words),
-        is_good: is_same && backend == FlightBackend::ArduPilot,
+        standing: match backend {
+            FlightBackend::ArduPilot if is_same => Standing::Good,
+            FlightBackend::ArduPilot | FlightBackend::Embedded => Standing::Bad,
+        },
         ..VerifyDocument::new(Verdict::Rescored, program)
     })
 }

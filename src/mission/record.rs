@@ -32,7 +32,7 @@ mod verification;
 use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Reenactment, Rescored, Stored};
-pub use verification::{Divergence, Verification, refly};
+pub use verification::{Divergence, RecordExtent, Verification, refly};
 
 /// The version of the format.
 const VERSION: u32 = 1;

@@ -1,7 +1,7 @@
 //! A recording and its related files.
 
 use std::fs::File;
-use std::io::{Read as _, Seek as _, SeekFrom};
+use std::io::{Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -22,8 +22,6 @@ use crate::text::Text;
 const TAIL_LEN: u64 = 64 * 1024;
 /// The maximum length of a recording: a week.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
-/// The maximum size of a journal, in bytes; this program does not write larger ones.
-const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
 /// An open recording. It does not change while it is replayed.
 #[derive(Debug)]
@@ -62,9 +60,9 @@ impl Film {
         let span = TlogSpan::read(&frames)?;
         // The frames of a flight can be replayed without its journal and its score.
         let mut faults = Vec::new();
-        let journal = files.journal.as_deref().map(read_journal).and_then(|read| {
-            let unreadable = |fault| text!("replay-without-journal", fault = fault);
-            read.map_err(|fault| faults.push(unreadable(fault))).ok()
+        let journal = files.read_journal().unwrap_or_else(|fault| {
+            faults.push(text!("replay-without-journal", fault = fault));
+            None
         });
         let run = files.run.as_deref().map(read_stored).and_then(|read| {
             let unreadable = |fault| text!("replay-without-run", fault = fault);
@@ -277,18 +275,6 @@ fn times(file: File) -> impl Iterator<Item = u64> {
         TlogPiece::Record(record) => Some(record.unix_us),
         TlogPiece::Damage { .. } => None,
     })
-}
-
-fn read_journal(path: &Path) -> Result<Journal, Text> {
-    let read = || {
-        let mut bytes = Vec::new();
-        File::open(path)?
-            .take(LARGEST_JOURNAL)
-            .read_to_end(&mut bytes)?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
-    };
-    let text = read().map_err(|error: std::io::Error| unreadable(path, &error))?;
-    Journal::read(&text)
 }
 
 fn read_stored(path: &Path) -> Result<Stored, Text> {

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use super::append::{AppendFile, is_written};
 use super::signature::signature_of;
 use super::{StoreError, sharing, user_path};
-use crate::record::Head;
+use crate::record::{Head, Journal};
 use crate::text;
 use crate::text::Text;
 
@@ -36,6 +36,8 @@ const RUN: &str = ".run.jsonl";
 const INPUTS: &str = super::runs::INPUTS;
 /// The maximum length of a head, in bytes.
 const HEAD_LEN: u64 = 256 * 1024;
+/// The maximum size of a journal, in bytes; this program does not write larger ones.
+const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
 /// The limits of the stored records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -146,6 +148,26 @@ impl RecordFiles {
         let file = fs::File::open(journal)?;
         BufReader::new(file.take(HEAD_LEN)).read_until(b'\n', &mut first)?;
         Ok(serde_json::from_slice(&first)?)
+    }
+
+    /// Its journal, if it has one.
+    ///
+    /// # Errors
+    /// It cannot be read, or is not a journal; as text.
+    pub fn read_journal(&self) -> Result<Option<Journal>, Text> {
+        use std::io::Read as _;
+
+        let Some(path) = &self.journal else {
+            return Ok(None);
+        };
+        let mut bytes = Vec::new();
+        let read = fs::File::open(path)
+            .and_then(|file| file.take(LARGEST_JOURNAL).read_to_end(&mut bytes));
+        if let Err(error) = read {
+            let (path, error) = (path.display().to_string(), error.to_string());
+            return Err(text!("transport-no-file", path = path, error = error));
+        }
+        Journal::read(&String::from_utf8_lossy(&bytes)).map(Some)
     }
 
     /// Whether a console is still writing the record.

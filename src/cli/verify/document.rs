@@ -20,6 +20,10 @@ pub(super) enum Verdict {
     Verified,
     /// The repeated flight matches the record of a free flight as far as its input log goes, which has no end.
     VerifiedPart,
+    /// The same for a mission that was left, as far as its record goes: it has no score.
+    VerifiedLeft,
+    /// The same for a mission whose record was cut off, or whose console was killed.
+    VerifiedCut,
     /// The repeated flight differs from the record.
     Differs,
     /// The repeated flight differs, and another program has flown the original.
@@ -28,6 +32,16 @@ pub(super) enum Verdict {
     OtherMission,
     /// The flight cannot be repeated; its score was checked against its telemetry instead.
     Rescored,
+}
+
+/// How far a result can be relied on, which decides the exit code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Standing {
+    /// The record is reliable.
+    Good,
+    /// It is reliable as far as it goes, but the end of the flight, which may have been bad, is missing.
+    Unfinished,
+    Bad,
 }
 
 /// The result as a document, with units in the names.
@@ -41,6 +55,8 @@ pub(super) struct VerifyDocument {
     pub(super) score: Option<u16>,
     /// The score that the record states.
     pub(super) recorded_score: Option<u16>,
+    /// The mission time up to which a record without an end was compared, in seconds.
+    pub(super) to_s: Option<f64>,
     /// The first difference between flight and record, in simulated seconds.
     pub(super) at_s: Option<f64>,
     pub(super) vehicle: Option<VehicleId>,
@@ -60,8 +76,10 @@ pub(super) struct VerifyDocument {
     pub(super) witnessed: Option<String>,
     #[serde(skip)]
     pub(super) words: Text,
+    /// The faults of the journal, in English.
+    pub(super) faults: Vec<String>,
     #[serde(skip)]
-    pub(super) is_good: bool,
+    pub(super) standing: Standing,
 }
 
 /// Whether the files of a record are signed.
@@ -115,6 +133,7 @@ impl VerifyDocument {
             seed: None,
             score: None,
             recorded_score: None,
+            to_s: None,
             at_s: None,
             vehicle: None,
             what: None,
@@ -126,7 +145,8 @@ impl VerifyDocument {
             signature: SignatureDocument::default(),
             witnessed: None,
             words: Text::default(),
-            is_good: false,
+            faults: Vec::new(),
+            standing: Standing::Bad,
         }
     }
 
@@ -144,14 +164,27 @@ impl VerifyDocument {
         }
     }
 
-    /// Success only for a flight that matches its record, or whose telemetry gives the recorded score.
+    /// Success only for a flight that matches its record, or whose telemetry gives the recorded score. A mission
+    /// without an end has a code of its own: whoever removes a bad end must not get a success.
     pub(super) fn exit_code(&self) -> ExitCode {
-        ExitCode::from(u8::from(!self.is_good))
+        ExitCode::from(match self.standing {
+            Standing::Good => 0,
+            Standing::Bad => 1,
+            Standing::Unfinished => 3,
+        })
+    }
+
+    /// Names the faults of the journal, which are no part of the comparison.
+    pub(super) fn with_faults(mut self, faults: Vec<Text>) -> Self {
+        self.faults = faults.iter().map(ToString::to_string).collect();
+        let words = std::iter::once(std::mem::take(&mut self.words));
+        self.words = Text::joined("\n", words.chain(faults).collect());
+        self
     }
 
     /// Names the fields that no comparison covers, if the record is good otherwise.
     pub(super) fn stating(mut self, unproved: &'static [&'static str]) -> Self {
-        if !self.is_good {
+        if self.standing == Standing::Bad {
             return self;
         }
         let program = sanitised(&self.program);
@@ -205,8 +238,9 @@ impl VerifyDocument {
             ),
         };
         self.words = Text::joined("\n", vec![std::mem::take(&mut self.words), text]);
-        let is_fine = matches!(state, SignatureState::Valid | SignatureState::Unchecked);
-        self.is_good &= is_fine;
+        if !matches!(state, SignatureState::Valid | SignatureState::Unchecked) {
+            self.standing = Standing::Bad;
+        }
         self.signature.signature = state;
         match found {
             RecordSignature::Unchecked { key } => self.signature.signed_with = Some(key),

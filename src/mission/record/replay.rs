@@ -98,6 +98,11 @@ impl Stored {
         self.damage.as_ref().filter(|_| !self.is_open)
     }
 
+    /// Whether the lines are whole and only the end is missing.
+    pub fn is_open(&self) -> bool {
+        self.is_open
+    }
+
     /// Whether the flight was paused.
     pub(super) fn has_pauses(&self) -> bool {
         let mut lines = self.lines.iter();
@@ -252,10 +257,10 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// How often commands to a vehicle with rows in one of these states were sent.
-    pub(super) fn tries_of(&self, vehicle: VehicleId, states: &[RowState]) -> u32 {
+    /// How often commands to a vehicle whose rows have a wanted state were sent.
+    pub(super) fn tries_of(&self, vehicle: VehicleId, is_wanted: impl Fn(RowState) -> bool) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
-        let counted = rows.filter(|row| row.vehicle == vehicle && states.contains(&row.state));
+        let counted = rows.filter(|row| row.vehicle == vehicle && is_wanted(row.state));
         counted.map(|row| u32::from(row.tries)).sum()
     }
 

@@ -27,8 +27,24 @@ use reflight::{Reflight, differs};
 pub struct Verification {
     /// The first difference between the flight and its record; `None` if there is none.
     pub difference: Option<Divergence>,
+    /// How much of the flight was compared.
+    pub extent: RecordExtent,
     /// The score that follows from the record.
     pub rescored: Rescored,
+}
+
+/// How much of a flight its record covers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordExtent {
+    /// The flight to its end, with its score.
+    Whole,
+    /// A flight without an end, and so without a score.
+    Part {
+        /// The mission time up to which record and flight were compared.
+        to: Duration,
+        /// Whether the vehicles went on after the record's last line, so that it lacks more than the last second.
+        went_on: bool,
+    },
 }
 
 impl Stored {
@@ -77,7 +93,7 @@ impl Stored {
         match self.head.backend {
             FlightBackend::Embedded => inputs.is_some_and(|inputs| {
                 let again = self.verify(inputs);
-                again.is_ok_and(|it| it.difference.is_none())
+                again.is_ok_and(|it| it.difference.is_none() && it.extent == RecordExtent::Whole)
             }),
             FlightBackend::ArduPilot => false,
         }
@@ -96,6 +112,7 @@ impl Stored {
             let what = text!("verify-own-airframes");
             return Ok(Verification {
                 difference: Some(differs(Duration::ZERO, None, what)),
+                extent: RecordExtent::Whole,
                 rescored,
             });
         }
@@ -104,6 +121,7 @@ impl Stored {
             Err(what) => {
                 return Ok(Verification {
                     difference: Some(differs(Duration::ZERO, None, what)),
+                    extent: RecordExtent::Whole,
                     rescored,
                 });
             }
@@ -115,6 +133,7 @@ impl Stored {
             .err();
         Ok(Verification {
             difference,
+            extent: check.extent(self),
             rescored,
         })
     }

@@ -5,17 +5,17 @@ use std::time::Duration;
 
 use super::other_program;
 use super::reflight::{Divergence, LATE_AT_MOST, Reflight, SHOWN_WITHIN, differs};
-use crate::ledger::RowState;
+use crate::mission::TICK;
 use crate::mission::record::line::ShownVehicles;
 use crate::mission::record::observed::ObservedVehicle;
-use crate::mission::record::{End, Reenactment, Rescored, Stored};
-use crate::mission::{Stake, TICK};
+use crate::mission::record::{Reenactment, Stored};
 use crate::record::StoredInputs;
-use crate::scoring::Report;
 use crate::session::Want;
 use crate::sim::STEP;
 use crate::text;
 use crate::vehicle::VehicleId;
+
+mod ending;
 
 /// The maximum by which the mission's clock may be ahead of the simulator step recorded with it.
 const NOTED_WITHIN: Duration = Duration::from_millis(100);
@@ -38,6 +38,8 @@ pub(super) struct RecordCheck {
     ticked: Duration,
     /// Simulated time of the last line compared.
     seen_to: Duration,
+    /// Whether the vehicles went on after the last line of a record without an end.
+    went_on: bool,
 }
 
 /// The timing of a record, from its first line.
@@ -85,13 +87,16 @@ impl RecordCheck {
             clock: None,
             ticked: Duration::ZERO,
             seen_to: Duration::ZERO,
+            went_on: false,
         }
     }
 
-    /// Follows the lines of a record.
+    /// Follows the lines of a record; one without an end is compared as far as it and its input log go.
     pub(super) fn run(&mut self, stored: &Stored) -> Result<(), Divergence> {
+        let is_open = stored.is_open();
         for line in stored.lines.iter() {
             match line.shown() {
+                Some(shown) if is_open && self.is_beyond_cut(&shown) => break,
                 Some(shown) => self.take(&shown)?,
                 // Until the end, steps without a line show nothing new.
                 None if line.end().is_some() && !self.is_paced() => {
@@ -103,11 +108,15 @@ impl RecordCheck {
         }
         // A console's log may lack its last line. The record was still compared up to its end, so a missing input would
         // have been noticed.
-        if self.is_paced() && self.reflight.is_cut {
+        if self.reflight.is_cut && (is_open || self.is_paced()) {
             self.reflight.damage = None;
         }
+        if is_open {
+            self.compare_wanted()?;
+            self.went_on = self.goes_on()?;
+        }
         self.reflight.finish()?;
-        match &stored.damage {
+        match stored.damaged_line() {
             Some(damage) => Err(self.reflight.differs(None, damage.clone())),
             None => Ok(()),
         }
@@ -263,74 +272,6 @@ impl RecordCheck {
             return Ok(());
         }
         Err(self.reflight.differs(None, other_program(one, other)))
-    }
-
-    /// Whether the refusals and the score follow from the flight.
-    pub(super) fn compare_end(
-        &mut self,
-        stored: &Stored,
-        rescored: &Rescored,
-    ) -> Result<(), Divergence> {
-        self.compare_wanted()?;
-        drop(self.reenactment.advance(Duration::MAX));
-        self.compare_refusals()?;
-        self.compare_outcome(stored, &rescored.report)
-    }
-
-    /// Whether the record contains every command that a vehicle refused.
-    fn compare_refusals(&self) -> Result<(), Divergence> {
-        for witness in &self.reflight.witnesses {
-            let id = witness.session.vehicle().id;
-            let admitted = self.reenactment.tries_of(
-                id,
-                &[
-                    RowState::Refused,
-                    RowState::Superseded,
-                    RowState::Overtaken,
-                    RowState::TimedOut,
-                    RowState::NoEffect,
-                ],
-            );
-            if witness.refusals > admitted && !self.muffled.contains_key(&id) {
-                let what = text!(
-                    "verify-refusals",
-                    refused = witness.refusals,
-                    admitted = admitted
-                );
-                return Err(self.reflight.differs(Some(id), what));
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether the record ends with the score that follows from it.
-    fn compare_outcome(&self, stored: &Stored, report: &Report) -> Result<(), Divergence> {
-        let again = End {
-            score: report.score,
-            medal: report.medal,
-            passed: report.passed,
-            sim_time_s: report.sim_time_s,
-        };
-        match stored.end() {
-            Some(end)
-                if *end == again && stored.head.stake == Stake::Exam && stored.has_pauses() =>
-            {
-                Err(self.reflight.differs(None, text!("verify-exam-paused")))
-            }
-            Some(end) if *end == again => Ok(()),
-            Some(end) if end.score == again.score => {
-                Err(self.reflight.differs(None, text!("verify-other-end")))
-            }
-            Some(end) => {
-                let what = text!(
-                    "verify-other-score",
-                    recorded = end.score,
-                    score = again.score
-                );
-                Err(self.reflight.differs(None, what))
-            }
-            None => Err(self.reflight.differs(None, text!("record-no-end"))),
-        }
     }
 }
 

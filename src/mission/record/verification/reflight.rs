@@ -89,6 +89,11 @@ impl Reflight {
         })
     }
 
+    /// The simulated time that the log covers.
+    pub(super) fn lasts(&self) -> Duration {
+        self.lines.last().map_or(Duration::ZERO, InputLine::at)
+    }
+
     /// Flies on up to a step, which the log must cover.
     pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Divergence> {
         let last = self.lines.last().map_or(0, |line| line.s);
@@ -207,8 +212,8 @@ pub(super) struct Witness {
     listener: TextListener,
     /// Its texts with their times.
     texts: VecDeque<(Duration, String)>,
-    /// Refusals of operator commands.
-    pub(super) refusals: u32,
+    /// The times of refusals of operator commands.
+    refused: Vec<Duration>,
 }
 
 impl Witness {
@@ -218,7 +223,7 @@ impl Witness {
             shown: VecDeque::new(),
             listener: TextListener::default(),
             texts: VecDeque::new(),
-            refusals: 0,
+            refused: Vec::new(),
         }
     }
 
@@ -228,7 +233,8 @@ impl Witness {
                 ack.result,
                 MavResult::MAV_RESULT_ACCEPTED | MavResult::MAV_RESULT_IN_PROGRESS
             );
-            self.refusals += u32::from(is_refused && is_order(ack.command));
+            let is_counted = is_refused && is_order(ack.command);
+            self.refused.extend(is_counted.then_some(now));
         }
         self.session.receive(frame, now);
     }
@@ -253,6 +259,12 @@ impl Witness {
         while self.texts.front().is_some_and(|(at, _)| *at < old) {
             self.texts.pop_front();
         }
+    }
+
+    /// How many operator commands it had refused by a time.
+    pub(super) fn refusals(&self, until: Duration) -> u32 {
+        let counted = self.refused.iter().filter(|at| **at <= until);
+        u32::try_from(counted.count()).unwrap_or(u32::MAX)
     }
 
     /// Whether it has sent a text since a time.

@@ -10,13 +10,13 @@ const SCORE: &str = "\"score\":";
 /// The hex start of a frame with a command of the ground station, after length, flags and number.
 const COMMAND: &str = "ffbe4c0000";
 
-/// Verifies a record from these texts; the difference as an error text.
-fn verified(run: &str, inputs: &str) -> Result<(), String> {
+/// Verifies a record from these texts; returns how much was compared, or the difference as an error text.
+fn verified(run: &str, inputs: &str) -> Result<RecordExtent, String> {
     let stored = Stored::read(run).map_err(|fault| fault.to_string())?;
     let inputs = StoredInputs::read(inputs).map_err(|fault| fault.to_string())?;
     let verification = stored.verify(&inputs).map_err(|fault| fault.to_string())?;
     match verification.difference {
-        None => Ok(()),
+        None => Ok(verification.extent),
         Some(Divergence { at, vehicle, what }) => {
             let vehicle =
                 vehicle.map_or_else(String::new, |vehicle| format!("vehicle {vehicle}: "));
@@ -54,7 +54,7 @@ fn assert_named(run: &str, inputs: &str, named: &str) {
 /// recorded the flight, and this one verifies it.
 #[test]
 fn the_golden_record_is_verified() {
-    assert_eq!(verified(RUN, INPUTS), Ok(()));
+    assert_eq!(verified(RUN, INPUTS), Ok(RecordExtent::Whole));
 }
 
 #[test]
@@ -148,10 +148,45 @@ fn shortened_records_are_named() {
         let kept = text.lines().take(lines).map(|line| format!("{line}\n"));
         kept.collect::<String>()
     };
-    assert_named(&half(RUN), INPUTS, "stops before the end");
     assert_named(RUN, &half(INPUTS), "does not match");
     let end = with_line(INPUTS, &["\"end\""], removed);
     assert_named(RUN, &end, "its end is missing");
+}
+
+/// The lines of a file up to the first one that contains a text.
+fn up_to<'a>(text: &'a str, has: &str) -> &'a str {
+    let at = text.find(has).expect("the golden record has such a line");
+    &text[..=text[..at].rfind('\n').expect("a line before it")]
+}
+
+#[test]
+fn a_record_without_an_end_is_verified_only_as_far_as_it_goes() {
+    let run = up_to(RUN, "\"t\":30000,");
+    let inputs = up_to(INPUTS, "{\"s\":3000,");
+    let part = |run: &str, inputs: &str| match verified(run, inputs) {
+        Ok(RecordExtent::Part { to, went_on }) => (to.as_millis(), went_on),
+        other => panic!("{other:?}"),
+    };
+    // The last line of these inputs is that of 29 s.
+    assert_eq!(part(run, inputs), (29_000, false));
+    // The vehicles went on without the mission's record, or the record without their inputs.
+    assert_eq!(part(run, INPUTS), (29_800, true));
+    let later = up_to(RUN, "\"t\":40000,");
+    assert_eq!(part(later, inputs), (29_000, false));
+    let moved = with_line(run, &["\"t\":20000,", "\"at\":["], |line| {
+        let at = line.find("\"at\":[").expect("a position") + 6;
+        format!("{}9{}\n", &line[..at], &line[at + 1..])
+    });
+    assert_named(&moved, inputs, "20.00 s: vehicle 1: the recorded position");
+    for (run, inputs) in [
+        (run, inputs),
+        (run, INPUTS),
+        (up_to(RUN, "{\"end\""), INPUTS),
+    ] {
+        let stored = Stored::read(run).expect("a record");
+        let inputs = StoredInputs::read(inputs).expect("inputs");
+        assert!(!stored.is_confirmed(None, Some(&inputs)));
+    }
 }
 
 /// Altered or removed telemetry is detected, because the repeated drones are elsewhere.
