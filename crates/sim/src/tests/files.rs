@@ -138,6 +138,17 @@ fn a_flight_leaves_a_log_that_can_be_downloaded_and_survives_a_reboot() {
         .collect();
     assert_eq!(log.len(), entry.size as usize);
     assert_eq!(&log[..7], &[0xA3, 0x95, 0x80, 0x80, 89, b'F', b'M']);
+    // ArduCopter writes a log for 15 s after disarming, and not a byte more.
+    ground.run(30.0);
+    let first = ground.heard.len();
+    ground.say(MavMessage::LOG_REQUEST_LIST(LOG_REQUEST_LIST_DATA {
+        end: u16::MAX,
+        ..Default::default()
+    }));
+    let said = ground.messages_since(first);
+    let is_same =
+        |it: &MavMessage| matches!(it, MavMessage::LOG_ENTRY(later) if later.size == entry.size);
+    assert!(said.iter().any(is_same), "{said:?}");
     ground.long(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, [1.0]);
     ground.run(1.0);
     ground.port = ground.world.connect(0);
