@@ -205,13 +205,18 @@ impl Recorder {
 
     /// Writes an occurrence after the newest step, which then also needs a line.
     fn befall(&mut self, line: &RecordLine) {
+        self.write_step();
+        self.write(line);
+    }
+
+    /// Writes the line of the newest step, if it has none.
+    fn write_step(&mut self) {
         if !std::mem::replace(&mut self.is_step_written, true) {
             let t = self.stepped.unwrap_or_default().as_millis() as u64;
             let change = RecordChange::default();
             let s = self.simulated;
             self.write(&RecordLine::Tick { t, s, change });
         }
-        self.write(line);
     }
 
     pub fn act(&mut self, deed: &Deed, vehicles: &[VehicleId]) {
@@ -242,6 +247,8 @@ impl Recorder {
     }
 
     pub fn end(&mut self, ledger: &Ledger, report: &Report) {
+        // Without its end, the record still shows that the mission was over.
+        self.write_step();
         let change = self.changed_ledger(ledger);
         let end = End {
             score: report.score,
