@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::geo::LatLon;
 use crate::moment::{Moment, MomentKind};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, utc_of};
 
 mod flight_log;
 mod inputs;
@@ -29,11 +29,14 @@ pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{
     Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
 };
+use line::is_next;
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};
 pub use mission_clock::MissionClock;
 
 /// The version of the journal's format.
 const VERSION: u32 = 1;
+/// The longest time from the beginning of a session to its first frame, in microseconds: a week.
+const LATEST_FRAME_US: u64 = 7 * 24 * 3600 * 1_000_000;
 
 /// The mission, time and pilot of a flight: the first line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -121,6 +124,18 @@ impl Head {
         }
     }
 
+    /// Why a tlog whose first frame has this time cannot belong to the journal; `None` if it can.
+    pub fn misfit(&self, first_unix_us: u64) -> Option<Text> {
+        let fits = self
+            .began_unix_us
+            .checked_add(LATEST_FRAME_US)
+            .is_some_and(|latest| (self.began_unix_us..=latest).contains(&first_unix_us));
+        (!fits).then(|| {
+            let (began, first) = (utc_of(self.began_unix_us), utc_of(first_unix_us));
+            text!("journal-other-time", began = began, first = first)
+        })
+    }
+
     /// The head as a line, with its line end.
     pub fn to_line(&self) -> String {
         line::written(self)
@@ -135,8 +150,14 @@ pub struct Journal {
     pub lines: Vec<JournalLine>,
     /// The damage of the rest of the file, after the readable part.
     pub damage: Option<Text>,
-    /// The number of unknown lines.
-    pub unknown: usize,
+    /// The numbers in the file of the lines that this program does not know.
+    pub unknown: Vec<usize>,
+}
+
+/// The time of any line of a journal, also of one from a later program.
+#[derive(Deserialize)]
+struct LineTime {
+    us: u64,
 }
 
 impl Journal {
@@ -160,28 +181,47 @@ impl Journal {
             head,
             lines: Vec::new(),
             damage: None,
-            unknown: 0,
+            unknown: Vec::new(),
         };
-        let mut since = Duration::ZERO;
         for (index, line) in all.enumerate() {
-            let Ok(line) = serde_json::from_str::<JournalLine>(line) else {
-                // Lines written by a later version of the program are skipped.
-                if line.ends_with("}\n") && serde_json::from_str::<serde_json::Value>(line).is_ok()
-                {
-                    journal.unknown += 1;
-                    continue;
-                }
-                journal.damage = Some(text!("journal-damaged", line = index + 2));
-                break;
-            };
-            if !line.can_follow(since) {
-                journal.damage = Some(text!("journal-damaged", line = index + 2));
+            if let Err(damage) = journal.add(line, index + 2) {
+                journal.damage = Some(damage);
                 break;
             }
-            since = line.at();
-            journal.lines.push(line);
         }
         Ok(journal)
+    }
+
+    /// Adds a line of the file; an error is why it ends the journal.
+    fn add(&mut self, line: &str, number: usize) -> Result<(), Text> {
+        let since = self.lines.last().map_or(Duration::ZERO, JournalLine::at);
+        match serde_json::from_str::<JournalLine>(line) {
+            Ok(line) if line.can_follow(since) => self.lines.push(line),
+            Ok(_) => return Err(text!("journal-time", line = number)),
+            Err(_) if !line.ends_with('\n') => return Err(text!("journal-cut", line = number)),
+            Err(_) => match serde_json::from_str::<LineTime>(line) {
+                // Lines written by a later version of the program are skipped.
+                Ok(time) if is_next(Duration::from_micros(time.us), since) => {
+                    self.unknown.push(number);
+                }
+                Err(fault) if !fault.is_data() => {
+                    let column = fault.column();
+                    return Err(text!("journal-damaged", line = number, column = column));
+                }
+                Ok(_) | Err(_) => return Err(text!("journal-time", line = number)),
+            },
+        }
+        Ok(())
+    }
+
+    /// What is wrong with the lines: damage, and lines that this program does not know.
+    pub fn faults(&self) -> impl Iterator<Item = Text> {
+        let first = self.unknown.first();
+        let unknown = first.map(|&line| {
+            let count = self.unknown.len();
+            text!("journal-unknown", count = count, line = line)
+        });
+        self.damage.clone().into_iter().chain(unknown)
     }
 
     /// Whether the session was ended normally.

@@ -25,6 +25,7 @@ record-none = not a recorded run: the console records every mission, and `sortie
 record-version = this run was recorded in format version { $version }; this program reads version { $known }: use the program that recorded it
 record-head = the first line is damaged: { $error }
 record-damaged = line { $line } is damaged: the run is scored up to there
+record-torn = the record ends in the middle of line { $line }: the run is scored up to there
 record-no-end = the record stops before the end of the run: the run is scored up to there
 record-mission = this program cannot read the mission of the run: { $fault }
 record-unwritable = Recording has stopped; the flight continues: { $fault }
@@ -34,7 +35,14 @@ journal-none = not the journal of a flight: the first line is of another kind
 record-not-begun = this flight is not recorded and cannot be replayed: { $fault }
 record-broken-off = the record of this flight ends here: { $fault }
 record-full = the record of this flight ends here: it has reached { $mib } MiB (`records.space` allows twice that for all records)
-journal-damaged = line { $line } of the journal is damaged: commands and bookmarks are known up to there
+journal-damaged = line { $line } of the journal is damaged at column { $column }: commands and bookmarks are known up to there
+journal-other-time = the journal begins at { $began }, which does not fit the first frame of { $first }: it is damaged or belongs to another flight
+journal-unknown = { $count ->
+    [one] line { $line } of the journal is left out: this program does not know its contents
+   *[other] { $count } lines of the journal are left out, the first of them line { $line }: this program does not know their contents
+}
+journal-time = line { $line } of the journal has an impossible time (`us`): commands and bookmarks are known up to there
+journal-cut = the journal ends in the middle of line { $line }: commands and bookmarks are known up to there
 record-frames-dropped = the disk is too slow for this flight: frames are missing from its record
 
 # `sortie check`
@@ -64,6 +72,7 @@ verify-rescored = re-scored from telemetry only: { $score } points, as recorded
 verify-rescored-other = re-scored from telemetry only: { $score } points; the record states a different score
 verify-inputs-missing = re-scored from telemetry only: { $score } points; the vehicles' inputs were not recorded
 verify-damaged = line { $line } of the input log is damaged
+verify-torn = the input log ends in the middle of line { $line }
 verify-no-end = the input log is incomplete: its end is missing
 verify-other-clock = the clocks of the mission and of the simulator do not match
 verify-other-end = the medal, result or time at the end does not follow from the record
@@ -81,7 +90,7 @@ verify-verified-part = verified as far as the input log goes, { $length }: its e
 verify-left = verified up to { $at } of mission time: { $mission } with seed { $seed }, flown again, matches the record, which has no end and no score; the flight was left there, as the journal says (tlog and journal are not compared)
 verify-cut = verified up to { $at } of mission time: { $mission } with seed { $seed }, flown again, matches the record, which has no end and no score; the rest is missing, because the console was killed or the record was cut off (tlog and journal are not compared)
 verify-end-removed = the mission was over, but the end of its record with the score is missing
-verify-other-journal = the journal belongs to another flight
+verify-other-journal = the journal belongs to another flight ({ $flight })
 verify-own-mission = the mission is not part of the course
 verify-other-backend = the run says that ArduPilot flew it, but it has an input log of the embedded simulator
 verify-no-checksum = the record has no checksum, so later edits of it cannot be noticed

@@ -61,6 +61,10 @@ pub(super) fn debrief(
     if stored.is_altered() {
         tell!("sortie: {name}: {}", locale.text(&text!("verify-altered")));
     }
+    let journal = RecordFiles::beside(&path).head().ok();
+    if let Some(other) = journal.and_then(|journal| stored.other_flight(&journal)) {
+        tell!("sortie: {name}: {}", locale.text(&other));
+    }
     let mut report = again.report;
     if let Some(before) = again.before.filter(|before| before.score != report.score) {
         let (before, now) = (before.score, report.score);

@@ -11,6 +11,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
+use crate::record::Head;
 use crate::replay::{Replay, TlogSpan};
 use crate::store::{RecordFiles, Records};
 use crate::text;
@@ -172,7 +173,8 @@ impl RecordsCommands {
             .as_deref()
             .and_then(|path| TlogSpan::read(path).ok());
         let head = files.head().ok();
-        let journalled = head.as_ref().map(|it| it.began_unix_us);
+        let fits = |head: &&Head| span.is_none_or(|it| head.misfit(it.first_unix_us).is_none());
+        let journalled = head.as_ref().filter(fits).map(|it| it.began_unix_us);
         let began = journalled.or(span.map(|it| it.first_unix_us));
         ListedRecord {
             number,

@@ -12,6 +12,7 @@ use super::settings::CliSettings;
 use crate::mission::Mission;
 use crate::mission::record::{Divergence, RecordExtent, Rescored, Stored, refly};
 use crate::record::{Journal, StoredInputs, Subject};
+use crate::replay::TlogSpan;
 use crate::scoring::{FlightBackend, MissionFile};
 use crate::store::{self, RecordFiles, RecordPublicKey, read_run};
 use crate::text;
@@ -69,10 +70,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
     let text = files.inputs.as_deref().map(read).transpose()?;
     let inputs = text.as_deref().map(StoredInputs::read).transpose()?;
-    let (journal, faults) = match files.read_journal() {
-        Ok(journal) => (journal, Vec::new()),
-        Err(fault) => (None, vec![fault]),
-    };
+    let (journal, faults) = read_journal(files);
     let Some(run) = files.run.as_deref() else {
         let judged = judge_free(journal.as_ref(), inputs.as_ref())?;
         return Ok(judged.with_faults(faults));
@@ -96,9 +94,37 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
         when: Some(head.when.clone()),
         ..judged
     };
-    Ok(document
-        .stating(&["program", "profile", "when", "flown_by", "attempt"])
-        .with_faults(faults))
+    // Only the journal says whether a mission was left or cut off.
+    let unproved: &[&str] = match document.verdict {
+        Verdict::VerifiedLeft => &["program", "profile", "when", "flown_by", "attempt", "left"],
+        Verdict::Verified
+        | Verdict::VerifiedPart
+        | Verdict::VerifiedCut
+        | Verdict::Differs
+        | Verdict::OtherProgram
+        | Verdict::OtherMission
+        | Verdict::Rescored => &["program", "profile", "when", "flown_by", "attempt"],
+    };
+    Ok(document.stating(unproved).with_faults(faults))
+}
+
+/// The journal of a record if it can be read, and what is wrong with it.
+fn read_journal(files: &RecordFiles) -> (Option<Journal>, Vec<Text>) {
+    let journal = match files.read_journal() {
+        Ok(journal) => journal,
+        Err(fault) => {
+            let path = files.journal.as_deref().and_then(Path::file_name);
+            let name = path.unwrap_or_default().to_string_lossy().into_owned();
+            return (None, vec![Text::joined(": ", vec![name.into(), fault])]);
+        }
+    };
+    let frames = files.frames.as_deref();
+    let span = frames.and_then(|path| TlogSpan::read(path).ok());
+    let misfit = journal.iter().zip(span);
+    let misfit = misfit.filter_map(|(journal, span)| journal.head.misfit(span.first_unix_us));
+    let faults = journal.iter().flat_map(Journal::faults).chain(misfit);
+    let found = faults.collect();
+    (journal, found)
 }
 
 /// Compares a flight without a mission, of which only the flight itself can be repeated.

@@ -275,13 +275,18 @@ impl StoredInputs {
             let in_order = parsed.filter(|line: &InputLine| {
                 (since..=LONGEST_STEPS).contains(&line.s) && !stored.is_whole()
             });
-            let Some(line) = in_order else {
-                stored.damage = Some(text!("verify-damaged", line = index + 2));
-                stored.is_damaged = true;
+            let Some(read) = in_order else {
+                // A console that is killed may leave a part of a line.
+                stored.is_damaged = line.ends_with('\n');
+                stored.damage = Some(if stored.is_damaged {
+                    text!("verify-damaged", line = index + 2)
+                } else {
+                    text!("verify-torn", line = index + 2)
+                });
                 break;
             };
-            since = line.s;
-            stored.lines.push(line);
+            since = read.s;
+            stored.lines.push(read);
         }
         if stored.damage.is_none() && !stored.is_whole() {
             stored.damage = Some(text!("verify-no-end"));

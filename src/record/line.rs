@@ -62,14 +62,18 @@ impl JournalLine {
             | Happening::Bookmark { .. }
             | Happening::End => true,
         };
-        let at = self.at();
-        is_short && (before..=before + LONGEST_SILENCE).contains(&at)
+        is_short && is_next(self.at(), before)
     }
 
     /// The event as a line, with its line end.
     pub fn to_line(&self) -> String {
         written(self)
     }
+}
+
+/// Whether a line can have this time after another line.
+pub(super) fn is_next(at: Duration, before: Duration) -> bool {
+    (before..=before + LONGEST_SILENCE).contains(&at)
 }
 
 /// An event that is not part of the links' traffic.

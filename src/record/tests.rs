@@ -19,7 +19,13 @@ fn what_a_later_program_has_added_is_passed_over() {
         bookmark(3).to_line(),
     ];
     let journal = Journal::read(&text.concat()).expect("a journal");
-    assert_eq!((journal.damage, journal.unknown), (None, 1));
+    assert_eq!(
+        (journal.damage.as_ref(), &journal.unknown[..]),
+        (None, &[3][..])
+    );
+    let faults: Vec<String> = journal.faults().map(|it| it.to_string()).collect();
+    assert!(faults.iter().all(|it| it.contains("line 3")), "{faults:?}");
+    assert_eq!(faults.len(), 1);
     assert_eq!(journal.lines, [bookmark(1), bookmark(3)]);
 }
 
@@ -65,6 +71,60 @@ fn a_line_with_an_impossible_time_ends_a_journal() {
         assert_eq!(journal.lines, [bookmark(1)], "{line:?}");
         assert!(journal.damage.is_some());
     }
+}
+
+#[test]
+fn damage_is_named_with_its_line_and_kind() {
+    let text = [head().to_line(), bookmark(1).to_line()].concat();
+    for (line, named) in [
+        (
+            "{\"us\":1e308,\"end\":null}\n",
+            "line 3 of the journal has an impossible time",
+        ),
+        (
+            "{\"us\":-1,\"end\":null}\n",
+            "line 3 of the journal has an impossible time",
+        ),
+        (
+            "{\"end\":null}\n",
+            "line 3 of the journal has an impossible time",
+        ),
+        (
+            "{\"us\":5,\"end\":null}\n",
+            "line 3 of the journal has an impossible time",
+        ),
+        (
+            "{\"us\":200}}00,\"end\":null}\n",
+            "line 3 of the journal is damaged at column 11",
+        ),
+        ("{\"us\":2000000,\"bookma", "ends in the middle of line 3"),
+        (
+            "{\"us\":2000000,\"mission\":{\"ms\":1e308}}\n",
+            "line 3 of the journal",
+        ),
+    ] {
+        let journal = Journal::read(&format!("{text}{line}")).expect("a journal");
+        assert_eq!(journal.lines, [bookmark(1)]);
+        let faults: Vec<String> = journal.faults().map(|it| it.to_string()).collect();
+        assert!(
+            faults.len() == 1 && faults[0].contains(named),
+            "{line}: {faults:?}"
+        );
+    }
+}
+
+#[test]
+fn a_journal_begins_before_its_first_frame() {
+    let head = head();
+    let began = head.began_unix_us;
+    for first in [began, began + 1, began + LATEST_FRAME_US] {
+        assert_eq!(head.misfit(first), None);
+    }
+    for first in [0, began - 1, began + LATEST_FRAME_US + 1] {
+        let said = head.misfit(first).expect("another time").to_string();
+        assert!(said.contains("2023-11-14 22:13:20"), "{said}");
+    }
+    assert!(Head::new(Subject::Free, u64::MAX).misfit(began).is_some());
 }
 
 #[test]

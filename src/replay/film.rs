@@ -60,13 +60,13 @@ impl Film {
         let span = TlogSpan::read(&frames)?;
         // The frames of a flight can be replayed without its journal and its score.
         let mut faults = Vec::new();
-        let journal = files.read_journal().unwrap_or_else(|fault| {
-            faults.push(text!("replay-without-journal", fault = fault));
-            None
-        });
         let run = files.run.as_deref().map(read_stored).and_then(|read| {
             let unreadable = |fault| text!("replay-without-run", fault = fault);
             read.map_err(|fault| faults.push(unreadable(fault))).ok()
+        });
+        let journal = own_journal(&files, span, run.as_ref()).unwrap_or_else(|fault| {
+            faults.push(text!("replay-without-journal", fault = fault));
+            None
         });
         let (review, review_fault) = match files.read_review() {
             Ok(review) => (review, None),
@@ -134,12 +134,11 @@ impl Film {
 
     /// The faults of its journal, its run, its review and its logs.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
-        let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
+        let journal = self.journal.iter().flat_map(Journal::faults);
         let run = self.run.as_ref().and_then(Stored::damaged_line);
         let run = run.map(|fault| text!("replay-run-damaged", fault = fault.clone()));
         let faults = self.faults.iter().cloned();
         journal
-            .into_iter()
             .chain(run)
             .chain(self.review_fault.clone())
             .chain(faults)
@@ -275,6 +274,20 @@ fn times(file: File) -> impl Iterator<Item = u64> {
         TlogPiece::Record(record) => Some(record.unix_us),
         TlogPiece::Damage { .. } => None,
     })
+}
+
+/// The journal of a recording; an error if it is unreadable, or belongs to another flight than frames and run.
+fn own_journal(
+    files: &RecordFiles,
+    span: TlogSpan,
+    run: Option<&Stored>,
+) -> Result<Option<Journal>, Text> {
+    let Some(journal) = files.read_journal()? else {
+        return Ok(None);
+    };
+    let other = run.and_then(|run| run.other_flight(&journal.head));
+    let misfit = other.or_else(|| journal.head.misfit(span.first_unix_us));
+    misfit.map_or(Ok(Some(journal)), Err)
 }
 
 fn read_stored(path: &Path) -> Result<Stored, Text> {

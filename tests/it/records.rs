@@ -11,6 +11,7 @@ use sortie::link::TlogReader;
 use crate::terminal::program;
 
 mod free_flights;
+mod journals;
 
 /// How long the console may take to record something.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -26,8 +26,20 @@ pub struct Stored {
     pub(super) lines: Arc<Vec<RecordLine>>,
     /// Whether the lines before the end have another checksum than the one that the end states.
     is_altered: bool,
-    /// Whether the lines are whole and only the end is missing.
-    is_open: bool,
+    ending: RecordEnding,
+}
+
+/// How the lines of a record end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum RecordEnding {
+    /// With the score.
+    Score,
+    /// After a whole line that is not the end.
+    Open,
+    /// In the middle of a line.
+    Torn,
+    /// Before a line that is damaged or goes back in time.
+    Damaged,
 }
 
 /// A record scored again.
@@ -61,7 +73,7 @@ impl Stored {
             damage: None,
             lines: Arc::default(),
             is_altered: false,
-            is_open: false,
+            ending: RecordEnding::Score,
         };
         let mut lines = Vec::new();
         let mut since = 0;
@@ -75,7 +87,14 @@ impl Stored {
                 .ok()
                 .filter(|read: &RecordLine| read.time().is_none_or(|t| t >= since));
             let Some(read) = read.filter(|_| !is_over) else {
-                stored.damage = Some(text!("record-damaged", line = index + 2));
+                let is_torn = !is_over && !line.ends_with('\n');
+                (stored.ending, stored.damage) = if is_torn {
+                    let torn = text!("record-torn", line = index + 2);
+                    (RecordEnding::Torn, Some(torn))
+                } else {
+                    let damaged = text!("record-damaged", line = index + 2);
+                    (RecordEnding::Damaged, Some(damaged))
+                };
                 break;
             };
             since = read.time().unwrap_or(since);
@@ -86,7 +105,7 @@ impl Stored {
         }
         stored.lines = Arc::new(lines);
         if stored.damage.is_none() && stored.end().is_none() {
-            stored.is_open = true;
+            stored.ending = RecordEnding::Open;
             stored.damage = Some(text!("record-no-end"));
         }
         Ok(stored)
@@ -95,12 +114,18 @@ impl Stored {
     /// The fault of a damaged line; `None` for a record that is whole or, like that of a flight that was left, only
     /// lacks its end.
     pub fn damaged_line(&self) -> Option<&Text> {
-        self.damage.as_ref().filter(|_| !self.is_open)
+        match self.ending {
+            RecordEnding::Score | RecordEnding::Open => None,
+            RecordEnding::Torn | RecordEnding::Damaged => self.damage.as_ref(),
+        }
     }
 
-    /// Whether the lines are whole and only the end is missing.
+    /// Whether the lines are good as far as they go, and only the end is missing.
     pub fn is_open(&self) -> bool {
-        self.is_open
+        match self.ending {
+            RecordEnding::Open | RecordEnding::Torn => true,
+            RecordEnding::Score | RecordEnding::Damaged => false,
+        }
     }
 
     /// Whether the flight was paused.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::{Rescored, Stored};
 use crate::mission::Stake;
-use crate::record::{Head as JournalHead, StoredInputs, Subject};
+use crate::record::{Head as JournalHead, StoredInputs};
 use crate::scoring::FlightBackend;
 use crate::sim::WorldConfig;
 use crate::text;
@@ -63,8 +63,8 @@ impl Stored {
             return Some(text!("verify-other-backend"));
         }
         let journal = journal?;
-        if !self.is_of(journal) {
-            return Some(text!("verify-other-journal"));
+        if let Some(other) = self.other_flight(journal) {
+            return Some(other);
         }
         if journal.program != self.head.program {
             return Some(other_program(&self.head.program, &journal.program));
@@ -72,12 +72,10 @@ impl Stored {
         (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
     }
 
-    /// Whether a journal is of the same mission.
-    fn is_of(&self, journal: &JournalHead) -> bool {
-        match &journal.subject {
-            Subject::Mission(id) => *id == self.head.mission,
-            Subject::Free | Subject::Connected(_) => false,
-        }
+    /// Which other flight a journal belongs to; `None` if it is of the same mission.
+    pub fn other_flight(&self, journal: &JournalHead) -> Option<Text> {
+        let is_same = journal.subject.mission() == Some(self.head.mission.as_str());
+        (!is_same).then(|| text!("verify-other-journal", flight = journal.subject.text()))
     }
 
     /// Whether the record follows from the files beside it: its checksum is right, they do not contradict it, and the

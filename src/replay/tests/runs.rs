@@ -52,6 +52,42 @@ fn a_damaged_run_is_reported_and_one_without_an_end_is_not() {
 }
 
 #[test]
+fn a_journal_of_another_flight_is_reported_and_left_out() {
+    let recorded = recorded_with(&run_left());
+    let (replay, _) = watched(&recorded);
+    assert_eq!(replay.damage().count(), 0);
+    let journal = recorded.frames.with_extension("flight.jsonl");
+    let own = std::fs::read_to_string(&journal).expect("text");
+    let began = format!("\"began_unix_us\":{BEGAN_US}");
+    for (from, to, named) in [
+        (
+            "01-air-sample",
+            "03-plume-source",
+            "another flight (03-plume-source)",
+        ),
+        (
+            began.as_str(),
+            "\"began_unix_us\":1",
+            "does not fit the first frame",
+        ),
+        (
+            began.as_str(),
+            "\"began_unix_us\":1e308",
+            "the first line is damaged",
+        ),
+    ] {
+        std::fs::write(&journal, own.replacen(from, to, 1)).expect("writable");
+        let (replay, events) = Replay::open(&recorded.frames, &Config::default()).expect("frames");
+        let found: Vec<String> = replay.damage().map(|it| it.to_string()).collect();
+        assert!(found.len() == 1 && found[0].contains(named), "{found:?}");
+        assert!(replay.film().journal().is_none(), "{named}");
+        let is_told =
+            |event: &Event| matches!(event, Event::Notice(it) if it.text.to_string() == found[0]);
+        assert!(events.iter().any(is_told), "{named}");
+    }
+}
+
+#[test]
 fn the_clock_of_a_mission_that_was_left_runs_to_its_end() {
     let recorded = recorded_with(&run_left());
     let (mut replay, mut observer) = watched(&recorded);
