@@ -62,6 +62,7 @@ plan-refused-latitude = the latitude of { $command } is not between -90 and 90
 plan-refused-longitude = the longitude of { $command } is not between -180 and 180
 plan-refused-height = the height of { $command } is not a number that the vehicle can store
 plan-refused-parameter = parameter { $number } of { $command } is not a valid number
+plan-misheld = `{ $name }` of { $command } is { $written }; the vehicle would store { $stored }
 plan-skipped = a { $vehicle } skips { $command } in flight
 plan-vehicle-copter = copter
 plan-vehicle-plane = plane

@@ -64,6 +64,7 @@ plan-refused-latitude = широта { $command } не в межах від -90 
 plan-refused-longitude = довгота { $command } не в межах від -180 до 180
 plan-refused-height = висота { $command } — не число, яке апарат може зберегти
 plan-refused-parameter = параметр { $number } команди { $command } — неприпустиме число
+plan-misheld = `{ $name }` у { $command } — { $written }; апарат зберіг би { $stored }
 plan-skipped = { $vehicle } пропускає { $command } під час польоту
 plan-vehicle-copter = коптер
 plan-vehicle-plane = літак

@@ -1,8 +1,9 @@
 //! Texts for the findings about a plan.
 
 use super::{command_name, list_words};
-use crate::plan::board::Refusal;
+use crate::plan::board::{Misheld, Refusal};
 use crate::plan::check::{Finding, FindingKind, Height, VehicleKind};
+use crate::plan::field::{FieldUnit, field_numbered};
 use crate::plan::{FenceError, HeightFrame};
 use crate::text;
 use crate::text::{Text, figure};
@@ -27,6 +28,7 @@ fn kind_words(kind: &FindingKind) -> Text {
             command = command_name(*command),
             vehicle = vehicle_words(*vehicle)
         ),
+        FindingKind::Misheld(fault) => misheld(fault),
         FindingKind::TooMany { count, most } => {
             text!("plan-too-many", count = *count, most = *most)
         }
@@ -109,6 +111,35 @@ fn refusal(command: u16, reason: Refusal) -> Text {
         Refusal::Parameter(number) => {
             text!("plan-refused-parameter", command = command, number = number)
         }
+    }
+}
+
+fn misheld(fault: &Misheld) -> Text {
+    let field = field_numbered(fault.command, fault.parameter);
+    let name = match field {
+        Some(field) => field.name.to_owned(),
+        None => format!("p{}", fault.parameter),
+    };
+    let unit = field.map_or(FieldUnit::None, |field| field.unit);
+    text!(
+        "plan-misheld",
+        command = command_name(fault.command),
+        name = name,
+        written = measured(fault.written, unit),
+        stored = measured(fault.stored, unit)
+    )
+}
+
+/// A value with all its digits, and its unit.
+fn measured(value: f32, unit: FieldUnit) -> String {
+    match unit {
+        FieldUnit::None => value.to_string(),
+        FieldUnit::Degrees | FieldUnit::DegreesPerSecond => format!("{value}{}", unit.symbol()),
+        FieldUnit::Metres
+        | FieldUnit::MetresPerSecond
+        | FieldUnit::Seconds
+        | FieldUnit::Microseconds
+        | FieldUnit::Percent => format!("{value} {}", unit.symbol()),
     }
 }
 

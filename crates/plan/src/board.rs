@@ -9,8 +9,10 @@ use sortie_geo::LatLon;
 
 use crate::{HeightFrame, Item, ListKind, command};
 
+mod misheld;
 mod sent;
 
+pub use misheld::{Misheld, misheld};
 pub use sent::as_sent;
 
 const SEA_LEVEL: u8 = 0;
@@ -347,6 +349,7 @@ fn shortened(letter: u8, value: f32) -> f32 {
     let direction = if value < 0.0 { -1.0 } else { 1.0 };
     match letter {
         b't' if value > 0.0 && value < 1.0 => (value * 256.0).trunc() / 256.0,
+        b't' if value > 255.0 => 255.0,
         b'B' | b't' => f32::from(wrapped(value) as u8),
         b'b' => f32::from(wrapped(value) as i8),
         b'H' => f32::from(wrapped(value) as u16),
@@ -357,7 +360,7 @@ fn shortened(letter: u8, value: f32) -> f32 {
         b'o' => f32::from(u8::from(value > 0.0)),
         b'r' if value.abs() <= 255.0 => direction * value.abs().trunc(),
         b'r' => direction * 10.0 * f32::from((value.abs() * 0.1) as u8),
-        b's' => direction * f32::from(value.abs() as u16),
+        b's' => direction * f32::from(wrapped(value.abs()) as u16),
         b'd' => direction,
         _ => 0.0,
     }
@@ -401,6 +404,9 @@ mod tests {
             (16, [3.9, 5.0, 6.0, f32::NAN], [3.0, 0.0, 0.0, 0.0]),
             (18, [0.5, 0.0, -80.0, 1.0], [0.5, 0.0, -80.0, 1.0]),
             (18, [3.0, 0.0, 777.0, 0.0], [3.0, 0.0, 770.0, 0.0]),
+            // More turns than a byte holds become the most, and so do radii.
+            (18, [300.0, 0.0, 3000.0, 0.0], [255.0, 0.0, 2550.0, 0.0]),
+            (17, [0.0, 0.0, -70_000.0, 0.0], [0.0, 0.0, -4464.0, 0.0]),
             // Values beyond a field wrap.
             (181, [300.5, -1.0, 0.0, 0.0], [44.0, 255.0, 0.0, 0.0]),
             (16, [70_000.0, 0.0, 0.0, 0.0], [4464.0, 0.0, 0.0, 0.0]),

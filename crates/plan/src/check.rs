@@ -1,7 +1,7 @@
 //! Finds the faults of a document, by the rules of the vehicle that will fly it.
 
 use crate::areas::FenceError;
-use crate::board::{self, Refusal};
+use crate::board::{self, Misheld, Refusal};
 use crate::{Document, HeightFrame, Item, ListKind, command};
 
 mod flight;
@@ -53,6 +53,11 @@ impl VehicleKind {
             21 => !matches!(self, Self::Rover),
             _ => true,
         }
+    }
+
+    /// Whether this kind keeps the parameters of a command as a copter does: of waypoints, planes keep other ones.
+    const fn keeps_as_copter(self, number: u16) -> bool {
+        !matches!(self, Self::Plane) || number != command::WAYPOINT
     }
 
     const fn flies_above_ground(self) -> bool {
@@ -119,6 +124,8 @@ pub enum FindingKind {
         /// The kind of vehicle that skips it.
         vehicle: VehicleKind,
     },
+    /// A parameter that the vehicle would store as another value.
+    Misheld(Misheld),
     /// More items than the vehicle keeps, with home.
     TooMany {
         /// The number of items in the list.
@@ -229,6 +236,7 @@ impl FindingKind {
     pub const fn severity(&self) -> Severity {
         match self {
             Self::Refused { .. }
+            | Self::Misheld(_)
             | Self::TooMany { .. }
             | Self::JumpNowhere { .. }
             | Self::JumpRing
@@ -305,6 +313,11 @@ fn check_items(
             Err(reason) => add(Some(index), FindingKind::Refused { command, reason }),
             Ok(_) if kind == ListKind::Plan && !vehicle.flies(command) => {
                 add(Some(index), FindingKind::Skipped { command, vehicle });
+            }
+            Ok(_) if kind == ListKind::Plan && vehicle.keeps_as_copter(command) => {
+                for fault in board::misheld(item) {
+                    add(Some(index), FindingKind::Misheld(fault));
+                }
             }
             Ok(_) => {}
         }

@@ -23,6 +23,22 @@ pub enum FieldUnit {
     Percent,
 }
 
+impl FieldUnit {
+    /// Its symbol in texts; empty for numbers without a unit.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Metres => "m",
+            Self::MetresPerSecond => "m/s",
+            Self::Seconds => "s",
+            Self::Degrees => "°",
+            Self::DegreesPerSecond => "°/s",
+            Self::Microseconds => "us",
+            Self::Percent => "%",
+        }
+    }
+}
+
 /// A parameter of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Field {
@@ -278,6 +294,14 @@ fn is_of_plan(number: u16) -> bool {
 /// The parameters of a command that have a name. Commands that are rarely used have numbers only: `p1` to `p4`.
 pub fn fields(command: u16) -> &'static [Field] {
     row(command).map_or(NUMBERED, |(_, _, fields)| *fields)
+}
+
+/// The parameter of a command with this number, from 1; `None` for numbers without a name.
+pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
+    let mut known = fields(command).iter().chain(NUMBERED);
+    known
+        .find(|field| field.index + 1 == usize::from(number))
+        .copied()
 }
 
 /// The parameter of a command with this name; `p1` to `p4` name the parameters of every command.

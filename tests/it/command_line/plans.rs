@@ -69,6 +69,48 @@ fn a_faulty_plan_is_pointed_at_in_both_languages() {
     );
 }
 
+/// A value that does not fit into the vehicle's storage is flown as another one.
+#[test]
+fn a_value_that_the_vehicle_would_store_as_another_one_is_an_error() {
+    let wait = good().replace("2\t0\t3\t16\t0", "2\t0\t3\t19\t-5");
+    let turns = good().replace("2\t0\t3\t16\t0\t0\t0", "2\t0\t3\t18\t300\t0\t3000");
+    let folder = folder_with(&[
+        (
+            "hold.waypoints",
+            &good().replace("3\t16\t0", "3\t16\t70000"),
+        ),
+        ("wait.waypoints", &wait),
+        ("turns.waypoints", &turns),
+    ]);
+    for (file, faults) in [
+        (
+            "hold.waypoints",
+            vec!["`hold` of NAV_WAYPOINT is 70000 s; the vehicle would store 4464 s"],
+        ),
+        (
+            "wait.waypoints",
+            vec!["`time` of NAV_LOITER_TIME is -5 s; the vehicle would store 65531 s"],
+        ),
+        (
+            "turns.waypoints",
+            vec![
+                "`turns` of NAV_LOITER_TURNS is 300; the vehicle would store 255",
+                "`radius` of NAV_LOITER_TURNS is 3000 m; the vehicle would store 2550 m",
+            ],
+        ),
+    ] {
+        for arguments in [["plan", "check", file].as_slice(), &["check", file]] {
+            let output = sortie_in(folder.path(), arguments);
+            let said = text(&output.stdout);
+            assert_eq!(output.status.code(), Some(1), "{said}");
+            for fault in &faults {
+                let line = format!("{file}:4:1: plan, item 2: {fault}");
+                assert!(said.contains(&line), "{said}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_plan_goes_through_every_format_and_back() {
     let folder = folder_with(&[("a.waypoints", &good())]);

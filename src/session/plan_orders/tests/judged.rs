@@ -89,6 +89,14 @@ fn errors_of_a_check_refuse_an_upload_and_warnings_are_in_its_row() {
     rig.file("ring", ListKind::Plan, &items);
     rig.upload(ListKind::Plan, "ring");
     assert_eq!(rig.ended(s(1)), RowState::Refused);
+    // A hold that the vehicle would cut to 16 bits.
+    let mut held = list(ListKind::Plan, 4, 1.0);
+    held[2].params[0] = 70_000.0;
+    rig.file("held", ListKind::Plan, &held);
+    rig.upload(ListKind::Plan, "held");
+    assert_eq!(rig.ended(s(1)), RowState::Refused);
+    let explanation = rig.explanation();
+    assert!(explanation.contains("would store 4464 s"), "{explanation}");
     // More bytes than the vehicle has for fences.
     rig.file("large", ListKind::Fence, &list(ListKind::Fence, 60, 1.0));
     rig.upload(ListKind::Fence, "large");
