@@ -186,6 +186,7 @@ draft-trial-conflicts = { $count ->
     [one] { $count } conflict
    *[other] { $count } conflicts
 }: { $a } and { $b } at { $time }; `draft deconflict` separates them
+draft-trial-meeting = { $a } and { $b } come too close at { $time }
 draft-trial-fence = { $name } breaches its fence at { $time }
 draft-trial-unfinished = { $name } was not flown to its end
 draft-trial-figures = { $count ->

@@ -189,6 +189,7 @@ draft-trial-conflicts = { $count ->
     [few] { $count } конфлікти
    *[other] { $count } конфліктів
 }: { $a } і { $b } на { $time }; `draft deconflict` розведе їх
+draft-trial-meeting = { $a } і { $b } надто зближуються на { $time }
 draft-trial-fence = { $name } порушує геозону на { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану
 draft-trial-figures = { $count ->

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::plan::Document;
+use crate::plan::{ContentHash, Document};
 use crate::preflight::list_words;
 use crate::rehearsal::{
-    Approach, Conditions, Ending, Outcome, Participant, RehearsalError, Remedy, deconflict,
+    Approach, Conditions, Ending, Flown, Outcome, Participant, RehearsalError, Remedy, deconflict,
     rehearse,
 };
 use crate::text;
@@ -35,8 +35,18 @@ pub struct Tried {
     pub is_sound: bool,
     /// The drafts to change, by name, with their new content.
     pub changed: Vec<(String, Arc<Document>)>,
+    /// The plans that were flown as they are.
+    pub verdicts: Vec<PlanVerdict>,
     /// Whether the user waits for it.
     pub is_awaited: bool,
+}
+
+/// How a plan was flown in a trial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanVerdict {
+    pub plan: ContentHash,
+    /// Why it was not flown as intended.
+    pub failure: Option<Text>,
 }
 
 impl Trial {
@@ -57,7 +67,10 @@ impl Trial {
         let conditions = Conditions::default();
         if !self.is_apart {
             return match rehearse(&crew, &conditions) {
-                Ok(outcome) => self.told(&outcome),
+                Ok(outcome) => Tried {
+                    verdicts: self.verdicts(&outcome),
+                    ..self.told(&outcome)
+                },
                 Err(error) => self.failed(&error),
             };
         }
@@ -86,6 +99,34 @@ impl Trial {
         })
     }
 
+    fn verdicts(&self, outcome: &Outcome) -> Vec<PlanVerdict> {
+        let flown = self.drafts.iter().zip(&outcome.vehicles).enumerate();
+        let verdict = |(at, ((_, document), flown)): (usize, (&(_, Arc<Document>), &Flown))| {
+            let meeting = || {
+                let mut conflicts = outcome.conflicts();
+                let conflict = conflicts.find(|it| [it.a, it.b].contains(&at))?;
+                let [a, b] = [conflict.a, conflict.b].map(|at| self.name(at));
+                let at_s = time(conflict.at_s);
+                Some(text!("draft-trial-meeting", a = a, b = b, time = at_s))
+            };
+            PlanVerdict {
+                plan: ContentHash::of(&document.plan),
+                failure: self.failure(at, flown).or_else(meeting),
+            }
+        };
+        flown.map(verdict).collect()
+    }
+
+    /// Why a plan is not flown to its end inside its fence, if so.
+    fn failure(&self, at: usize, flown: &Flown) -> Option<Text> {
+        let name = self.name(at);
+        if let Some(at_s) = flown.broke_fence_s {
+            return Some(text!("draft-trial-fence", name = name, time = time(at_s)));
+        }
+        let is_good = matches!(flown.ending, Ending::Landed | Ending::InAir);
+        (!is_good).then(|| text!("draft-trial-unfinished", name = name))
+    }
+
     /// The figures of a rehearsal, its first conflict, or the first plan that is not flown to its end.
     fn told(&self, outcome: &Outcome) -> Tried {
         if let Some(conflict) = outcome.conflicts().next() {
@@ -98,21 +139,13 @@ impl Trial {
                 time = time(conflict.at_s)
             ));
         }
-        let flown = outcome.vehicles.iter().enumerate();
-        let is_good = |ending| matches!(ending, Ending::Landed | Ending::InAir);
-        let mut bad = flown.filter(|(_, it)| !is_good(it.ending) || it.broke_fence_s.is_some());
-        if let Some((at, it)) = bad.next() {
-            let name = self.name(at);
-            return unsound(match it.broke_fence_s {
-                Some(at_s) => text!("draft-trial-fence", name = name, time = time(at_s)),
-                None => text!("draft-trial-unfinished", name = name),
-            });
-        }
-        Tried {
-            text: self.summary(outcome),
-            is_sound: true,
-            changed: Vec::new(),
-            is_awaited: false,
+        let mut flown = outcome.vehicles.iter().enumerate();
+        match flown.find_map(|(at, it)| self.failure(at, it)) {
+            Some(failure) => unsound(failure),
+            None => Tried {
+                is_sound: true,
+                ..unsound(self.summary(outcome))
+            },
         }
     }
 
@@ -178,6 +211,7 @@ fn unsound(text: Text) -> Tried {
         text,
         is_sound: false,
         changed: Vec::new(),
+        verdicts: Vec::new(),
         is_awaited: false,
     }
 }
@@ -239,6 +273,8 @@ mod tests {
         };
         let tried = trial.fly();
         assert!(!tried.is_sound && tried.changed.is_empty());
+        let failures = tried.verdicts.iter().map(|it| it.failure.as_ref());
+        assert_eq!(failures.flatten().count(), 2, "both meet: {tried:?}");
         assert!(tried.text.to_string().contains("east"), "{}", tried.text);
         trial.is_apart = true;
         let tried = trial.fly();
@@ -249,6 +285,7 @@ mod tests {
         trial.is_apart = false;
         let again = trial.fly();
         assert!(again.is_sound, "{}", again.text);
+        assert!(again.verdicts.iter().all(|it| it.failure.is_none()));
     }
 
     #[test]

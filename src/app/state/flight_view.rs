@@ -11,6 +11,7 @@ use super::{
 use crate::app::room_list::Room;
 use crate::commands::{Act, Command, Order, PlanFlight};
 use crate::doctor::LinkFinding;
+use crate::draft::PlanVerdict;
 use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::mission::Stake;
@@ -41,6 +42,8 @@ pub struct FlightView {
     pub(in crate::app) meetings: Vec<Meeting>,
     /// The plans that failed in the newest rehearsal of each vehicle.
     pub(in crate::app) failed_rehearsals: BTreeMap<VehicleId, FailedRehearsal>,
+    /// Why plans failed in the newest rehearsal of drafts, by the hashes of the plans.
+    pub(in crate::app) failed_trials: BTreeMap<u32, Text>,
     /// The places that commands may name.
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     pub(in crate::app) choice: Choice,
@@ -98,6 +101,8 @@ impl FlightView {
     pub(in crate::app) fn keep_choices(&mut self, before: Self) {
         self.choice.keep(before.choice);
         self.first_room = before.first_room;
+        // Drafts outlast a session.
+        self.failed_trials = before.failed_trials;
     }
 
     /// Starts its clock at zero; in a mission, that of the mission.
@@ -118,10 +123,32 @@ impl FlightView {
         self.meetings = findings.meetings;
         for vehicle in findings.passed {
             self.failed_rehearsals.remove(&vehicle);
+            if let Some(plan) = self.carried(vehicle) {
+                self.failed_trials.remove(&plan.0);
+            }
         }
         let failed = findings.failed.into_iter();
         self.failed_rehearsals
             .extend(failed.map(|failed| (failed.vehicle, failed)));
+    }
+
+    /// Notes how plans of drafts were flown.
+    pub(in crate::app) fn note_trial(&mut self, verdicts: &[PlanVerdict]) {
+        for PlanVerdict { plan, .. } in verdicts {
+            self.failed_trials.remove(&plan.0);
+        }
+        // Several vehicles may fly the same plan: it has failed if one of them has.
+        let failed = verdicts.iter().filter_map(|it| {
+            let reason = it.failure.clone()?;
+            Some((it.plan.0, reason))
+        });
+        self.failed_trials.extend(failed);
+    }
+
+    /// The plan on board of a vehicle, as far as it has been read.
+    fn carried(&self, vehicle: VehicleId) -> Option<ContentHash> {
+        let plan = self.vehicles.get(&vehicle)?.plans.plan.content.as_ref()?;
+        Some(ContentHash::of(plan.flown()))
     }
 
     /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because the plans
@@ -155,12 +182,14 @@ impl FlightView {
 
     fn rehearsal_hazard(&self, order: &Order) -> Option<Text> {
         let failed = |id: &VehicleId| {
-            let failed = self.failed_rehearsals.get(id)?;
-            let plan = self.vehicles.get(id)?.plans.plan.content.as_ref()?;
-            (ContentHash::of(plan.flown()) == failed.plan).then_some(failed)
+            let plan = self.carried(*id)?;
+            let on_board = self.failed_rehearsals.get(id);
+            let on_board = on_board.filter(|failed| failed.plan == plan);
+            let reason = on_board.map(|failed| &failed.reason);
+            let reason = reason.or_else(|| self.failed_trials.get(&plan.0))?;
+            Some((*id, reason.clone()))
         };
-        let failed = order.targets.iter().find_map(failed)?;
-        let (vehicle, reason) = (failed.vehicle, failed.reason.clone());
+        let (vehicle, reason) = order.targets.iter().find_map(failed)?;
         Some(text!(
             "hazard-plan-rehearsal",
             vehicle = vehicle,
@@ -322,6 +351,32 @@ mod tests {
             ..RehearsalFindings::default()
         });
         assert_eq!(view.hazard(&start), None, "it passes now");
+    }
+
+    /// The same holds for a draft that fails before it is uploaded.
+    #[test]
+    fn a_failed_rehearsal_of_a_draft_makes_the_start_of_its_plan_dangerous() {
+        let mut view = FlightView::default();
+        view.insert(Arc::new(carrying(20.0)));
+        let plan = carrying(20.0).plans.plan.content.expect("a plan");
+        let verdict = |failure: Option<&str>| PlanVerdict {
+            plan: ContentHash::of(plan.flown()),
+            failure: failure.map(Text::verbatim),
+        };
+        let start = order("plan start");
+        view.note_trial(&[verdict(None)]);
+        assert_eq!(view.hazard(&start), None);
+        view.note_trial(&[verdict(Some("meets 2 at 0:20")), verdict(None)]);
+        let reason = view.hazard(&start).expect("it asks").to_string();
+        assert!(reason.contains("meets 2 at 0:20"), "{reason}");
+        view.insert(Arc::new(carrying(25.0)));
+        assert_eq!(view.hazard(&start), None, "another plan");
+        view.insert(Arc::new(carrying(20.0)));
+        view.note_rehearsal(RehearsalFindings {
+            passed: vec![1],
+            ..RehearsalFindings::default()
+        });
+        assert_eq!(view.hazard(&start), None, "it passes on board");
     }
 
     #[test]

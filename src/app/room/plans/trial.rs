@@ -69,6 +69,7 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
         let document = Arc::clone(document);
         state.rooms.plans.drafts.change(name, document);
     }
+    state.session.note_trial(&tried.verdicts);
     let severity = if tried.is_sound {
         Severity::Info
     } else {

@@ -1,8 +1,11 @@
 //! Areas that are drawn, their division among vehicles, and the ground.
 
 use super::*;
+use crate::draft::PlanVerdict;
 use crate::geo::{Square, Terrain};
+use crate::plan::ContentHash;
 use crate::plan::check::{Finding, FindingKind};
+use crate::text::Text;
 use crate::vehicle::GlobalPosition;
 
 #[test]
@@ -203,6 +206,42 @@ fn the_ground_comes_from_files_of_a_folder() {
     assert!(desk.room().ground().is_empty());
 }
 
+/// A plan on board has failed as well if it failed as a draft.
+#[test]
+fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    draw_field(&mut desk);
+    desk.give("draft survey 1");
+    let plan = desk.room().items().to_vec();
+    let content = std::iter::once(Item::default()).chain(plan.clone());
+    let content = Arc::new(Plan {
+        items: content.collect(),
+        home_first: true,
+    });
+    desk.vehicle(1, |vehicle| {
+        read_empty(vehicle);
+        vehicle.plans.plan.content = Some(content);
+    });
+    let verdict = |failure: Option<&str>| Tried {
+        text: "conflicts: 1".into(),
+        is_sound: failure.is_none(),
+        is_awaited: true,
+        changed: Vec::new(),
+        verdicts: vec![PlanVerdict {
+            plan: ContentHash::of(&plan),
+            failure: failure.map(Text::verbatim),
+        }],
+    };
+    let _ = desk.app.update(Event::Tried(verdict(Some("meets 2"))));
+    assert!(desk.give("1 plan start").is_empty());
+    let asked = matches!(desk.app.state().overlay(), Some(Overlay::Confirm(_)));
+    assert!(asked, "{}", desk.said());
+    let _ = desk.key(KeyCode::Esc);
+    let _ = desk.app.update(Event::Tried(verdict(None)));
+    assert_eq!(desk.give("1 plan start").len(), 1, "{}", desk.said());
+}
+
 #[test]
 fn drafts_fly_together_before_an_upload() {
     let mut desk = Desk::new();
@@ -229,6 +268,7 @@ fn drafts_fly_together_before_an_upload() {
         text: "vehicle-1 starts later".into(),
         is_sound: true,
         is_awaited: true,
+        verdicts: Vec::new(),
         changed: vec![("vehicle-1".to_owned(), Arc::clone(&longer))],
     };
     let before = desk.plan();
