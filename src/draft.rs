@@ -32,7 +32,7 @@ pub use place::place;
 pub use profile::{Pace, Profile, Stop, ground_above_home, height_above_home, profile};
 pub use shelf::Drafts;
 pub use squares::squares;
-pub use trial::{PlanVerdict, Trial, Tried};
+pub use trial::{PlanVerdict, Trial, TrialDraft, Tried};
 
 /// The maximum number of changes that can be undone.
 const MOST_CHANGES: usize = 1000;

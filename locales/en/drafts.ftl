@@ -179,6 +179,7 @@ draft-trial-flies = { $count ->
    *[other] { $count } plans fly in simulation
 }
 draft-trial-none = no draft has a plan to fly
+draft-trial-unplaced = the position of { $vehicles } is unknown
 draft-trial-busy = drafts are being rehearsed: wait for the outcome
 draft-trial-broken = the simulation of the drafts failed
 draft-trial-refused = { $name }: the vehicle would refuse the { $list }
@@ -195,6 +196,7 @@ draft-trial-figures = { $count ->
 } flown in { $time }, at least { $left } % battery left
 draft-trial-delay = { $name } starts { $seconds } s later
 draft-trial-layer = { $name } flies { $height } m higher
+draft-trial-split = each vehicle has a draft of its own: `draft upload each`
 draft-trial-disarm = set DISARM_DELAY to 0, or the vehicle disarms while it waits
-argument-draft-rehearse = fly the drafts of all vehicles together in simulation
+argument-draft-rehearse = fly the drafts of all vehicles together in simulation; a draft without a vehicle is flown by each selected or named one
 argument-draft-deconflict = find later starts or separate heights for drafts that come too close to each other

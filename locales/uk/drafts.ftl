@@ -181,6 +181,7 @@ draft-trial-flies = { $count ->
    *[other] { $count } планів випробовуються в симуляції
 }
 draft-trial-none = жодна чернетка не має плану
+draft-trial-unplaced = позиція { $vehicles } невідома
 draft-trial-busy = чернетки ще випробовуються: зачекайте на результат
 draft-trial-broken = симуляція чернеток не вдалася
 draft-trial-refused = { $name }: апарат відхилив би список: { $list }
@@ -199,6 +200,7 @@ draft-trial-figures = { $count ->
 } за { $time }, заряду лишається щонайменше { $left } %
 draft-trial-delay = { $name } стартує на { $seconds } s пізніше
 draft-trial-layer = { $name } летить на { $height } m вище
+draft-trial-split = кожен апарат має власну чернетку: `draft upload each`
 draft-trial-disarm = на час очікування задайте DISARM_DELAY 0
-argument-draft-rehearse = випробувати чернетки всіх апаратів разом у симуляції
+argument-draft-rehearse = випробувати чернетки всіх апаратів разом у симуляції; спільну чернетку пролітає кожен вибраний або названий апарат
 argument-draft-deconflict = знайти пізніші старти чи різні висоти для чернеток, що надто зближуються

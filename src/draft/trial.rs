@@ -11,6 +11,7 @@ use crate::rehearsal::{
 };
 use crate::text;
 use crate::text::{Text, clock, figure};
+use crate::vehicle_id::VehicleId;
 
 /// Metres between separate heights.
 const LAYER_M: f32 = 6.0;
@@ -18,12 +19,22 @@ const LAYER_M: f32 = 6.0;
 /// Drafts to fly together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
-    /// The name and the content of each draft.
-    pub drafts: Vec<(String, Arc<Document>)>,
+    pub drafts: Vec<TrialDraft>,
     /// Whether to look for changes that keep them apart.
     pub is_apart: bool,
     /// Whether the user has asked for it, and waits for the outcome.
     pub is_awaited: bool,
+}
+
+/// A draft as one vehicle flies it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrialDraft {
+    /// The name of the draft; of one that several vehicles fly, the name of the draft that this vehicle would get.
+    pub name: String,
+    /// The vehicle, if it flies a draft that is not meant for it alone: a change gives it a draft of its own.
+    pub sharer: Option<VehicleId>,
+    /// The content, with the home from which it is flown.
+    pub document: Arc<Document>,
 }
 
 /// The outcome of a trial.
@@ -33,8 +44,8 @@ pub struct Tried {
     pub text: Text,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
     pub is_sound: bool,
-    /// The drafts to change, by name, with their new content.
-    pub changed: Vec<(String, Arc<Document>)>,
+    /// The drafts to change, with their new content. If one of a shared draft changes, all of them are here.
+    pub changed: Vec<TrialDraft>,
     /// The plans that were flown as they are.
     pub verdicts: Vec<PlanVerdict>,
     /// Whether the user waits for it.
@@ -59,8 +70,8 @@ impl Trial {
     }
 
     fn outcome(&self) -> Tried {
-        let participant = |(_, document): &(String, Arc<Document>)| Participant {
-            document: Document::clone(document),
+        let participant = |draft: &TrialDraft| Participant {
+            document: Document::clone(&draft.document),
             ..Participant::default()
         };
         let crew: Vec<Participant> = self.drafts.iter().map(participant).collect();
@@ -82,7 +93,7 @@ impl Trial {
     }
 
     fn name(&self, index: usize) -> &str {
-        self.drafts.get(index).map_or("", |(name, _)| name)
+        self.drafts.get(index).map_or("", |draft| &draft.name)
     }
 
     fn failed(&self, error: &RehearsalError) -> Tried {
@@ -101,7 +112,7 @@ impl Trial {
 
     fn verdicts(&self, outcome: &Outcome) -> Vec<PlanVerdict> {
         let flown = self.drafts.iter().zip(&outcome.vehicles).enumerate();
-        let verdict = |(at, ((_, document), flown)): (usize, (&(_, Arc<Document>), &Flown))| {
+        let verdict = |(at, (draft, flown)): (usize, (&TrialDraft, &Flown))| {
             let meeting = || {
                 let mut conflicts = outcome.conflicts();
                 let conflict = conflicts.find(|it| [it.a, it.b].contains(&at))?;
@@ -110,7 +121,7 @@ impl Trial {
                 Some(text!("draft-trial-meeting", a = a, b = b, time = at_s))
             };
             PlanVerdict {
-                plan: ContentHash::of(&document.plan),
+                plan: ContentHash::of(&draft.document.plan),
                 failure: self.failure(at, flown).or_else(meeting),
             }
         };
@@ -183,21 +194,30 @@ impl Trial {
 
     fn changed(&self, remedies: &[Remedy], outcome: &Outcome) -> Tried {
         let told = self.told(outcome);
-        let needed = remedies.iter().zip(&self.drafts);
-        let needed = needed.filter(|(remedy, _)| **remedy != Remedy::Nothing);
-        let changed: Vec<(String, Arc<Document>)> = needed
-            .clone()
-            .map(|(remedy, (name, document))| (name.clone(), Arc::new(remedy.apply(document))))
-            .collect();
-        if changed.is_empty() {
+        let all = remedies.iter().zip(&self.drafts);
+        let is_needed = |remedy: &Remedy| *remedy != Remedy::Nothing;
+        if !remedies.iter().any(is_needed) {
             let text = Text::joined("; ", vec![text!("plan-deconflict-none"), told.text]);
             return Tried { text, ..told };
         }
+        let is_other =
+            |(remedy, draft): &(&Remedy, &TrialDraft)| is_needed(remedy) || draft.sharer.is_some();
+        let changed = all
+            .clone()
+            .filter(is_other)
+            .map(|(remedy, draft)| TrialDraft {
+                document: Arc::new(remedy.apply(&draft.document)),
+                ..draft.clone()
+            });
+        let changed: Vec<TrialDraft> = changed.collect();
+        let needed = all.filter(|(remedy, _)| is_needed(remedy));
         let mut words: Vec<Text> = needed
-            .map(|(remedy, (name, _))| remedy_words(*remedy, name))
+            .map(|(remedy, draft)| remedy_words(*remedy, &draft.name))
             .collect();
         let waits = remedies.iter().any(|it| matches!(it, Remedy::Delay(_)));
         words.extend(waits.then(|| text!("draft-trial-disarm")));
+        let splits = changed.iter().any(|draft| draft.sharer.is_some());
+        words.extend(splits.then(|| text!("draft-trial-split")));
         Tried {
             text: Text::joined("; ", words),
             changed,
@@ -239,7 +259,7 @@ mod tests {
     const HOME: LatLon = LatLon::new(50.45, 30.52);
 
     /// A flight from a place to another at 20 m, and back to the ground there.
-    fn flight(name: &str, from_m: f64, to_m: f64) -> (String, Arc<Document>) {
+    fn flight(name: &str, from_m: f64, to_m: f64) -> TrialDraft {
         let at = |east_m: f64| HOME.moved(0.0, east_m).to_e7();
         let item = |command, (x, y), z| Item {
             command,
@@ -260,7 +280,11 @@ mod tests {
             ],
             ..Document::default()
         };
-        (name.to_owned(), Arc::new(document))
+        TrialDraft {
+            name: name.to_owned(),
+            sharer: None,
+            document: Arc::new(document),
+        }
     }
 
     #[test]
@@ -280,12 +304,48 @@ mod tests {
         let tried = trial.fly();
         assert!(tried.is_sound, "{}", tried.text);
         assert_eq!(tried.changed.len(), 1);
-        trial.drafts.retain(|(name, _)| *name != tried.changed[0].0);
+        trial
+            .drafts
+            .retain(|draft| draft.name != tried.changed[0].name);
         trial.drafts.extend(tried.changed);
         trial.is_apart = false;
         let again = trial.fly();
         assert!(again.is_sound, "{}", again.text);
         assert!(again.verdicts.iter().all(|it| it.failure.is_none()));
+    }
+
+    /// Vehicles that fly the same plan meet at its first place; a change gives each a draft of its own.
+    #[test]
+    fn a_shared_draft_is_flown_and_changed_for_each_vehicle() {
+        let shared = |id: VehicleId| {
+            let flown = flight(&format!("vehicle-{id}"), 8.0 * f64::from(id), 100.0);
+            let mut document = Document::clone(&flown.document);
+            if let Some(last) = document.plan.last_mut() {
+                last.command = command::RETURN_TO_LAUNCH;
+            }
+            TrialDraft {
+                sharer: Some(id),
+                document: Arc::new(document),
+                ..flown
+            }
+        };
+        let mut trial = Trial {
+            drafts: vec![shared(1), shared(2), shared(3)],
+            is_apart: false,
+            is_awaited: true,
+        };
+        let tried = trial.fly();
+        let said = tried.text.to_string();
+        assert!(!tried.is_sound && said.contains("3 conflicts"), "{said}");
+        trial.is_apart = true;
+        let tried = trial.fly();
+        assert!(tried.is_sound, "{}", tried.text);
+        let changed = tried.changed.iter().map(|draft| draft.sharer);
+        assert_eq!(changed.collect::<Vec<_>>(), [Some(1), Some(2), Some(3)]);
+        trial.drafts = tried.changed;
+        trial.is_apart = false;
+        let again = trial.fly();
+        assert!(again.is_sound, "{}", again.text);
     }
 
     #[test]

@@ -302,6 +302,8 @@ pub enum DraftLine {
     Try {
         /// Whether to change those that come too close to each other.
         is_apart: bool,
+        /// The vehicles that would fly them; `None` for those of the drafts, otherwise the selected ones.
+        vehicles: Option<VehicleChoice>,
     },
     /// Take the height of the ground from files in this folder; `None` counts it as level.
     Ground(Option<String>),

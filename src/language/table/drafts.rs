@@ -183,6 +183,13 @@ fn circle(keeps_in: bool, centre: LatLon, radius_m: f64) -> Built {
     }))
 }
 
+fn attempt(given: &Arguments, is_apart: bool) -> Built {
+    line(DraftLine::Try {
+        is_apart,
+        vehicles: given.vehicles("targets"),
+    })
+}
+
 const DRAFT: VerbRow = VerbRow {
     verb: Verb::unsent("draft"),
     scope: Scope::Console,
@@ -209,6 +216,7 @@ const DRAFT: VerbRow = VerbRow {
         "draft survey 1-6 spacing 20 up 40 course 90",
         "draft search parallel 1-4",
         "draft rehearse",
+        "draft rehearse 1-4",
         "draft deconflict",
         "draft ground srtm",
         "draft undo",
@@ -266,12 +274,14 @@ const FORMS: &[Form] = &[
     work::SURVEY_AREA,
     work::SEARCH_AREA,
     work::SEARCH_AROUND,
-    Form::new(&[says("rehearse", "argument-draft-rehearse")], |_| {
-        line(DraftLine::Try { is_apart: false })
-    }),
-    Form::new(&[says("deconflict", "argument-draft-deconflict")], |_| {
-        line(DraftLine::Try { is_apart: true })
-    }),
+    Form::new(
+        &[says("rehearse", "argument-draft-rehearse"), TARGETS],
+        |given| attempt(given, false),
+    ),
+    Form::new(
+        &[says("deconflict", "argument-draft-deconflict"), TARGETS],
+        |given| attempt(given, true),
+    ),
     Form::new(&[says("undo", "argument-draft-undo")], |_| {
         line(DraftLine::Undo)
     }),

@@ -27,7 +27,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         DraftLine::Divide { work, vehicles } => {
             let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
-            let trial = trial::prepared(state)?;
+            let trial = trial::prepared(state, None)?;
             return Ok(Effects::from(Effect::TryDrafts(trial)));
         }
         DraftLine::Use(name) => {
@@ -46,7 +46,10 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             state.rooms.plans.speed_m_s = speed_m_s;
             return Ok(Effects::none());
         }
-        DraftLine::Try { is_apart } => return trial::ask(state, is_apart),
+        DraftLine::Try { is_apart, vehicles } => {
+            let vehicles = vehicles.map(|it| state.chosen(&it)).transpose()?;
+            return trial::ask(state, is_apart, vehicles.as_deref());
+        }
         DraftLine::Ground(folder) => {
             ground::choose(state, folder);
             return Ok(Effects::none());

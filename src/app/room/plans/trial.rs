@@ -2,72 +2,143 @@
 
 use std::sync::Arc;
 
-use super::change;
+use super::{change, files};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
-use crate::draft::{Draft, Trial, Tried};
+use crate::draft::{Draft, Trial, TrialDraft, Tried};
 use crate::notice::Notice;
-use crate::plan::Document;
+use crate::plan::{Document, Home};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
+use crate::vehicle::{Severity, VehicleId};
 
-/// Asks the shell to fly the drafts.
+/// Asks the shell to fly the drafts, with vehicles as those that would fly them.
 ///
 /// # Errors
-/// No draft has a plan.
-pub(super) fn ask(state: &mut State, is_apart: bool) -> Result<Effects, Text> {
+/// No draft has a plan, or a vehicle has no position.
+pub(super) fn ask(
+    state: &mut State,
+    is_apart: bool,
+    vehicles: Option<&[VehicleId]>,
+) -> Result<Effects, Text> {
     let trial = Trial {
         is_apart,
         is_awaited: true,
-        ..prepared(state)?
+        ..prepared(state, vehicles)?
     };
     let text = text!("draft-trial-flies", count = trial.drafts.len());
     state.say(Severity::Info, text);
     Ok(Effects::from(Effect::TryDrafts(trial)))
 }
 
-/// A trial of the drafts with plans that are meant for vehicles, otherwise of all drafts with plans.
+/// A trial of what these vehicles would fly: the draft of each, otherwise the current one. Without vehicles, it is that of
+/// all drafts that are meant for vehicles; otherwise the current one by each of several selected vehicles, as an upload
+/// would send it; otherwise all drafts with plans.
 ///
 /// # Errors
-/// There are none.
-pub(super) fn prepared(state: &State) -> Result<Trial, Text> {
+/// No draft has a plan, or a vehicle has no position.
+pub(super) fn prepared(state: &State, vehicles: Option<&[VehicleId]>) -> Result<Trial, Text> {
     let all = state.rooms.plans.drafts.all().iter();
     let planned = all.filter(|draft| !draft.document().plan.is_empty());
-    let own = planned.clone().filter(|draft| draft.vehicle().is_some());
-    let mut flown: Vec<&Draft> = own.collect();
-    if flown.is_empty() {
-        flown = planned.collect();
-    }
-    if flown.is_empty() {
+    let own: Vec<&Draft> = planned
+        .clone()
+        .filter(|it| it.vehicle().is_some())
+        .collect();
+    let current = state.rooms.plans.drafts.current();
+    let shared = current.filter(|it| it.vehicle().is_none() && !it.document().plan.is_empty());
+    let selected = state.addressed();
+    let drafts = match (vehicles, shared) {
+        (Some(vehicles), shared) => flown_by(state, vehicles, &own, shared)?,
+        (None, Some(shared)) if own.is_empty() && selected.len() > 1 => {
+            flown_by(state, &selected, &own, Some(shared))?
+        }
+        (None, _) if own.is_empty() => planned.map(|draft| alone(state, draft)).collect(),
+        (None, _) => own.iter().map(|draft| alone(state, draft)).collect(),
+    };
+    if drafts.is_empty() {
         return Err(text!("draft-trial-none"));
     }
-    let home = change::home(state);
-    let with_home = |draft: &Draft| {
-        let document = draft.document();
-        if document.home.is_some() {
-            return Arc::clone(document);
-        }
-        Arc::new(Document {
-            home,
-            ..Document::clone(document)
-        })
-    };
-    let drafts = flown
-        .into_iter()
-        .map(|draft| (draft.name().to_owned(), with_home(draft)));
     Ok(Trial {
-        drafts: drafts.collect(),
+        drafts,
         is_apart: false,
         is_awaited: false,
     })
 }
 
+/// A draft flown once, from its home.
+fn alone(state: &State, draft: &Draft) -> TrialDraft {
+    let home = draft.document().home.or_else(|| change::home(state));
+    TrialDraft {
+        name: draft.name().to_owned(),
+        sharer: None,
+        document: from(draft, home),
+    }
+}
+
+/// What each of some vehicles would fly: its own draft, otherwise the shared one from where it stands.
+fn flown_by(
+    state: &State,
+    vehicles: &[VehicleId],
+    own: &[&Draft],
+    shared: Option<&Draft>,
+) -> Result<Vec<TrialDraft>, Text> {
+    let mut flown = Vec::new();
+    for &id in vehicles {
+        if let Some(draft) = own.iter().find(|draft| draft.vehicle() == Some(id)) {
+            flown.push(alone(state, draft));
+        } else if let Some(draft) = shared {
+            let home = stand(state, id);
+            let home = home.ok_or_else(|| text!("draft-trial-unplaced", vehicles = id))?;
+            flown.push(TrialDraft {
+                name: files::name_of(id),
+                sharer: Some(id),
+                document: from(draft, Some(home)),
+            });
+        }
+    }
+    Ok(flown)
+}
+
+/// Where a vehicle would begin: where it stands, or its home if it is in the air.
+fn stand(state: &State, id: VehicleId) -> Option<Home> {
+    let vehicle = state.session.vehicles.get(&id)?;
+    let here = vehicle.global.filter(|_| !vehicle.airborne());
+    let (at, amsl_m) = match here {
+        Some(here) => (here.at_point, here.altitude_amsl_m),
+        None => {
+            let home = vehicle.home?;
+            (home.at_point, home.altitude_amsl_m)
+        }
+    };
+    let (x, y) = at.to_e7();
+    Some(Home {
+        x,
+        y,
+        z: amsl_m as f32,
+    })
+}
+
+/// The content of a draft with this home.
+fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {
+    let document = draft.document();
+    if document.home == home {
+        return Arc::clone(document);
+    }
+    Arc::new(Document {
+        home,
+        ..Document::clone(document)
+    })
+}
+
 /// Handles the outcome of a trial, and returns the notice of it. Drafts that it changes can be undone one by one.
 pub fn tried(state: &mut State, tried: Tried) -> Notice {
-    for (name, document) in &tried.changed {
-        let document = Arc::clone(document);
-        state.rooms.plans.drafts.change(name, document);
+    let drafts = &mut state.rooms.plans.drafts;
+    for changed in &tried.changed {
+        let document = Arc::clone(&changed.document);
+        match changed.sharer {
+            Some(id) => drafts.put([Draft::new(changed.name.as_str(), document, Some(id))]),
+            None => drafts.change(&changed.name, document),
+        }
     }
     state.session.note_trial(&tried.verdicts);
     let severity = if tried.is_sound {

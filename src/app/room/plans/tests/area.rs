@@ -1,7 +1,7 @@
 //! Areas that are drawn, their division among vehicles, and the ground.
 
 use super::*;
-use crate::draft::PlanVerdict;
+use crate::draft::{PlanVerdict, TrialDraft};
 use crate::geo::{Square, Terrain};
 use crate::plan::ContentHash;
 use crate::plan::check::{Finding, FindingKind};
@@ -261,15 +261,19 @@ fn drafts_fly_together_before_an_upload() {
     let [Effect::TryDrafts(trial)] = &effects[..] else {
         panic!("{effects:?}");
     };
-    let names: Vec<&str> = trial.drafts.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = trial.drafts.iter().map(|it| it.name.as_str()).collect();
     assert_eq!(names, ["vehicle-1", "vehicle-2"], "the field has no plan");
-    let longer = Arc::clone(&trial.drafts[1].1);
+    let longer = Arc::clone(&trial.drafts[1].document);
     let tried = Tried {
         text: "vehicle-1 starts later".into(),
         is_sound: true,
         is_awaited: true,
         verdicts: Vec::new(),
-        changed: vec![("vehicle-1".to_owned(), Arc::clone(&longer))],
+        changed: vec![TrialDraft {
+            name: "vehicle-1".to_owned(),
+            sharer: None,
+            document: Arc::clone(&longer),
+        }],
     };
     let before = desk.plan();
     let _ = desk.app.update(Event::Tried(tried));
@@ -278,4 +282,51 @@ fn drafts_fly_together_before_an_upload() {
     desk.press("u");
     assert_eq!(desk.plan(), before);
     assert!(desk.room().tried().is_none(), "the draft is another one");
+}
+
+/// A draft that several vehicles would get is flown by each of them, from where it stands.
+#[test]
+fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
+    let mut desk = Desk::new();
+    for id in [1, 2, 3] {
+        standing(&mut desk, id);
+    }
+    desk.give("draft add takeoff 20");
+    desk.give("draft add n 50 e 0 up 20");
+    let flown = |effects: &[Effect]| -> Vec<(String, Option<VehicleId>)> {
+        let [Effect::TryDrafts(trial)] = effects else {
+            panic!("{effects:?}");
+        };
+        let places = trial
+            .drafts
+            .iter()
+            .map(|it| it.document.home.map(|home| home.y));
+        let places: std::collections::BTreeSet<Option<i32>> = places.collect();
+        assert_eq!(places.len(), trial.drafts.len(), "each from its own place");
+        let names = trial.drafts.iter();
+        names.map(|it| (it.name.clone(), it.sharer)).collect()
+    };
+    let own = |id: VehicleId| (format!("vehicle-{id}"), Some(id));
+    let one = flown(&desk.give("draft rehearse"));
+    assert_eq!(one, [("plan".to_owned(), None)], "no vehicle is selected");
+    assert_eq!(flown(&desk.give("draft rehearse 1,3")), [own(1), own(3)]);
+    desk.give("select all");
+    let all = desk.give("draft deconflict");
+    assert_eq!(flown(&all), [own(1), own(2), own(3)]);
+    let [Effect::TryDrafts(trial)] = &all[..] else {
+        panic!("{all:?}");
+    };
+    let tried = Tried {
+        text: "vehicle-2 starts later".into(),
+        is_sound: true,
+        is_awaited: true,
+        changed: trial.drafts.clone(),
+        verdicts: Vec::new(),
+    };
+    let _ = desk.app.update(Event::Tried(tried));
+    let drafts = desk.room().drafts().all().iter();
+    let vehicles: Vec<Option<VehicleId>> = drafts.map(Draft::vehicle).collect();
+    assert_eq!(vehicles, [None, Some(1), Some(2), Some(3)]);
+    let again = flown(&desk.give("draft rehearse"));
+    assert_eq!(again.len(), 3, "{again:?}");
 }
