@@ -76,6 +76,25 @@ impl AlertKind {
         })
     }
 
+    /// Whether the console adds a notice when such an alert begins, because no message has to announce it. The others
+    /// come with a text of the vehicle or with a notice, or stand in the vehicle's own figures.
+    pub const fn needs_notice(self) -> bool {
+        match self {
+            Self::Crash | Self::Separation => true,
+            Self::Process
+            | Self::LinkLost
+            | Self::Failsafe
+            | Self::Gps
+            | Self::Ekf
+            | Self::Battery
+            | Self::WayHome
+            | Self::Fence
+            | Self::Vibration
+            | Self::Prearm
+            | Self::Message => false,
+        }
+    }
+
     /// The text for an alert of several vehicles.
     pub fn title(self) -> Text {
         match self {

@@ -47,6 +47,8 @@ pub struct Alarms {
     muted: Vec<AlertKind>,
     /// The vehicles that are too close to others.
     close: BTreeMap<VehicleId, CloseVehicle>,
+    /// Alerts that have begun, and of which no message tells.
+    begun: Vec<(VehicleId, Alert)>,
 }
 
 impl Alarms {
@@ -109,6 +111,11 @@ impl Alarms {
             return;
         }
         self.bell.call(now, call);
+    }
+
+    /// The alerts that have begun since the last call, and of which no message tells.
+    pub fn take_begun(&mut self) -> Vec<(VehicleId, Alert)> {
+        std::mem::take(&mut self.begun)
     }
 
     /// Returns the signals that are due and marks them as given.
@@ -189,6 +196,16 @@ impl Alarms {
             worse,
         };
         self.bell.call(now, call);
+        if alert.kind.needs_notice() && !self.is_told_of_other(id, alert.kind) {
+            self.begun.push((id, alert.clone()));
+        }
+    }
+
+    /// Whether the alert of another vehicle says the same: of two that are closest to each other, the first speaks.
+    fn is_told_of_other(&self, id: VehicleId, kind: AlertKind) -> bool {
+        let closest = |id| self.close.get(&id).map(|close| close.vehicle);
+        let other = closest(id).filter(|_| kind == AlertKind::Separation);
+        other.is_some_and(|other| other < id && closest(other) == Some(id))
     }
 }
 

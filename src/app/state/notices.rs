@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
+use crate::alert::AlertKind;
 use crate::notice::{Notice, NoticeSource};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -87,6 +88,15 @@ impl NoticeLog {
         } else {
             self.list(notice, LineContent::Notice);
         }
+    }
+
+    /// Whether a kind of alert of a vehicle has been reported since `since`.
+    pub fn reports(&self, kind: AlertKind, vehicle: VehicleId, since: Duration) -> bool {
+        let mut newest_first = self.lines.iter().rev().take(LINES_SEARCHED);
+        newest_first.any(|line| {
+            let is_of = line.notice.kind == Some(kind) && line.vehicles.contains(&vehicle);
+            is_of && line.last >= since
+        })
     }
 
     /// The number of lines listed so far, also of those dropped since.

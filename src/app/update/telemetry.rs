@@ -25,6 +25,8 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::vehicle_id::VehicleIds;
 
+/// How long ago a message may have announced an alert that begins now.
+const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
 /// How often distances between vehicles are checked, in milliseconds.
 const SEPARATION_MS: u128 = 500;
 
@@ -84,7 +86,21 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
             state.notices.push(notice);
         }
     }
+    note_begun(state);
     state.touch();
+}
+
+/// Adds notices of alerts that no message has announced.
+fn note_begun(state: &mut State) {
+    let since = state.now.saturating_sub(ANNOUNCED_WITHIN);
+    for (vehicle, alert) in state.session.alarms.take_begun() {
+        if !state.notices.reports(alert.kind, vehicle, since) {
+            state.notices.push(Notice {
+                kind: Some(alert.kind),
+                ..Notice::about(vehicle, state.now, alert.severity, alert.text)
+            });
+        }
+    }
 }
 
 /// Looks for vehicles that are too close to each other. A mission has its own rules about distances.
@@ -106,6 +122,7 @@ fn watch(state: &mut State) {
     for vehicle in session.vehicles.values() {
         session.alarms.observe(vehicle, state.now);
     }
+    note_begun(state);
 }
 
 /// The signals that are due.

@@ -111,6 +111,50 @@ fn a_bell_that_is_switched_off_is_silent() {
     assert!(console.effects.is_empty());
 }
 
+/// The lines of the notices.
+fn notices(console: &Console) -> Vec<String> {
+    let lines = console.state().notices().lines();
+    lines.map(|line| line.notice.text.to_string()).collect()
+}
+
+/// No message of a vehicle announces that another one is too close, so the console does.
+#[test]
+fn vehicles_that_come_too_close_leave_one_notice() {
+    let mut console = Console::flying(3);
+    let fly = |console: &mut Console, north_m| {
+        let mut near = fixtures::airborne(1, 50.0, 20.0);
+        near.global = fixtures::airborne(2, north_m, 20.0).global;
+        console.vehicle(near);
+    };
+    console.vehicle(fixtures::airborne(2, 50.0, 20.0));
+    fly(&mut console, 90.0);
+    console.at(10);
+    assert!(notices(&console).is_empty(), "{:?}", notices(&console));
+    fly(&mut console, 53.0);
+    console.at(11).at(12).at(13);
+    let said = notices(&console);
+    assert!(said.len() == 1 && said[0].contains("3 m"), "{said:?}");
+}
+
+#[test]
+fn motors_that_stop_in_the_air_leave_a_notice_unless_a_message_has_told() {
+    let mut console = Console::flying(2);
+    let falling = |id| {
+        let mut vehicle = fixtures::airborne(id, 50.0, 20.0);
+        if let Some(heartbeat) = &mut vehicle.heartbeat {
+            heartbeat.armed = false;
+        }
+        vehicle
+    };
+    console.at(10).vehicle(falling(1));
+    let said = notices(&console);
+    assert!(said.len() == 1 && said[0].contains("MOTORS"), "{said:?}");
+    console.notice(Severity::Emergency, Some(2), "Crash: Disarming");
+    console.vehicle(falling(2));
+    let said = notices(&console);
+    assert!(said.len() == 2, "{said:?}");
+}
+
 #[test]
 fn other_rooms_count_the_alerts_in_their_first_line() {
     let mut console = Console::flying(3);

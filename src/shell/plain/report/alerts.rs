@@ -35,7 +35,8 @@ impl PrintedAlerts {
                 severity: one.alert.severity,
             };
             standing.insert(printed);
-            if self.0.contains(&printed) {
+            // The notice of such an alert is printed already.
+            if self.0.contains(&printed) || one.alert.kind.needs_notice() {
                 continue;
             }
             match raised.iter_mut().find(|(alert, _)| **alert == one.alert) {
