@@ -78,7 +78,11 @@ impl PlanShelf for PlanFiles {
         })?;
         crate::plan::read(&bytes, &ReadOptions::default())
             .map(|loaded| PlanOnFile {
-                notes: loaded.notes.iter().map(|it| note_words(&it.kind)).collect(),
+                notes: loaded
+                    .notes
+                    .iter()
+                    .map(|it| (it.list, note_words(&it.kind)))
+                    .collect(),
                 document: loaded.document,
             })
             .map_err(|(text, faults)| {

@@ -123,6 +123,8 @@ pub enum ArchiveFault {
 /// An assumption of a reader, or a value that it left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
+    /// The list that it is about.
+    pub list: ListKind,
     /// The place, in bytes of the text.
     pub span: Range<usize>,
     /// The kind of note.

@@ -130,8 +130,9 @@ impl Parsed {
         self.places.push(kind, span);
     }
 
-    fn note(&mut self, span: &Range<usize>, kind: crate::NoteKind) {
+    fn note(&mut self, list: ListKind, span: &Range<usize>, kind: crate::NoteKind) {
         self.notes.push(Note {
+            list,
             span: span.clone(),
             kind,
         });

@@ -114,6 +114,19 @@ fn inform(state: &mut State, report: &Report) {
 fn carried(state: &mut State, kind: ListKind, targets: &Targets) -> Result<(), Text> {
     let selection = state.addressed();
     let ids = state.with_context(|context| targets.resolve(&selection, context))?;
+    let known = &state.session.vehicles;
+    // Before a vehicle is heard, the grammar accepts every number.
+    if let Some(unknown) = ids.iter().find(|id| !known.contains_key(id)) {
+        if known.is_empty() {
+            return Err(text!("grammar-no-vehicles-yet"));
+        }
+        let known = ranges(known.keys().copied());
+        return Err(text!(
+            "grammar-no-vehicle",
+            vehicle = *unknown,
+            known = known
+        ));
+    }
     let vehicles = ids.iter().filter_map(|id| state.session.vehicles.get(id));
     let lists = CarriedLists::of(kind, vehicles.map(Arc::as_ref));
     let severity = if lists.are_same() {

@@ -41,10 +41,12 @@ pub(super) fn checked(
             more => text!("refused-plan-faults", first = first, more = more),
         });
     }
+    let notes = notes.into_iter().filter(|(list, _)| *list == kind);
+    let notes = notes.map(|(_, note)| note);
     let warnings = warnings.iter().map(finding_words);
     Ok(Wanted {
         items: Some(whole(&document, kind)),
-        warnings: notes.into_iter().chain(warnings).collect(),
+        warnings: notes.chain(warnings).collect(),
     })
 }
 

@@ -14,8 +14,8 @@ use crate::vehicle::{Severity, VehicleId};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanOnFile {
     pub document: Document,
-    /// The assumptions made in reading it, such as heights that the file lacks.
-    pub notes: Vec<Text>,
+    /// The assumptions made in reading each of its lists, such as heights that the file lacks.
+    pub notes: Vec<(ListKind, Text)>,
 }
 
 /// Reads and writes files of plans, fences and rally points. Names are as the user typed them.

@@ -54,3 +54,24 @@ fn the_console_says_which_vehicles_differ() {
     assert_eq!(fence, "not read yet: 1-2");
     assert!(console.effects.is_empty(), "nothing is sent");
 }
+
+/// A vehicle that was never heard is a fault of the line, not an empty answer.
+#[test]
+fn a_question_about_an_unknown_vehicle_is_a_fault() {
+    let fault = |console: &mut Console, line: &str| {
+        console.give(line);
+        let Some(Overlay::Palette(palette)) = console.state().overlay() else {
+            panic!("{line} is accepted");
+        };
+        palette.fault().expect("a fault").message.to_string()
+    };
+    let mut console = Console::flying(0);
+    let none = fault(&mut console, "9 plan status");
+    assert!(none.contains("no vehicle"), "{none}");
+    for id in [1, 2, 4] {
+        console.vehicle(carrying(id, 3));
+    }
+    for line in ["9 plan status", "2,9 rally status"] {
+        assert_eq!(fault(&mut console, line), "no vehicle 9, only 1-2,4");
+    }
+}

@@ -143,7 +143,7 @@ fn read_item(
     let param = |node: &Node| node.number_or_null().map(|number| number as f32);
     let has_fraction = |node: &Node| node.number().is_ok_and(|number| number.fract().abs() > 0.0);
     if places == 0 && (has_fraction(x) || has_fraction(y)) {
-        parsed.note(&x.span, NoteKind::FractionLost);
+        parsed.note(ListKind::Plan, &x.span, NoteKind::FractionLost);
     }
     let item = Item {
         command,

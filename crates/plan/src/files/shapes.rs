@@ -78,7 +78,7 @@ pub(super) fn document(features: &[Feature], options: ReadOptions) -> Result<Par
             .unwrap_or_default();
         reader
             .parsed
-            .note(&span, NoteKind::LinesJoined(reader.lines));
+            .note(ListKind::Plan, &span, NoteKind::LinesJoined(reader.lines));
     }
     Ok(reader.parsed)
 }
@@ -126,7 +126,7 @@ impl Reader {
             Geometry::Point(at) => {
                 let item = self.item(shape, command::RALLY_POINT, at)?;
                 self.parsed.push(ListKind::Rally, item, shape.span.clone());
-                self.note_heights(shape, std::slice::from_ref(at));
+                self.note_heights(ListKind::Rally, shape, std::slice::from_ref(at));
             }
             Geometry::Line(points) => {
                 if points.len() < 2 {
@@ -137,7 +137,7 @@ impl Reader {
                     self.parsed.push(ListKind::Plan, item, shape.span.clone());
                 }
                 self.lines += 1;
-                self.note_heights(shape, points);
+                self.note_heights(ListKind::Plan, shape, points);
             }
             Geometry::Polygon(rings) => {
                 for (index, ring) in rings.iter().enumerate() {
@@ -149,10 +149,10 @@ impl Reader {
         Ok(())
     }
 
-    fn note_heights(&mut self, shape: &Shape, points: &[Position]) {
+    fn note_heights(&mut self, list: ListKind, shape: &Shape, points: &[Position]) {
         if points.iter().any(|at| height(shape, at).is_none()) {
             let assumed = NoteKind::HeightAssumed(self.options.height_m);
-            self.parsed.note(&shape.span, assumed);
+            self.parsed.note(list, &shape.span, assumed);
         }
     }
 

@@ -33,10 +33,11 @@ pub(super) fn parse(text: &str) -> Result<Parsed, Vec<Fault>> {
                 }
             }
             Ok(line) => {
+                let list = list_of(line.item.command);
                 if line.lost_fraction {
-                    parsed.note(&line.span, NoteKind::FractionLost);
+                    parsed.note(list, &line.span, NoteKind::FractionLost);
                 }
-                parsed.push(list_of(line.item.command), line.item, line.span);
+                parsed.push(list, line.item, line.span);
             }
             Err(fault) => faults.push(fault),
         }

@@ -109,6 +109,19 @@ fn errors_of_a_check_refuse_an_upload_and_warnings_are_in_its_row() {
     assert!(compare::own(ListKind::Fence, &rig.on_board(ListKind::Fence)).is_empty());
 }
 
+/// A file with several lists is uploaded list by list, and each upload names what concerns its own.
+#[test]
+fn an_upload_warns_of_its_own_list_only() {
+    let mut rig = Rig::new(true);
+    rig.file("noted", ListKind::Rally, &list(ListKind::Rally, 3, 1.0));
+    rig.upload(ListKind::Rally, "noted");
+    assert_eq!(rig.ended(s(30)), RowState::Done);
+    let explanation = rig.explanation();
+    let is_own = explanation.contains("warning: about Rally");
+    let is_other = explanation.contains("about Plan") || explanation.contains("about Fence");
+    assert!(!is_other && is_own, "{explanation}");
+}
+
 #[test]
 fn a_file_and_the_list_on_board_have_the_same_hash() {
     for by_file in [true, false] {
