@@ -74,6 +74,10 @@ pub(super) struct Transaction {
     claim: Claim,
     /// When telemetry first agreed with the claim; only after that can another source contradict it.
     holds_since: Option<Duration>,
+    /// Whether the request had several steps.
+    is_chain: bool,
+    /// Since when telemetry has shown the effect of a command that is not answered.
+    shown_since: Option<Duration>,
     /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,
     /// The vehicle's texts since the first transmission.
@@ -121,6 +125,8 @@ impl Transaction {
             is_accepted: request.answer == Answer::None,
             claim: order.command.claim(vehicle),
             holds_since: None,
+            is_chain: request.next.is_some(),
+            shown_since: None,
             effect_has_shown: false,
             effect,
             request,

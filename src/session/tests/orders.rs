@@ -94,6 +94,12 @@ fn a_lost_acknowledgement_is_made_up_for_by_the_effect() {
     let mut scene = Scene::new();
     scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.heartbeat(STABILIZE, true);
+    assert_eq!(
+        scene.states(1).last(),
+        Some(&RowState::Sent),
+        "the answer may follow"
+    );
+    scene.pass(ms(400));
     assert_eq!(scene.states(1).last(), Some(&RowState::Done));
 }
 

@@ -16,6 +16,9 @@ use crate::wire::{Content, Frame};
 
 /// How long status texts may follow a refusal to explain it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
+/// How long after the telemetry that shows its effect the answer to a command may arrive: vehicles may send both in any
+/// order.
+const ANSWER_FOLLOWS_WITHIN: Duration = Duration::from_millis(300);
 /// The time-out after "in progress" until the next sign.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
 /// The value in `COMMAND_ACK` for an unknown progress.
@@ -58,8 +61,7 @@ impl Transaction {
         else {
             return;
         };
-        // The effect of a chain shows only at its end.
-        if self.request.next.is_none() && self.effect_shows(vehicle) == Some(true) {
+        if self.is_answer_lost(vehicle, deadline, now) {
             let remark = text!("outcome-answer-lost");
             return self.end(RowState::Done, Some(remark), now, output);
         }
@@ -81,6 +83,21 @@ impl Transaction {
             && now < self.given + retry.deadline
         {
             self.send(now, output);
+        }
+    }
+
+    /// Whether telemetry shows the effect, and the answer can no longer be on its way. The effect of a chain shows only
+    /// at its end, and the first steps may bring it about: until the deadline, the last one is sent again.
+    fn is_answer_lost(&mut self, vehicle: &Vehicle, deadline: Duration, now: Duration) -> bool {
+        if self.request.next.is_some() || self.effect_shows(vehicle) != Some(true) {
+            self.shown_since = None;
+            return false;
+        }
+        let shown_since = *self.shown_since.get_or_insert(now);
+        if self.is_chain {
+            now >= deadline
+        } else {
+            now >= shown_since + ANSWER_FOLLOWS_WITHIN || now >= deadline
         }
     }
 

@@ -183,6 +183,26 @@ fn a_resumption_from_another_mode_never_begins_again() {
     }
 }
 
+/// Telemetry shows the effect of the first steps before the last one is answered.
+#[test]
+fn the_answer_to_a_resumption_is_not_taken_for_lost() {
+    for restart in [0.0, 1.0] {
+        let mut rig = Rig::flying(&square());
+        rig.set("MIS_RESTART", restart);
+        rig.radio(0.0, 150, 1);
+        for (delay, line) in
+            (0..12).zip(["plan resume from 2", "plan resume from 3"].iter().cycle())
+        {
+            rig.works("guided", 5);
+            rig.pass(Duration::from_millis(1000 + 90 * delay));
+            let (state, words) = rig.give(line, 10);
+            assert_eq!(state, RowState::Done, "{line}: {words}");
+            assert_eq!(words, "", "{line}, {delay}");
+            rig.pass(s(2));
+        }
+    }
+}
+
 #[test]
 fn items_are_skipped_one_by_one_and_the_last_cannot_be() {
     let mut rig = Rig::flying(&square());
