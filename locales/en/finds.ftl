@@ -73,6 +73,7 @@ plan-unkept = sound plans replaced: { $vehicles }
 plan-kept-target = sound plans unchanged
 plan-kept-advice = Replace only the plans in which you have found a fault: a new plan can have faults of its own.
 plan-flown-of = flown: { $good }
+plan-outlook-rehearsed = rehearsed: { $ready }/{ $count }
 plan-outlook-unrehearsed = unrehearsed: { $vehicles }
 plan-outlook-unmended = faulty: { $vehicles }
 plan-outlook-unkept = replaced: { $vehicles }

@@ -73,6 +73,7 @@ plan-unkept = замінено справні плани: { $vehicles }
 plan-kept-target = справні плани без змін
 plan-kept-advice = Замінюйте лише плани, у яких знайшли помилку: новий план може мати власні.
 plan-flown-of = вилетіли: { $good }
+plan-outlook-rehearsed = випробувано: { $ready }/{ $count }
 plan-outlook-unrehearsed = не випробувано: { $vehicles }
 plan-outlook-unmended = хибні: { $vehicles }
 plan-outlook-unkept = замінено: { $vehicles }

@@ -173,7 +173,7 @@ impl Tracker for PlanStarts {
             landing: false,
             product: None,
             result: self.result(good, scene),
-            outlook: Some(self.outlook(good, &self.against(scene.vehicles))),
+            outlook: Some(self.outlook(good, scene)),
             target: self.target(count),
             advice: self.advice(),
         }
@@ -183,8 +183,17 @@ impl Tracker for PlanStarts {
 impl PlanStarts {
     /// The result so far in two words, since it is shown beside the title. What the trainee has to find out, the number of
     /// faulty plans, is not in it.
-    fn outlook(&self, good: usize, against: &str) -> Text {
+    fn outlook(&self, good: usize, scene: &ObjectiveScene<'_>) -> Text {
+        let against = self.against(scene.vehicles);
+        let count = self.concerned(scene.vehicles).count();
         match (self.rule, against.is_empty()) {
+            // Until a plan is flown, the rehearsals are what is done for it.
+            (PlanRule::Rehearsed, true) if good == 0 => {
+                let concerned = self.concerned(scene.vehicles);
+                let ready = concerned.filter(|craft| scene.plans.is_rehearsed(craft.id));
+                let ready = ready.count();
+                text!("plan-outlook-rehearsed", ready = ready, count = count)
+            }
             (_, true) => text!("plan-flown-of", good = good),
             (PlanRule::Rehearsed, false) => text!("plan-outlook-unrehearsed", vehicles = against),
             (PlanRule::Mended, false) => text!("plan-outlook-unmended", vehicles = against),

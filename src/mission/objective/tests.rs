@@ -246,6 +246,29 @@ fn a_sound_plan_is_kept_and_a_faulty_one_is_mended() {
     assert_eq!(fly_plan(&mut pilot), [false, true, true]);
 }
 
+/// Before the first flight, the objective counts the rehearsals, and a new plan has to be rehearsed again.
+#[test]
+fn a_rehearsal_shows_as_progress_before_the_flight() {
+    let mut pilot = with_plan(0);
+    let shown = |pilot: &Pilot| {
+        let objectives = pilot.flight.progress().objectives;
+        let found = objectives.iter().find(|it| it.title == "rehearsed");
+        found.expect("it is there").detail.to_string()
+    };
+    pilot.wait(1.0);
+    assert_eq!(shown(&pilot), "rehearsed: 0/1");
+    pilot.command("1 plan rehearse", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(shown(&pilot), "rehearsed: 1/1");
+    pilot.command("1 plan upload a.plan", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(shown(&pilot), "rehearsed: 0/1");
+    pilot.command("1 plan rehearse", RowState::Done);
+    pilot.wait(1.0);
+    assert_eq!(fly_plan(&mut pilot), [true, true, false]);
+    assert_eq!(shown(&pilot), "flown: 1");
+}
+
 #[test]
 fn the_debrief_says_which_plan_had_which_fault() {
     let mut pilot = with_plan(1);
