@@ -72,7 +72,7 @@ pub use area::{Area, AreaKind};
 pub use campaign::{Outlay, Requires, Rewards, Unlock};
 pub use clock::Clock;
 pub use event::alert::OpenAlert;
-pub use event::demand::Demand;
+pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;
 pub use file::{reference, schema};
 pub use flight::{Flight, Inject, Pledge};

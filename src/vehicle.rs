@@ -95,6 +95,8 @@ pub struct Vehicle {
     pub rangefinder_m: Option<f32>,
     /// WIND: its direction of origin and its speed.
     pub wind: Option<Wind>,
+    /// The height above home, in metres, at which it estimated the wind last in flight.
+    pub wind_height_m: Option<f32>,
     /// `RC_CHANNELS`: pulse widths in microseconds, channel 1 first; 0 where unused.
     pub rc: Option<RcChannels>,
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
@@ -146,6 +148,7 @@ impl Vehicle {
             fence: None,
             rangefinder_m: None,
             wind: None,
+            wind_height_m: None,
             rc: None,
             servos_us: [0; 16],
             version: None,

@@ -31,5 +31,8 @@ pub(super) fn apply_wind(vehicle: &mut Vehicle, data: &WIND_DATA) {
             from_deg: heading_deg(data.direction),
             speed_m_s: data.speed,
         });
+        if vehicle.airborne() {
+            vehicle.wind_height_m = vehicle.altitude_m().map(|metres| metres as f32);
+        }
     }
 }

@@ -37,7 +37,10 @@ const CARRIED: &[&str] = &[
     "MIS_",
 ];
 
+    // The profile of the wind.
+    "SIM_WIND_T_",
 /// A rehearsal that is to be flown.
+const CARRIED_BY_NAME: &[&str] = &["SIM_WIND_T"];
 #[derive(Debug, Clone)]
 pub struct PlanRehearsal {
     entry: EntryId,
@@ -165,7 +168,10 @@ impl PlanRehearsal {
         let value = |name: &str| list.get(name).map(|known| known.value);
         let members = self.crew.iter_mut();
         for member in members.filter(|member| member.seat.vehicle == vehicle) {
-            let carried = |name: &str| CARRIED.iter().any(|start| name.starts_with(start));
+            let carried = |name: &str| {
+                CARRIED.iter().any(|start| name.starts_with(start))
+                    || CARRIED_BY_NAME.contains(&name)
+            };
             member.participant.parameters = list
                 .iter()
                 .filter(|(name, _)| carried(name))
@@ -178,7 +184,7 @@ impl PlanRehearsal {
                 member.participant.parameters.push(kinds);
             }
             member.is_read = list.is_complete();
-            self.air.note_parameters(value);
+            self.air.note_parameters(vehicle, value);
         }
     }
 
@@ -238,6 +244,7 @@ impl PlanRehearsal {
         let standard = self
             .crew
             .iter()
+            parameters: self.air.parameters(),
             .filter(|it| it.participant.airframe.is_none());
         let standard: Vec<VehicleId> = standard.map(|it| it.seat.vehicle).collect();
         let airframes = if standard.is_empty() {

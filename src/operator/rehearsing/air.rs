@@ -1,5 +1,6 @@
 //! The wind of a rehearsal, and where it is known from.
 
+use crate::mission::WIND_FULL_FROM_M;
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{Vehicle, VehicleId, Wind};
@@ -7,20 +8,35 @@ use crate::vehicle::{Vehicle, VehicleId, Wind};
 /// The default of `SIM_WIND_DIR`.
 const USUAL_FROM_DEG: f32 = 180.0;
 
+/// The profile of the mean wind with height: with 0, it grows with the root of the height up to [`FULL_FROM`].
+const PROFILE: &str = "SIM_WIND_T";
+const FULL_FROM: &str = "SIM_WIND_T_ALT";
+/// The values of [`PROFILE`] for a growing and for a constant wind.
+const GROWING: f32 = 0.0;
+const CONSTANT: f32 = 1.0;
+/// The default of [`FULL_FROM`], in metres.
+const USUAL_FULL_FROM_M: f32 = 60.0;
+/// An estimate from near the ground says little about the wind above: at most so much is added to it, as a factor.
+const MOST_GROWTH: f32 = 3.0;
+
 /// The wind, from the best source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct KnownAir {
     wind: Wind,
     source: AirSource,
+    /// Of the vehicle that estimates the wind: the values of [`PROFILE`] and [`FULL_FROM`].
+    profile: (f32, f32),
+    /// Whether a mission is flown, which sets the profile of its vehicles.
+    is_mission: bool,
 }
 
 /// Where the wind is known from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum AirSource {
     /// The user gives it.
     Given,
-    /// A vehicle estimates it.
-    Estimated(VehicleId),
+    /// A vehicle estimates it, at this height above home in metres, if that is known.
+    Estimated(VehicleId, Option<f32>),
     /// The mission's weather.
     Mission,
     /// The parameters of simulated vehicles.
@@ -39,7 +55,8 @@ impl KnownAir {
         let estimated = || {
             vehicles.find_map(|vehicle| {
                 let wind = vehicle.wind.filter(|wind| wind.speed_m_s > 0.0)?;
-                Some((wind, AirSource::Estimated(vehicle.id)))
+                let source = AirSource::Estimated(vehicle.id, vehicle.wind_height_m);
+                Some((wind, source))
             })
         };
         let calm = Wind {
@@ -51,11 +68,28 @@ impl KnownAir {
             .or_else(estimated)
             .or(of_mission.map(|wind| (wind, AirSource::Mission)));
         let (wind, source) = known.unwrap_or((calm, AirSource::Unknown));
-        Self { wind, source }
+        Self {
+            wind,
+            source,
+            profile: (GROWING, USUAL_FULL_FROM_M),
+            is_mission: of_mission.is_some(),
+        }
     }
 
-    /// Takes the wind from a simulated vehicle's parameters if it is not known otherwise.
-    pub(super) fn note_parameters(&mut self, value: impl Fn(&str) -> Option<f32>) {
+    /// Takes the wind from a simulated vehicle's parameters if it is not known otherwise, and its profile if that
+    /// vehicle estimates it.
+    pub(super) fn note_parameters(
+        &mut self,
+        vehicle: VehicleId,
+        value: impl Fn(&str) -> Option<f32>,
+    ) {
+        if matches!(self.source, AirSource::Estimated(by, _) if by == vehicle) {
+            let (kind, full_from_m) = self.profile;
+            self.profile = (
+                value(PROFILE).unwrap_or(kind),
+                value(FULL_FROM).unwrap_or(full_from_m),
+            );
+        }
         if self.source != AirSource::Unknown {
             return;
         }
@@ -68,8 +102,43 @@ impl KnownAir {
         }
     }
 
+    /// The wind as the simulator expects it: at the height from which on it no longer grows.
     pub(super) fn wind(&self) -> Wind {
-        self.wind
+        let AirSource::Estimated(_, Some(height_m)) = self.source else {
+            return self.wind;
+        };
+        let (kind, full_from_m) = self.profile;
+        let is_growing = (kind - GROWING).abs() < 0.5;
+        let share = (height_m / full_from_m.max(1.0)).clamp(0.0, 1.0).sqrt();
+        let growth = if is_growing {
+            (1.0 / share).min(MOST_GROWTH)
+        } else {
+            1.0
+        };
+        Wind {
+            speed_m_s: self.wind.speed_m_s * growth,
+            ..self.wind
+        }
+    }
+
+    /// The parameters of the profile, where those of the vehicles do not apply.
+    pub(super) fn parameters(&self) -> Vec<(String, f32)> {
+        let named = |values: &[(&str, f32)]| -> Vec<(String, f32)> {
+            let values = values.iter();
+            values
+                .map(|(name, value)| ((*name).to_owned(), *value))
+                .collect()
+        };
+        let of_mission = [(PROFILE, GROWING), (FULL_FROM, WIND_FULL_FROM_M as f32)];
+        match self.source {
+            AirSource::Estimated(_, None) => named(&[(PROFILE, CONSTANT)]),
+            AirSource::Given | AirSource::Mission if self.is_mission => named(&of_mission),
+            AirSource::Given
+            | AirSource::Mission
+            | AirSource::Estimated(_, Some(_))
+            | AirSource::Simulator
+            | AirSource::Unknown => Vec::new(),
+        }
     }
 
     /// The wind and its source in words.
@@ -78,11 +147,18 @@ impl KnownAir {
         let from = figure(self.wind.from_deg, 0);
         match self.source {
             AirSource::Given => text!("rehearse-wind-given", speed = speed, from = from),
-            AirSource::Estimated(vehicle) => text!(
+            AirSource::Estimated(vehicle, None) => text!(
                 "rehearse-wind-estimated",
                 speed = speed,
                 from = from,
                 vehicle = vehicle
+            ),
+            AirSource::Estimated(vehicle, Some(height_m)) => text!(
+                "rehearse-wind-estimated-at",
+                speed = speed,
+                from = from,
+                vehicle = vehicle,
+                height = figure(height_m, 0)
             ),
             AirSource::Mission => text!("rehearse-wind-mission", speed = speed, from = from),
             AirSource::Simulator => text!("rehearse-wind-simulator", speed = speed, from = from),

@@ -139,6 +139,47 @@ fn the_wind_is_that_of_the_best_source_and_named() {
     assert!(said.contains("8.0 m/s from 270° (given)"), "{said}");
 }
 
+/// The wind of a flight at 20 m depends on where the given speed is reached.
+#[test]
+fn the_profile_of_the_wind_is_that_of_the_vehicle_and_of_the_estimate() {
+    let used = |rehearsal: &PlanRehearsal| {
+        let outcome = rehearsal.outcome().expect("it can fly");
+        100.0 - outcome.vehicles[0].energy_left_percent
+    };
+    let blown = |parameter: f32| {
+        let mut rehearsal = prepared("1 plan rehearse wind 0 9", [carrying(1, 600.0)]);
+        rehearsal.set_parameters(1, &parameters(&[("SIM_WIND_T_ALT", parameter)]));
+        used(&rehearsal)
+    };
+    assert!(
+        blown(10.0) > blown(60.0) + 0.5,
+        "{} {}",
+        blown(10.0),
+        blown(60.0)
+    );
+    let usual = prepared("1 plan rehearse wind 0 9", [carrying(1, 600.0)]);
+    assert!((used(&usual) - blown(60.0)).abs() < 0.1);
+    // Estimated at 20 m, it is 9 m/s there; without a height, everywhere.
+    let estimated = |height_m| {
+        let vehicle = Vehicle {
+            wind: Some(Wind {
+                from_deg: 0.0,
+                speed_m_s: 9.0,
+            }),
+            wind_height_m: height_m,
+            ..carrying(1, 600.0)
+        };
+        prepared("1 plan rehearse", [vehicle])
+    };
+    let full = blown(20.0);
+    for height_m in [Some(20.0), None] {
+        let found = used(&estimated(height_m));
+        assert!((found - full).abs() < 0.5, "{height_m:?}: {found} {full}");
+    }
+    let said = conditions(&estimated(Some(20.0)));
+    assert!(said.contains("9.0 m/s from 0° at 20 m"), "{said}");
+}
+
 #[test]
 fn wind_and_airframe_change_what_is_used() {
     let used = |rehearsal: &PlanRehearsal| {
