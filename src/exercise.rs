@@ -226,7 +226,10 @@ impl<L> Exercise<L> {
     fn take_reports(&mut self, index: usize, now: Duration) {
         for report in self.seats[index].session.take_reports() {
             match report {
-                Report::Row(update) => self.advance_row(&update, now),
+                Report::Row(update) => {
+                    self.operator.note_row(&update);
+                    self.advance_row(&update, now);
+                }
                 Report::Notice(notice) => self.notices.push(since(self.prelude, notice)),
             }
         }

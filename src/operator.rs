@@ -26,8 +26,8 @@ mod rehearsing;
 #[cfg(test)]
 mod tests;
 
-use rehearsing::Winds;
 pub use rehearsing::{FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings, Rehearsed};
+use rehearsing::{Prepared, RehearsalQueue, RehearsalRequest, Winds};
 
 /// Work for the owner of an operator.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +63,7 @@ pub struct Operator {
     conductor: Conductor,
     /// Setpoints that could not be delivered: a stop is sent only once.
     undelivered: BTreeMap<VehicleId, Steering>,
+    rehearsals: RehearsalQueue,
 }
 
 /// Reads a line and finds its vehicles; without targets, `selection` applies.
@@ -120,7 +121,7 @@ impl Operator {
     pub fn new(rules: Rules) -> Self {
         Self {
             conductor: Conductor::new(rules),
-            undelivered: BTreeMap::new(),
+            ..Self::default()
         }
     }
 
@@ -131,6 +132,25 @@ impl Operator {
         order: &Order,
         scene: OperatorScene<'_>,
     ) -> Vec<Dispatch> {
+        let work = self.work(entry, order, scene);
+        for dispatch in &work {
+            if let Dispatch::Command(vehicle, command) = dispatch
+                && command.changes_plan()
+            {
+                self.rehearsals.note_write(*vehicle, entry);
+            }
+        }
+        work
+    }
+
+    /// Notes a change of a row that comes from a vehicle: rehearsals wait for the end of uploads.
+    pub fn note_row(&mut self, row: &RowUpdate) {
+        if row.state.is_final() {
+            self.rehearsals.note_end(row.vehicle, row.entry);
+        }
+    }
+
+    fn work(&mut self, entry: EntryId, order: &Order, scene: OperatorScene<'_>) -> Vec<Dispatch> {
         match &order.act {
             Act::Command(command) => {
                 let flight = scene.flight.as_deref();
@@ -146,7 +166,7 @@ impl Operator {
             }
             Act::Manoeuvre(_) => self.assign(entry, order, &scene).0,
             Act::Plans(task) => self.put_plans(entry, order, task, &scene),
-            Act::Rehearse { wind } => prepare_rehearsal(entry, order, *wind, &scene),
+            Act::Rehearse { wind } => self.rehearse(entry, order, *wind, &scene),
             Act::Deed(deed) => done_by_mission(entry, order, deed, scene),
         }
     }
@@ -220,9 +240,33 @@ impl Operator {
         let rows = turn.rows.into_iter().map(Dispatch::Row);
         let steering = late.into_iter().chain(turn.steering);
         let notices = turn.notices.into_iter().map(Dispatch::Notice);
+        let rehearsals = self.rehearsals.step(vehicles, now);
         rows.chain(steering.map(|(id, steering)| Dispatch::Steer(id, steering)))
             .chain(notices)
+            .chain(rehearsals.into_iter().flat_map(prepared))
             .collect()
+    }
+
+    /// Rehearses plans, with the wind and the airframes of the mission.
+    fn rehearse(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        given: Option<Wind>,
+        scene: &OperatorScene<'_>,
+    ) -> Vec<Dispatch> {
+        let flight = scene.flight.as_deref();
+        let request = RehearsalRequest {
+            entry,
+            order: order.clone(),
+            winds: Winds {
+                given,
+                of_mission: flight.map(Flight::wind),
+            },
+            airframes: flight.map_or_else(Vec::new, |it| it.mission().airframes()),
+        };
+        let taken = self.rehearsals.take(request, scene.vehicles, scene.now);
+        prepared(taken).collect()
     }
 
     /// Notes whether steering has been delivered. If not, the next [`Self::conduct`] returns it again, unless the
@@ -240,25 +284,9 @@ impl Operator {
     }
 }
 
-/// Prepares a rehearsal, with the wind and the airframes of the mission.
-fn prepare_rehearsal(
-    entry: EntryId,
-    order: &Order,
-    given: Option<Wind>,
-    scene: &OperatorScene<'_>,
-) -> Vec<Dispatch> {
-    let flight = scene.flight.as_deref();
-    let winds = Winds {
-        given,
-        of_mission: flight.map(Flight::wind),
-    };
-    let prepared = rehearsing::prepare(entry, order, winds, scene.vehicles, scene.now);
-    let (rows, mut rehearsal) = prepared;
-    if let Some((rehearsal, flight)) = rehearsal.as_mut().zip(flight) {
-        rehearsal.set_airframes(&flight.mission().airframes());
-    }
-    let rows = rows.into_iter().map(Dispatch::Row);
-    rows.chain(rehearsal.map(Dispatch::Rehearse)).collect()
+fn prepared(prepared: Prepared) -> impl Iterator<Item = Dispatch> {
+    let rows = prepared.rows.into_iter().map(Dispatch::Row);
+    rows.chain(prepared.rehearsal.map(Dispatch::Rehearse))
 }
 
 /// Passes an order to the mission; without a mission it is refused.

@@ -120,6 +120,7 @@ outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $ex
 outcome-plan-idle = no part for this vehicle; its plan on board is cleared
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-unread = the plan on board has not been read yet: `plan show` reads it
+rehearse-waits = waiting for the plans of { $vehicles }, which are being sent or read
 rehearse-no-plan = no plan on board
 rehearse-refused = the simulator refuses a list of { $vehicle }
 rehearse-landed = lands after { $time }; uses { $used } % of the battery, { $left } % left

@@ -125,6 +125,7 @@ outcome-log-length = у { $file } байтів: { $bytes }, а апарат на
 outcome-plan-idle = для цього апарата немає частини; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
 rehearse-unread = план на борту ще не зчитано: його читає `plan show`
+rehearse-waits = очікування планів { $vehicles }: їх передають або зчитують
 rehearse-no-plan = на борту немає плану
 rehearse-refused = симулятор відхиляє список апарата { $vehicle }
 rehearse-landed = сідає через { $time }; витрачає { $used } % заряду, лишається { $left } %

@@ -71,6 +71,15 @@ impl PlanCommand {
 
     /// Why it needs a confirmation for this vehicle now; `None` if it does not.
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
+    /// Whether it changes the plan on board.
+    pub fn changes_plan(&self) -> bool {
+        let writes = match self.deed {
+            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+            PlanDeed::Download { .. } | PlanDeed::Show => false,
+        };
+        self.kind == ListKind::Plan && writes
+    }
+
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
             // It is refused at once.

@@ -350,6 +350,7 @@ fn rows_of(script: &str, lines: &[&str]) -> Vec<Vec<(RowState, String)>> {
 #[test]
 fn a_survey_becomes_plans_on_board_which_are_rehearsed() {
     let script = "wait all ready timeout 60s\n\
+                  wait 10s\n\
                   1 plan rehearse\n\
                   all plan survey n 20 e -20 to n 60 e 20 spacing 10 up 15\n\
                   wait 40s\n\
@@ -359,7 +360,7 @@ fn a_survey_becomes_plans_on_board_which_are_rehearsed() {
         script,
         &["1 plan rehearse", "all plan survey", "all plan rehearse"],
     );
-    assert_eq!(found[0][0].0, RowState::Refused, "{found:?}");
+    assert_eq!(found[0][0].0, RowState::Refused, "no plan: {found:?}");
     for (state, words) in &found[1] {
         assert_eq!(*state, RowState::Done, "{found:?}");
         assert!(words.contains("read back"), "{words}");

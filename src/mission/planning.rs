@@ -22,6 +22,8 @@ pub(crate) struct PlanLog {
 struct PlanRow {
     is_rehearsal: bool,
     given: Duration,
+    /// When it was first seen under way; a rehearsal waits for uploads before.
+    begun: Option<Duration>,
     /// When its end was seen, and in which state.
     ended: Option<(Duration, RowState)>,
 }
@@ -60,8 +62,12 @@ impl PlanLog {
         let known = self.rows.entry((entry, row.vehicle)).or_insert(PlanRow {
             is_rehearsal,
             given: now,
+            begun: None,
             ended: None,
         });
+        if known.begun.is_none() && matches!(row.state, RowState::InProgress(_)) {
+            known.begun = Some(now);
+        }
         if known.ended.is_none() && row.state.is_final() {
             known.ended = Some((now, row.state));
         }
@@ -79,7 +85,8 @@ impl PlanLog {
             let is_good = matches!(rehearsal.ended, Some((_, RowState::Done)));
             let is_before = |change: &PlanRow| {
                 let ended = change.ended;
-                ended.is_some_and(|(ended, _)| ended <= rehearsal.given)
+                let begun = rehearsal.begun.unwrap_or(rehearsal.given);
+                ended.is_some_and(|(ended, _)| ended <= begun)
             };
             is_good && self.changes(vehicle).all(is_before)
         })
@@ -154,6 +161,19 @@ mod tests {
         watch.end(change, RowState::Done);
         watch.end(early, RowState::Done);
         assert!(!watch.log.is_rehearsed(1), "given before the change ended");
+    }
+
+    /// A rehearsal that waits for an upload flies the new plan.
+    #[test]
+    fn a_rehearsal_counts_from_when_it_is_flown() {
+        let mut watch = Watch::default();
+        let change = watch.give("1 plan upload a.plan");
+        let rehearsal = watch.give("1 plan rehearse");
+        watch.end(rehearsal, RowState::Queued);
+        watch.end(change, RowState::Done);
+        watch.end(rehearsal, RowState::InProgress(0));
+        watch.end(rehearsal, RowState::Done);
+        assert!(watch.log.is_rehearsed(1));
     }
 
     #[test]

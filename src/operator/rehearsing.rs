@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::commands::Order;
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{EntryId, RowState};
 use crate::notice::Notice;
 use crate::parameters::ParameterList;
 use crate::plan::{ContentHash, Document, Home};
@@ -16,9 +16,11 @@ use crate::vehicle::{FenceSwitch, Severity, Transfer, Vehicle, VehicleId, Vehicl
 use crate::vehicle_id::ranges;
 
 mod air;
+mod queue;
 mod report;
 
 use air::KnownAir;
+pub(super) use queue::{Prepared, RehearsalQueue};
 use report::Seat;
 pub use report::{FailedRehearsal, Meeting, RehearsalFindings, Rehearsed};
 
@@ -35,12 +37,12 @@ const CARRIED: &[&str] = &[
     "BATT_CRT_MAH",
     "DISARM_DELAY",
     "MIS_",
-];
-
     // The profile of the wind.
     "SIM_WIND_T_",
-/// A rehearsal that is to be flown.
+];
 const CARRIED_BY_NAME: &[&str] = &["SIM_WIND_T"];
+
+/// A rehearsal that is to be flown.
 #[derive(Debug, Clone)]
 pub struct PlanRehearsal {
     entry: EntryId,
@@ -86,14 +88,19 @@ pub(super) struct Winds {
     pub(super) of_mission: Option<Wind>,
 }
 
+/// An order to rehearse, with what is known besides the vehicles.
+#[derive(Debug, Clone)]
+pub(super) struct RehearsalRequest {
+    pub(super) entry: EntryId,
+    pub(super) order: Order,
+    pub(super) winds: Winds,
+    /// The airframes of the mission's drones.
+    pub(super) airframes: Vec<Arc<Airframe>>,
+}
+
 /// The vehicles of an order whose plans can be flown, and the rows of the others.
-pub(super) fn prepare(
-    entry: EntryId,
-    order: &Order,
-    winds: Winds,
-    vehicles: &Vehicles,
-    now: Duration,
-) -> (Vec<RowUpdate>, Option<PlanRehearsal>) {
+fn prepare(request: &RehearsalRequest, vehicles: &Vehicles, now: Duration) -> Prepared {
+    let (entry, order, winds) = (request.entry, &request.order, request.winds);
     let mut rows = Vec::new();
     let mut crew = Vec::new();
     for &id in &order.targets {
@@ -109,8 +116,11 @@ pub(super) fn prepare(
     }
     let targets = order.targets.iter().filter_map(|id| vehicles.get(id));
     let air = KnownAir::of(winds.given, winds.of_mission, targets.map(AsRef::as_ref));
-    let rehearsal = (!crew.is_empty()).then_some(PlanRehearsal { entry, crew, air });
-    (rows, rehearsal)
+    let mut rehearsal = (!crew.is_empty()).then_some(PlanRehearsal { entry, crew, air });
+    if let Some(rehearsal) = &mut rehearsal {
+        rehearsal.set_airframes(&request.airframes);
+    }
+    Prepared { rows, rehearsal }
 }
 
 fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
@@ -234,6 +244,7 @@ impl PlanRehearsal {
         let conditions = Conditions {
             wind_m_s: wind.speed_m_s,
             wind_from_deg: wind.from_deg,
+            parameters: self.air.parameters(),
             ..Conditions::default()
         };
         rehearse(&participants, &conditions)
@@ -244,7 +255,6 @@ impl PlanRehearsal {
         let standard = self
             .crew
             .iter()
-            parameters: self.air.parameters(),
             .filter(|it| it.participant.airframe.is_none());
         let standard: Vec<VehicleId> = standard.map(|it| it.seat.vehicle).collect();
         let airframes = if standard.is_empty() {

@@ -49,6 +49,11 @@ impl VehicleCommand {
         }
     }
 
+    /// Whether it changes the plan on board.
+    pub fn changes_plan(&self) -> bool {
+        matches!(&self.command, Command::Plan(command) if command.changes_plan())
+    }
+
     /// The outcome from a `PARAM_VALUE`, with the name as typed if the vehicle has another.
     pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
         let Command::Parameter(command) = &self.command else {

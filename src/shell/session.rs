@@ -148,6 +148,7 @@ impl RunningSession {
                 }
                 Ok(FleetEvent::Forwarding(feed)) => self.forwards.add(feed),
                 Ok(FleetEvent::Report(Report::Row(row))) => {
+                    self.operator.note_row(&row);
                     collected.push(VehicleEvent::Row(row).into());
                 }
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {

@@ -260,3 +260,88 @@ fn only_the_known_limits_of_a_fence_count() {
     let circle = [("FENCE_TYPE", 2.0), ("FENCE_RADIUS", 100.0)];
     assert_eq!(rehearsed(&circle), RowState::NoEffect);
 }
+
+/// The rows and rehearsals among some work.
+fn told(work: &[Dispatch]) -> (Vec<RowState>, usize) {
+    let rows = work.iter().filter_map(|work| match work {
+        Dispatch::Row(row) => Some(row.state),
+        _ => None,
+    });
+    let is_rehearsal = |work: &&Dispatch| matches!(work, Dispatch::Rehearse(_));
+    (rows.collect(), work.iter().filter(is_rehearsal).count())
+}
+
+#[test]
+fn a_rehearsal_waits_for_plans_that_are_being_read() {
+    let read = [carrying(1, 60.0), carrying(2, 60.0)];
+    let mut unread = read.clone();
+    unread[1].plans.plan = Stored::default();
+    let swarm = |of: &[Vehicle]| -> Vehicles {
+        let vehicles = of.iter().cloned();
+        vehicles.map(|it| (it.id, it.into())).collect()
+    };
+    let mut operator = Operator::default();
+    let order = super::read("1-2 plan rehearse").expect("a good line");
+    let mut give = |entry, vehicles: &Vehicles| {
+        let scene = OperatorScene {
+            now: Duration::ZERO,
+            vehicles,
+            flight: None,
+        };
+        operator.carry_out(EntryId(entry), &order, scene)
+    };
+    let waits = give(1, &swarm(&unread));
+    assert_eq!(told(&waits), (vec![RowState::Queued; 2], 0));
+    let _ = give(2, &swarm(&unread));
+    let s = Duration::from_secs;
+    assert_eq!(told(&operator.conduct(&swarm(&unread), s(5))).1, 0);
+    let begun = operator.conduct(&swarm(&read), s(6));
+    assert_eq!(told(&begun), (vec![RowState::InProgress(0); 4], 2));
+    // A plan that never arrives is refused after a minute.
+    let mut operator = Operator::default();
+    let scene = OperatorScene {
+        now: Duration::ZERO,
+        vehicles: &swarm(&unread),
+        flight: None,
+    };
+    let _ = operator.carry_out(EntryId(3), &order, scene);
+    assert_eq!(told(&operator.conduct(&swarm(&unread), s(59))).1, 0);
+    let (rows, flown) = told(&operator.conduct(&swarm(&unread), s(60)));
+    assert_eq!(
+        (rows.as_slice(), flown),
+        (&[RowState::InProgress(0), RowState::Refused][..], 1)
+    );
+}
+
+/// The plan on board is the old one until the upload has ended.
+#[test]
+fn a_rehearsal_waits_for_the_end_of_an_upload() {
+    let vehicles: Vehicles = [(1, carrying(1, 60.0).into())].into();
+    let mut operator = Operator::default();
+    let give = |operator: &mut Operator, entry, line: &str| {
+        let scene = OperatorScene {
+            now: Duration::ZERO,
+            vehicles: &vehicles,
+            flight: None,
+        };
+        let order = super::read(line).expect("a good line");
+        operator.carry_out(EntryId(entry), &order, scene)
+    };
+    let _ = give(&mut operator, 1, "1 plan upload a.plan");
+    let waits = give(&mut operator, 2, "1 plan rehearse");
+    assert_eq!(told(&waits), (vec![RowState::Queued], 0));
+    let s = Duration::from_secs;
+    assert_eq!(told(&operator.conduct(&vehicles, s(100))).1, 0);
+    operator.note_row(&RowUpdate {
+        entry: EntryId(1),
+        vehicle: 1,
+        state: RowState::Done,
+        tries: 1,
+        at: s(100),
+        explanation: None,
+    });
+    assert_eq!(told(&operator.conduct(&vehicles, s(101))).1, 0);
+    assert_eq!(told(&operator.conduct(&vehicles, s(102))).1, 1);
+    let at_once = give(&mut operator, 3, "1 plan rehearse");
+    assert_eq!(told(&at_once).1, 1);
+}

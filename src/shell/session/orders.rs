@@ -69,13 +69,14 @@ impl RunningSession {
 
     /// Sends a command to one vehicle. A failure ends only its own row.
     fn command(
-        &self,
+        &mut self,
         vehicle: VehicleId,
         command: &VehicleCommand,
         now: Duration,
     ) -> Option<Event> {
         let error = self.fleet.order(vehicle, command.clone()).err()?;
         let row = command.unsent(vehicle, RowState::Refused, not_sent(error), now);
+        self.operator.note_row(&row);
         Some(VehicleEvent::Row(row).into())
     }
 }
