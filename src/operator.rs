@@ -17,10 +17,11 @@ use crate::mission::Flight;
 use crate::notice::Notice;
 use crate::plan::ListKind;
 use crate::session::{Steering, VehicleCommand};
-use crate::swarm::{Conductor, Path, Rules};
+use crate::swarm::{Conductor, DividedWork, Path, Rules, carrying};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
+use crate::vehicle_id::ranges;
 
 mod rehearsing;
 #[cfg(test)]
@@ -64,6 +65,7 @@ pub struct Operator {
     /// Setpoints that could not be delivered: a stop is sent only once.
     undelivered: BTreeMap<VehicleId, Steering>,
     rehearsals: RehearsalQueue,
+    divided: DividedWork,
 }
 
 /// Reads a line and finds its vehicles; without targets, `selection` applies.
@@ -138,6 +140,9 @@ impl Operator {
                 && command.changes_plan()
             {
                 self.rehearsals.note_write(*vehicle, entry);
+                if matches!(order.act, Act::Command(_)) {
+                    self.divided.forget(*vehicle);
+                }
             }
         }
         work
@@ -173,7 +178,7 @@ impl Operator {
 
     /// Gives each target its plan, to be put on board.
     fn put_plans(
-        &self,
+        &mut self,
         entry: EntryId,
         order: &Order,
         task: &PlanTask,
@@ -183,39 +188,39 @@ impl Operator {
             Ok(plans) => plans,
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };
-        let mut commands: BTreeMap<VehicleId, Command> = BTreeMap::new();
-        for (vehicle, document) in plans {
-            let command = PlanCommand {
-                kind: ListKind::Plan,
-                deed: PlanDeed::Upload {
-                    source: PlanSource::Document(Arc::new(document)),
-                },
-            };
-            commands.insert(vehicle, Command::Plan(command));
-        }
+        let uploads = plans.into_iter().map(|(vehicle, document)| {
+            let source = PlanSource::Document(Arc::new(document));
+            (vehicle, plan_command(PlanDeed::Upload { source }))
+        });
+        let mut commands: BTreeMap<VehicleId, Command> = uploads.collect();
         let flight = scene.flight.as_deref();
         let mut refusals = commands.values().filter_map(|it| flight?.refusal(it));
         if let Some(reason) = refusals.next() {
             return refused(entry, order, &reason, scene.now);
         }
-        let dispatch = |&vehicle: &VehicleId| {
+        let left = self.divided.divide(&order.targets);
+        let left = left_over(&carrying(&left, scene.vehicles));
+        if let Some((text, first)) = left.as_ref().zip(commands.values_mut().next()) {
+            remark(first, text);
+        }
+        let mut work = Vec::new();
+        for &vehicle in &order.targets {
             let part = commands.remove(&vehicle);
-            let idle = part.is_none().then(|| {
-                let text = text!("outcome-plan-idle");
-                Notice::about(vehicle, scene.now, Severity::Notice, text)
-            });
+            let is_idle = part.is_none();
             // An old plan could lead the vehicle through the parts of the others.
-            let clear = Command::Plan(PlanCommand {
-                kind: ListKind::Plan,
-                deed: PlanDeed::Clear,
-            });
-            let command = VehicleCommand::new(entry, order.verb, part.unwrap_or(clear));
-            let notice = idle.map(Dispatch::Notice);
-            [Dispatch::Command(vehicle, command)]
-                .into_iter()
-                .chain(notice)
-        };
-        order.targets.iter().flat_map(dispatch).collect()
+            let command = part.unwrap_or_else(|| plan_command(PlanDeed::Clear));
+            let command = VehicleCommand::new(entry, order.verb, command);
+            work.push(Dispatch::Command(vehicle, command));
+            if is_idle {
+                self.divided.forget(vehicle);
+                let text = text!("outcome-plan-idle");
+                let notice = Notice::about(vehicle, scene.now, Severity::Notice, text);
+                work.push(Dispatch::Notice(notice));
+            }
+        }
+        let notice = left.map(|text| Notice::general(scene.now, Severity::Warning, text));
+        work.extend(notice.map(Dispatch::Notice));
+        work
     }
 
     /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose own autopilots
@@ -281,6 +286,29 @@ impl Operator {
 
     pub fn paths(&self) -> Vec<Path> {
         self.conductor.paths()
+    }
+}
+
+fn plan_command(deed: PlanDeed) -> Command {
+    Command::Plan(PlanCommand {
+        kind: ListKind::Plan,
+        deed,
+    })
+}
+
+/// A warning of vehicles that carry parts of earlier work, with the command that removes them.
+fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
+    let left = ranges(vehicles.iter().copied());
+    (!vehicles.is_empty()).then(|| text!("outcome-plan-left", vehicles = left))
+}
+
+/// Adds a remark to the row of an upload.
+fn remark(command: &mut Command, text: &Text) {
+    if let Command::Plan(command) = command
+        && let PlanDeed::Upload { source } = &mut command.deed
+        && let PlanSource::Document(document) = source
+    {
+        *source = PlanSource::Remarked(Arc::clone(document), text.clone());
     }
 }
 

@@ -27,6 +27,7 @@ use crate::vehicle::{GlobalPosition, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
+mod divided;
 mod drafts;
 mod geometry;
 mod guard;
@@ -40,6 +41,7 @@ mod tests;
 mod transit;
 
 use act::{ActiveManoeuvre, WorldView};
+pub use divided::{DividedWork, carrying};
 use planner::Planner;
 
 /// The rules of all manoeuvres in a session.

@@ -22,6 +22,8 @@ pub enum PlanSource {
     File(String),
     /// This document: a draft, or a plan that the console has made.
     Document(Arc<Document>),
+    /// The same, with a remark for the row.
+    Remarked(Arc<Document>, Text),
 }
 
 /// An operation on a list.
@@ -45,7 +47,7 @@ impl PlanCommand {
         }
         match &self.deed {
             PlanDeed::Upload {
-                source: PlanSource::Document(document),
+                source: PlanSource::Document(document) | PlanSource::Remarked(document, _),
             } => protected_item(document).map(Setup::PlanItem),
             PlanDeed::Upload {
                 source: PlanSource::File(_),
@@ -69,8 +71,6 @@ impl PlanCommand {
         is_limit && writes
     }
 
-    /// Why it needs a confirmation for this vehicle now; `None` if it does not.
-    pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
     /// Whether it changes the plan on board.
     pub fn changes_plan(&self) -> bool {
         let writes = match self.deed {
@@ -80,6 +80,8 @@ impl PlanCommand {
         self.kind == ListKind::Plan && writes
     }
 
+    /// Why it needs a confirmation for this vehicle now; `None` if it does not.
+    pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
             // It is refused at once.

@@ -242,6 +242,10 @@ fn wanted(
                     document: Document::clone(document),
                     notes: Vec::new(),
                 },
+                PlanSource::Remarked(document, remark) => PlanOnFile {
+                    document: Document::clone(document),
+                    notes: vec![(command.kind, remark.clone())],
+                },
                 PlanSource::File(file) => {
                     let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
                     shelf.read(&named(file, vehicle))?

@@ -15,6 +15,7 @@ use crate::app::room::{Answer, RoomModel};
 use crate::draft::{Draft, Drafts, Items, Tried};
 use crate::ledger::EntryId;
 use crate::plan::{Document, Item, ListKind};
+use crate::swarm::DividedWork;
 
 mod act;
 mod change;
@@ -55,6 +56,8 @@ pub struct Drawing {
     /// The ledger's entries of the last upload.
     uploads: Vec<EntryId>,
     ground: GroundFiles,
+    /// The vehicles that have got drafts from the same work.
+    divided: DividedWork,
     /// The outcome of the last trial, until a draft changes.
     tried: Option<Tried>,
 }
@@ -71,6 +74,7 @@ impl Default for Drawing {
             saving: None,
             uploads: Vec::new(),
             ground: GroundFiles::default(),
+            divided: DividedWork::default(),
             tried: None,
         }
     }

@@ -345,3 +345,47 @@ fn a_rehearsal_waits_for_the_end_of_an_upload() {
     let at_once = give(&mut operator, 3, "1 plan rehearse");
     assert_eq!(told(&at_once).1, 1);
 }
+
+/// Smaller work leaves the plans of earlier work on vehicles that have no part in it: the row and a notice say so.
+#[test]
+fn smaller_work_names_the_vehicles_that_keep_an_old_plan() {
+    let vehicles: Vehicles = [1, 2, 3].map(|id| (id, carrying(id, 60.0).into())).into();
+    let mut operator = Operator::default();
+    let mut give = |entry, line: &str| {
+        let scene = OperatorScene {
+            now: Duration::ZERO,
+            vehicles: &vehicles,
+            flight: None,
+        };
+        let order = super::read(line).expect("a good line");
+        operator.carry_out(EntryId(entry), &order, scene)
+    };
+    let told = |work: &[Dispatch]| -> (Vec<String>, Vec<String>) {
+        let notices = work.iter().filter_map(|work| match work {
+            Dispatch::Notice(notice) => Some(notice.text.to_string()),
+            _ => None,
+        });
+        let remarks = work.iter().filter_map(|work| match work {
+            Dispatch::Command(_, command) => match &command.command {
+                Command::Plan(PlanCommand {
+                    deed:
+                        PlanDeed::Upload {
+                            source: PlanSource::Remarked(_, remark),
+                        },
+                    ..
+                }) => Some(remark.to_string()),
+                _ => None,
+            },
+            _ => None,
+        });
+        (notices.collect(), remarks.collect())
+    };
+    let nothing = (Vec::new(), Vec::new());
+    let area = "search square around 50.4515 30.5206 radius 200";
+    assert_eq!(told(&give(1, &format!("all plan {area}"))), nothing);
+    let (notices, remarks) = told(&give(2, &format!("1 plan {area}")));
+    assert!(notices[0].contains("`2-3 plan clear`"), "{notices:?}");
+    assert_eq!(notices, remarks);
+    let _ = give(3, "2-3 plan clear");
+    assert_eq!(told(&give(4, &format!("1 plan {area}"))), nothing);
+}

@@ -8,8 +8,9 @@ use crate::commands::{Datum, Ground, PlanTask};
 use crate::draft::{Draft, areas, drawn_areas};
 use crate::geo::Outline;
 use crate::language::DraftWork;
+use crate::notice::Notice;
 use crate::plan::{ListKind, command};
-use crate::swarm::{Conductor, Rules};
+use crate::swarm::{Conductor, Rules, carrying};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -56,6 +57,8 @@ pub(super) fn divide(
         .copied()
         .filter(|id| plans.iter().all(|(busy, _)| busy != id))
         .collect();
+    let left = state.rooms.plans.divided.divide(vehicles);
+    let idle: Vec<VehicleId> = idle.into_iter().chain(left).collect();
     // Earlier plans of these would lead them through the parts of the others.
     state.rooms.plans.drafts.drop_of(&idle);
     let drafts = plans
@@ -64,12 +67,17 @@ pub(super) fn divide(
     let drafts: Vec<Draft> = drafts.collect();
     let busy = ranges(drafts.iter().filter_map(Draft::vehicle));
     files::fill(state, drafts);
-    let text = if idle.is_empty() {
-        text!("draft-divided", vehicles = busy)
+    let old = carrying(&idle, &state.session.vehicles);
+    if old.is_empty() {
+        state.say(Severity::Info, text!("draft-divided", vehicles = busy));
     } else {
-        text!("draft-divided-idle", vehicles = busy, idle = ranges(idle))
-    };
-    state.say(Severity::Info, text);
+        let idle = ranges(old);
+        let text = text!("draft-divided-idle", vehicles = busy, idle = idle.as_str());
+        state.say(Severity::Warning, text);
+        let text = text!("outcome-plan-left", vehicles = idle);
+        let notice = Notice::general(state.now, Severity::Warning, text);
+        state.notices.push(notice);
+    }
     Ok(())
 }
 

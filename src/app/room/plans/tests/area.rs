@@ -330,3 +330,41 @@ fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
     let again = flown(&desk.give("draft rehearse"));
     assert_eq!(again.len(), 3, "{again:?}");
 }
+
+/// Vehicles that have no part in smaller work keep their plans until they are cleared, so they are named for good.
+#[test]
+fn vehicles_without_a_part_now_are_named_in_a_notice() {
+    let mut desk = Desk::new();
+    for id in [1, 2, 3] {
+        standing(&mut desk, id);
+    }
+    draw_field(&mut desk);
+    desk.give("draft survey all");
+    let notices = |desk: &Desk| -> Vec<String> {
+        let lines = desk.app.state().notices().lines();
+        lines.map(|line| line.notice.text.to_string()).collect()
+    };
+    assert!(notices(&desk).is_empty(), "{:?}", notices(&desk));
+    for id in [1, 2, 3] {
+        standing(&mut desk, id);
+        let vehicle = desk.app.state().session().vehicles().get(&id);
+        let mut vehicle = Vehicle::clone(vehicle.expect("heard"));
+        vehicle.plans.plan.content = Some(Arc::new(Plan {
+            items: vec![Item::default(); 3],
+            home_first: true,
+        }));
+        let event = VehicleEvent::Telemetry(Arc::new(vehicle));
+        let _ = desk.app.update(Event::from(event));
+    }
+    desk.give("draft use field");
+    desk.give("draft survey 1");
+    let said = notices(&desk);
+    assert!(
+        said.len() == 1 && said[0].contains("`2-3 plan clear`"),
+        "{said:?}"
+    );
+    assert!(desk.said().contains("`2-3 plan clear`"), "{}", desk.said());
+    let drafts = desk.room().drafts().all().iter();
+    let vehicles: Vec<Option<VehicleId>> = drafts.map(Draft::vehicle).collect();
+    assert_eq!(vehicles, [None, Some(1)], "their drafts are closed");
+}
