@@ -142,7 +142,6 @@ rehearse-wind-estimated = wind { $speed } m/s from { $from }° (estimated by { $
 rehearse-wind-estimated-at = wind { $speed } m/s from { $from }° at { $height } m (estimated by { $vehicle })
 rehearse-wind-mission = wind { $speed } m/s from { $from }° (of the mission)
 rehearse-wind-simulator = wind { $speed } m/s from { $from }° (`SIM_WIND_SPD`)
-rehearse-wind-estimated-at = wind { $speed } m/s from { $from }° at { $height } m (estimated by { $vehicle })
 rehearse-wind-unknown = calm air (wind unknown); `plan rehearse wind 270 8` sets a wind
 rehearse-airframes-own = airframes of the session's drones
 rehearse-airframes-standard = standard airframe

@@ -147,7 +147,6 @@ rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from 
 rehearse-wind-estimated-at = вітер { $speed } m/s з напрямку { $from }° на { $height } m (за оцінкою { $vehicle })
 rehearse-wind-mission = вітер { $speed } m/s з напрямку { $from }° (за завданням)
 rehearse-wind-simulator = вітер { $speed } m/s з напрямку { $from }° (`SIM_WIND_SPD`)
-rehearse-wind-estimated-at = вітер { $speed } m/s з напрямку { $from }° на { $height } m (за оцінкою { $vehicle })
 rehearse-wind-unknown = штиль, бо вітер невідомий; задати його: `plan rehearse wind 270 8`
 rehearse-airframes-own = рами дронів цього сеансу
 rehearse-airframes-standard = стандартна рама
