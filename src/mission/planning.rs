@@ -21,9 +21,8 @@ pub(crate) struct PlanLog {
 #[derive(Debug, Clone, Copy)]
 struct PlanRow {
     is_rehearsal: bool,
-    given: Duration,
-    /// When it was first seen under way; a rehearsal waits for uploads before.
-    begun: Option<Duration>,
+    /// When it was given, or last seen waiting: a rehearsal waits for uploads.
+    begun: Duration,
     /// When its end was seen, and in which state.
     ended: Option<(Duration, RowState)>,
 }
@@ -61,12 +60,11 @@ impl PlanLog {
     fn note(&mut self, entry: EntryId, row: &LedgerRow, is_rehearsal: bool, now: Duration) {
         let known = self.rows.entry((entry, row.vehicle)).or_insert(PlanRow {
             is_rehearsal,
-            given: now,
-            begun: None,
+            begun: now,
             ended: None,
         });
-        if known.begun.is_none() && matches!(row.state, RowState::InProgress(_)) {
-            known.begun = Some(now);
+        if row.state == RowState::Queued {
+            known.begun = now;
         }
         if known.ended.is_none() && row.state.is_final() {
             known.ended = Some((now, row.state));
@@ -85,8 +83,7 @@ impl PlanLog {
             let is_good = matches!(rehearsal.ended, Some((_, RowState::Done)));
             let is_before = |change: &PlanRow| {
                 let ended = change.ended;
-                let begun = rehearsal.begun.unwrap_or(rehearsal.given);
-                ended.is_some_and(|(ended, _)| ended <= begun)
+                ended.is_some_and(|(ended, _)| ended <= rehearsal.begun)
             };
             is_good && self.changes(vehicle).all(is_before)
         })
@@ -158,9 +155,10 @@ mod tests {
         assert!(watch.log.is_rehearsed(1) && !watch.log.is_changed(1));
         let change = watch.give("1 plan clear");
         let early = watch.give("1 plan rehearse");
+        watch.end(early, RowState::InProgress(0));
         watch.end(change, RowState::Done);
         watch.end(early, RowState::Done);
-        assert!(!watch.log.is_rehearsed(1), "given before the change ended");
+        assert!(!watch.log.is_rehearsed(1), "flown before the change ended");
     }
 
     /// A rehearsal that waits for an upload flies the new plan.
@@ -171,7 +169,7 @@ mod tests {
         let rehearsal = watch.give("1 plan rehearse");
         watch.end(rehearsal, RowState::Queued);
         watch.end(change, RowState::Done);
-        watch.end(rehearsal, RowState::InProgress(0));
+        // It may begin and end between two looks.
         watch.end(rehearsal, RowState::Done);
         assert!(watch.log.is_rehearsed(1));
     }
