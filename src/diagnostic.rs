@@ -135,9 +135,42 @@ pub fn first_shown(faults: &[Diagnostic]) -> (&[Diagnostic], Option<Text>) {
     (&faults[..faults.len() - more], rest)
 }
 
-/// The name closest to the written word, if it is close enough to be a typing error: by insertions, deletions,
-/// substitutions and swaps of neighbours (optimal string alignment).
+/// The name closest to the written word, if it is close enough to be a typing error.
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let nearest = typing_errors(written, names).into_iter().next();
+    nearest.map(|(_, name)| name)
+}
+
+/// The maximum number of names that are near to a word.
+const MOST_NEAR: usize = 3;
+
+/// The names that the written word may mean: typing errors of them, closest first, then names that begin with it or
+/// contain it.
+pub fn near<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    const LETTERS: usize = 3;
+    let names: Vec<&str> = names.into_iter().collect();
+    let slips = typing_errors(written, names.iter().copied());
+    let mut near: Vec<&str> = slips.into_iter().map(|(_, name)| name).collect();
+    if written.chars().count() >= LETTERS {
+        let lower = written.to_lowercase();
+        let at = |name: &'a str| Some((name.to_lowercase().find(&lower)?, name));
+        let mut containing: Vec<(usize, &str)> = names.iter().copied().filter_map(at).collect();
+        containing.sort_by_key(|(at, _)| *at);
+        near.extend(containing.into_iter().map(|(_, name)| name));
+        near.extend(beginning(written, &names));
+    }
+    let mut seen = std::collections::BTreeSet::new();
+    near.retain(|name| seen.insert(*name));
+    near.truncate(MOST_NEAR);
+    near
+}
+
+/// The names that the written word may be a typing error of, closest first: by insertions, deletions, substitutions and
+/// swaps of neighbours (optimal string alignment).
+fn typing_errors<'a>(
+    written: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Vec<(usize, &'a str)> {
     let written = written.to_lowercase();
     let length = written.chars().count();
     let distance = |name: &str| {
@@ -148,11 +181,12 @@ pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> O
         let distance = is_near.then(|| osa_distance(&written, &name.to_lowercase()));
         distance.filter(|&distance| distance <= most)
     };
-    names
-        .into_iter()
+    let near = names.into_iter();
+    let mut near: Vec<_> = near
         .filter_map(|name| Some((distance(name)?, name)))
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, name)| name)
+        .collect();
+    near.sort_by_key(|&(distance, _)| distance);
+    near
 }
 
 /// The longest name that the written word begins with, otherwise the only name that begins with the word: `bat` for

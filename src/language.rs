@@ -21,7 +21,9 @@ mod argument;
 mod choice;
 mod complete;
 mod console;
+mod fault;
 mod form;
+mod head;
 mod lexer;
 mod manual;
 mod modes;
@@ -39,15 +41,18 @@ mod tests;
 
 pub use argument::{Argument, Kind, Unit, field_text};
 pub use choice::VehicleChoice;
-pub use complete::{Completion, begun, complete, file_begun, hint, lines, vehicle_verbs};
+pub use complete::{
+    Completion, begun, complete, file_begun, hint, lines, usages_begun, vehicle_verbs,
+};
 pub use console::{
     AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LoopTarget,
     ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
 };
+pub use head::said;
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};
-pub use parse::{parse, said};
+pub use parse::parse;
 pub use pilot::{Pilot, PilotEvent, Script};
 pub use table::{row, rows, verb, verbs};
 pub use targets::Targets;

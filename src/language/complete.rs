@@ -8,9 +8,9 @@ use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use super::argument::{Argument, Kind};
 use super::form::{Expected, Fit, fit};
+use super::head::{Head, head};
 use super::lexer::{Word, comment_start, words};
 use super::modes::{mode_names, mode_warning};
-use super::parse::{Head, head};
 use super::verb::{Form, Scope, VerbRow};
 use super::{Context, Targets, rows};
 use crate::text;
@@ -114,8 +114,29 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
 
 /// The row of a line's verb, even if its targets or arguments are wrong.
 pub fn begun(line: &str) -> Option<&'static VerbRow> {
-    let mut first = words(line).into_iter().take(2);
-    first.find_map(|word| super::row(word.text))
+    verb_of(&words(line)).map(|(_, row)| row)
+}
+
+/// The place and the row of the verb.
+fn verb_of(words: &[Word]) -> Option<(usize, &'static VerbRow)> {
+    let mut first = words.iter().enumerate().take(2);
+    first.find_map(|(at, word)| Some((at, super::row(word.text)?)))
+}
+
+/// The usages of a line's verb, even if its targets or arguments are wrong: those of the forms whose first words the
+/// line has.
+pub fn usages_begun(line: &str) -> Option<Text> {
+    let words = words(line);
+    let (at, row) = verb_of(&words)?;
+    let rest = &words[at + 1..];
+    let said = |form: &Form| {
+        let beginning = form.beginning().zip(rest);
+        beginning.take_while(|(said, word)| word.is(said)).count()
+    };
+    let most = row.forms.iter().map(said).max().unwrap_or(0);
+    let meant = row.forms.iter().filter(|form| said(form) == most);
+    let usages = meant.map(|form| form.usage(row.name(), None));
+    Some(usages.collect::<Vec<_>>().join(" | ").into())
 }
 
 /// All lines to the console that can be listed in full, with their meaning: those without arguments, and those

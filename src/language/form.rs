@@ -39,6 +39,15 @@ pub(super) enum Expected {
 }
 
 impl Expected {
+    /// The word that an argument begins with.
+    fn first(argument: &'static Argument) -> Self {
+        if argument.keyword.is_empty() {
+            Self::Value(argument)
+        } else {
+            Self::Keyword(argument)
+        }
+    }
+
     pub fn argument(self) -> &'static Argument {
         match self {
             Self::Keyword(argument) | Self::Value(argument) => argument,
@@ -145,13 +154,7 @@ impl FormReader<'_> {
                 value_seen |= argument.keyword.is_empty();
                 !again
             })
-            .map(|argument| {
-                if argument.keyword.is_empty() {
-                    Expected::Value(argument)
-                } else {
-                    Expected::Keyword(argument)
-                }
-            })
+            .map(Expected::first)
             .collect()
     }
 
@@ -189,7 +192,17 @@ impl FormReader<'_> {
     }
 
     fn positional(&mut self, open: &[usize], words: &[Word]) -> FormStep {
-        let expected = self.expected();
+        let arguments = self.form.arguments;
+        let mut kinds = Vec::new();
+        let mut is_new = |argument: &&Argument| {
+            let is_new = !argument.keyword.is_empty() || !kinds.contains(&argument.kind);
+            kinds.push(argument.kind);
+            is_new
+        };
+        let expected = open.iter().map(|index| &arguments[*index]);
+        // A word that is not the first of several equal values is none of them.
+        let expected = expected.filter(|it| is_new(it)).map(Expected::first);
+        let expected = expected.collect();
         let mut misfit = Misfit {
             word: 0,
             specific: false,

@@ -262,7 +262,7 @@ fn wrong_unit(text: &str, suffix: &str, unit: Unit) -> Text {
 }
 
 /// The length in bytes of the decimal number at the start of `text`: sign, digits with a point, exponent.
-fn number_length(text: &str) -> usize {
+pub(super) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
         bytes[from..]
@@ -302,7 +302,7 @@ fn items(text: &str) -> Result<Items, Misread> {
 
 fn plan_command(text: &str) -> Result<u16, Misread> {
     field::command_of(text)
-        .ok_or_else(|| Misread::kind(text!("grammar-no-plan-command", word = text)))
+        .ok_or_else(|| Misread::value(text!("grammar-no-plan-command", word = text)))
 }
 
 fn plan_field(text: &str) -> Result<&'static str, Misread> {

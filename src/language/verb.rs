@@ -4,6 +4,7 @@ use super::argument::{Argument, Arguments, Kind, Problem};
 use super::console::ConsoleLine;
 use super::wait::Wait;
 use crate::commands::Act;
+use crate::text;
 use crate::text::{Locale, Text};
 use crate::verb::Verb;
 
@@ -122,6 +123,12 @@ impl VerbRow {
             .collect()
     }
 
+    /// Its usages in a sentence: "`ack` or `ack KIND`".
+    pub(super) fn usages(&self) -> Text {
+        let usages = self.usage().into_iter();
+        either(usages.map(|usage| format!("`{usage}`").into()).collect())
+    }
+
     /// Whether one of its arguments is of a kind.
     pub fn takes(&self, kind: Kind) -> bool {
         let mut arguments = self.forms.iter().flat_map(|form| form.arguments);
@@ -164,6 +171,13 @@ impl Form {
         }
     }
 
+    /// The words that it begins with, before its values: `fence circle` in `draft fence circle 150`.
+    pub(super) fn beginning(&self) -> impl Iterator<Item = &'static str> {
+        let is_said = |argument: &&Argument| argument.kind == Kind::Flag && !argument.optional;
+        let said = self.arguments.iter().take_while(is_said);
+        said.map(|argument| argument.keyword)
+    }
+
     /// Its usage, with the argument at `marked` between ‹ and ›.
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
         let mut usage = verb.to_owned();
@@ -180,4 +194,13 @@ impl Form {
         }
         usage
     }
+}
+
+/// "A or B or C".
+pub(super) fn either(texts: Vec<Text>) -> Text {
+    let mut texts = texts.into_iter();
+    let first = texts.next().unwrap_or_default();
+    texts.fold(first, |all, text| {
+        text!("grammar-or", others = all, last = text)
+    })
 }

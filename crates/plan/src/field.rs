@@ -287,6 +287,12 @@ pub fn plan_words() -> impl Iterator<Item = (&'static str, &'static str)> {
     board::commands().map(|(number, name)| (word(number).unwrap_or(name), name))
 }
 
+/// The short words of the commands that plans may have.
+pub fn short_plan_words() -> impl Iterator<Item = &'static str> {
+    let own = WORDS.iter().filter(|(number, ..)| is_of_plan(*number));
+    own.map(|(_, word, _)| *word)
+}
+
 fn is_of_plan(number: u16) -> bool {
     !command::is_fence(number) && number != command::RALLY_POINT
 }

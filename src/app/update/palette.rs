@@ -157,7 +157,7 @@ fn judge(state: &State, palette: &mut Palette) {
     palette.recipients = recipients(state, line);
     palette.hint = state
         .with_context(|context| language::hint(line, context))
-        .or_else(|| language::begun(line).map(|row| row.usage().join(" | ").into()));
+        .or_else(|| language::usages_begun(line));
     palette.fault = None;
     palette.outcome = None;
     match order::read(state, line) {

@@ -51,7 +51,8 @@ const fn says(keyword: &'static str, help: &'static str) -> Argument {
 const ADD: Argument = says("add", "argument-draft-add");
 const MOVE: Argument = says("move", "argument-draft-move");
 const CHANGE_HEIGHT: Argument = says("height", "argument-draft-change-height");
-const INSERT: Argument = Argument::keyed("insert", "before", NUMBER, "argument-draft-insert");
+const INSERT: Argument = says("insert", "argument-draft-insert");
+const BEFORE: Argument = Argument::value("before", NUMBER, "argument-draft-item");
 
 fn line(line: DraftLine) -> Built {
     console(ConsoleLine::Draft(line))
@@ -166,7 +167,7 @@ fn jump(given: &Arguments) -> Built {
 
 fn area(given: &Arguments) -> Built {
     let keeps_in = !given.flag("out");
-    match given.required_area("area")? {
+    match given.required_area("name")? {
         Outline::Polygon(corners) => edit(Edit::Fence(FenceEdit::Polygon {
             keeps_in,
             corners: corners.iter().copied().map(Spot::At).collect(),
@@ -313,10 +314,19 @@ const FORMS: &[Form] = &[
     ),
     Form::new(&[ADD, COMMAND, HEIGHT, FRAME], add),
     Form::new(
-        &[INSERT, COMMAND.optional(), POINT, NORTH, EAST, UP, FRAME],
+        &[
+            INSERT,
+            BEFORE,
+            COMMAND.optional(),
+            POINT,
+            NORTH,
+            EAST,
+            UP,
+            FRAME,
+        ],
         add,
     ),
-    Form::new(&[INSERT, COMMAND, HEIGHT, FRAME], add),
+    Form::new(&[INSERT, BEFORE, COMMAND, HEIGHT, FRAME], add),
     Form::new(
         &[says("delete", "argument-draft-delete"), LIST, ITEMS],
         |given| items(given, ItemsChange::Delete),
@@ -438,7 +448,8 @@ const FORMS: &[Form] = &[
     Form::new(
         &[
             FENCE,
-            Argument::keyed("area", "area", Kind::Area, "argument-draft-area"),
+            says("area", "argument-draft-area"),
+            Argument::value("name", Kind::Area, "argument-draft-area"),
             OUT,
         ],
         area,

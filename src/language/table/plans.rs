@@ -191,7 +191,10 @@ const PLAN: VerbRow = VerbRow {
         })
         .meaning(&START),
         Form::new(
-            &[Argument::keyed("goto", "item", ITEM, "argument-plan-item")],
+            &[
+                Argument::flag("goto", ""),
+                Argument::value("item", ITEM, "argument-plan-item"),
+            ],
             |given| {
                 let item = given.required("item")? as u16;
                 flight(PlanFlight::Goto { item })
@@ -211,12 +214,10 @@ const PLAN: VerbRow = VerbRow {
         )
         .meaning(&RESUME),
         Form::new(
-            &[Argument::keyed(
-                "resume",
-                "item",
-                ITEM,
-                "argument-plan-item",
-            )],
+            &[
+                Argument::flag("resume", ""),
+                Argument::value("item", ITEM, "argument-plan-item"),
+            ],
             |given| resume(Some(given.required("item")?)),
         )
         .meaning(&RESUME)

@@ -1,4 +1,6 @@
 use super::read;
+use crate::diagnostic::Diagnostic;
+use crate::language::{Channel, Context, Statement, parse};
 
 #[test]
 fn the_exact_word_that_is_wrong_is_named() {
@@ -117,11 +119,16 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
         (
             "param set X",
             "",
-            "param needs VALUE",
+            "param set needs VALUE",
             "param set WPNAV_SPEED 500",
         ),
-        ("param get", "", "param needs NAME", "param get WPNAV_SPEED"),
-        ("goto by up", "", "goto needs UP", "goto by n 10"),
+        (
+            "param get",
+            "",
+            "param get needs NAME",
+            "param get WPNAV_SPEED",
+        ),
+        ("goto by up", "", "goto by needs UP", "goto by n 10"),
         (
             "home 50.45 30.52",
             "",
@@ -156,10 +163,114 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
     ]);
 }
 
+/// The forms that a line cannot mean are left out: of a verb with many forms only the usage of those that begin as the
+/// line does is shown.
+#[test]
+fn a_fault_shows_the_usage_of_the_form_that_was_meant() {
+    check(&[
+        (
+            "plan start 3",
+            "3",
+            "unexpected `3`",
+            "write it as `plan start`",
+        ),
+        (
+            "1 plan resume fro 2",
+            "fro",
+            "expected `from` or ITEM",
+            "did you mean `from`?",
+        ),
+        (
+            "plan goto",
+            "",
+            "plan goto needs ITEM",
+            "example `plan goto 7`",
+        ),
+        (
+            "plan survey",
+            "",
+            "plan survey needs `n`",
+            "example `1-6 plan survey lane",
+        ),
+    ]);
+    let fault = read("plan start 3").expect_err("too much");
+    let help = fault.help.map(|help| help.to_string());
+    assert_eq!(help.as_deref(), Some("write it as `plan start`"));
+    let usages = |line| crate::language::usages_begun(line).map(|text| text.to_string());
+    assert_eq!(usages("1 plan start 3").as_deref(), Some("plan start"));
+    assert_eq!(
+        usages("plan resume fro 2").as_deref(),
+        Some("plan resume [from ITEM] | plan resume ITEM")
+    );
+}
+
+#[test]
+fn a_fault_in_a_draft_names_its_own_word() {
+    let (groups, places) = (super::groups(), super::places());
+    let context = Context {
+        channel: Channel::Screen,
+        ..super::context(&groups, &places)
+    };
+    let cases = &[
+        (
+            "draft undo 3",
+            "3",
+            "unexpected",
+            "write it as `draft undo`",
+        ),
+        (
+            "draft jump 3",
+            "",
+            "draft jump needs `to`",
+            "example `draft jump 6 to 2 times 3`",
+        ),
+        ("draft jump x to 2", "x", "ITEM: `x` is not a number", ""),
+        ("draft jump 3 to x", "x", "TO: `x` is not a number", ""),
+        ("draft jump 3 2", "2", "expected `to`", ""),
+        ("draft jump 3 too 2", "too", "expected `to`", "`to`"),
+        (
+            "draft jump 3 to 2 times x",
+            "x",
+            "TIMES: `x` is not a number",
+            "",
+        ),
+        ("draft fence polygn", "polygn", "`polygon`", "`polygon`"),
+        (
+            "draft add takof 30",
+            "takof",
+            "unknown plan command `takof`",
+            "did you mean `takeoff`",
+        ),
+        (
+            "draft add loitr 30",
+            "loitr",
+            "unknown plan command",
+            "did you mean `loiter`",
+        ),
+        (
+            "draft add wrongcommand",
+            "wrongcommand",
+            "unknown plan command `wrongcommand`",
+            "Tab lists the commands: waypoint, loiter",
+        ),
+        (
+            "draft command 4 trns",
+            "trns",
+            "unknown plan command",
+            "did you mean `turns`?; Tab lists",
+        ),
+    ];
+    check_with(|line| parse(line, &context), cases);
+}
+
 /// The line, the marked word ("" is the end of the line), a part of the message, and a part of the help.
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 fn check(cases: &[Case]) {
+    check_with(read, cases);
+}
+
+fn check_with(read: impl Fn(&str) -> Result<Statement, Diagnostic>, cases: &[Case]) {
     let mut wrong = Vec::new();
     for &(line, word, message, help) in cases {
         let fault = read(line).expect_err(line);
