@@ -21,6 +21,7 @@ mod history;
 mod journal;
 mod links;
 mod logs;
+mod names;
 mod new_name;
 mod output;
 mod plans;
@@ -40,6 +41,7 @@ pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
 pub use links::open_own;
 pub use logs::LogFolder;
+pub use names::{names_in, user_path};
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
 pub use plans::{PlanFiles, read_plan_text};
@@ -54,7 +56,7 @@ pub use records::{
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, names_in, read, read_bytes, read_start, user_path};
+pub use source::{Source, StoreError, read, read_bytes, read_start};
 pub use terrain::add_square;
 
 mod shipped {

@@ -5,6 +5,13 @@ file-more-faults = { $count ->
    *[other] and { $count } more faults
 }
 file-unreadable = cannot read { $path }: { $error }
+file-missing = { $path }: not found
+file-missing-near = { $path }: not found; did you mean `{ $name }`?
+file-missing-in = { $path }: not found in { $folder }
+file-missing-folder = { $path }: no folder { $folder }
+file-missing-folder-near = { $path }: no folder { $folder }; did you mean `{ $name }`?
+file-is-folder = { $path } is a folder, not a file
+file-forbidden = no permission to read { $path }
 file-unwritable = cannot write { $path }: { $error }
 file-exists = { $path } already exists
 file-too-large = { $path } is too large: a { $kind } is at most { $most } bytes long

@@ -20,13 +20,15 @@ refused-plan-autopilot = plans can be sent only to vehicles with ArduPilot
 refused-plan-no-files = only the console reads plans from files
 refused-plan-clear-auto = it is flying its plan: use `hold` and `guided` first
 refused-plan-empty = the file has no such list
-refused-plan-unreadable = { $file }: { $error }
 refused-plan-file = { $file }: line { $line }, column { $column } is not valid; no vehicle was changed
 refused-plan-format = { $file }: this format has no room for the list; use `.waypoints` or `.plan`
 refused-plan-exists = { $file } already exists: use another name, or { "{" }id{ "}" } in the name for several vehicles
 refused-plan-item = item { $item }: { $reason }
 refused-plan-no-list = the vehicle has no such list
-refused-plan-faults = { $first }; { $more } more errors, which `sortie plan check` lists
+refused-plan-faults = { $first }; { $more ->
+    [one] { $more } more error, which `sortie plan check` names
+   *[other] { $more } more errors, which `sortie plan check` lists
+}
 refused-plan-unfamiliar = the list on board was not known: { $count } items ({ $mark }); repeat the command to replace it
 refused-plan-changed = it has changed since it was read: now { $count } items ({ $mark }); repeat the command to replace it
 refused-plan-none = no plan on board: use `plan upload` first

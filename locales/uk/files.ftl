@@ -6,6 +6,13 @@ file-more-faults = { $count ->
    *[many] і ще { $count } помилок
 }
 file-unreadable = не вдається прочитати { $path }: { $error }
+file-missing = { $path }: файлу немає
+file-missing-near = { $path }: файлу немає; може, `{ $name }`?
+file-missing-in = { $path }: файлу немає в теці { $folder }
+file-missing-folder = { $path }: немає теки { $folder }
+file-missing-folder-near = { $path }: немає теки { $folder }; може, `{ $name }`?
+file-is-folder = { $path } — тека, а не файл
+file-forbidden = немає дозволу читати { $path }
 file-unwritable = не вдається записати { $path }: { $error }
 file-exists = { $path } вже є
 file-too-large = { $path } завеликий: { $kind } має не більше ніж { $most } байтів

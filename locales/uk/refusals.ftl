@@ -20,13 +20,16 @@ refused-plan-autopilot = плани можна надсилати лише ап�
 refused-plan-no-files = плани з файлів читає лише консоль
 refused-plan-clear-auto = апарат летить за планом: спершу `hold` і `guided`
 refused-plan-empty = у файлі немає такого списку
-refused-plan-unreadable = { $file }: { $error }
 refused-plan-file = { $file }: помилка в рядку { $line }, стовпці { $column }; жоден апарат не змінено
 refused-plan-format = { $file }: цей формат не вміщує списку; візьміть `.waypoints` або `.plan`
 refused-plan-exists = { $file } уже існує: візьміть іншу назву, а для кількох апаратів — { "{" }id{ "}" } у назві
 refused-plan-item = пункт { $item }: { $reason }
 refused-plan-no-list = в апарата немає такого списку
-refused-plan-faults = { $first }; інші помилки ({ $more }) покаже `sortie plan check`
+refused-plan-faults = { $first }; { $more ->
+    [one] ще { $more } помилку
+    [few] ще { $more } помилки
+   *[many] ще { $more } помилок
+} покаже `sortie plan check`
 refused-plan-unfamiliar = список на борту був невідомий: пунктів { $count } ({ $mark }); щоб замінити його, повторіть команду
 refused-plan-changed = список змінився, відколи його прочитано: тепер пунктів { $count } ({ $mark }); щоб замінити його, повторіть команду
 refused-plan-none = на борту немає плану: спершу `plan upload`

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::names::unread;
 use super::regular::read_regular;
 use super::{Source, StoreError, read_bytes, sharing, user_path, write};
 use crate::plan::{Document, FileFormat, ListKind, ReadOptions};
@@ -72,10 +73,7 @@ impl PlanFiles {
 impl PlanShelf for PlanFiles {
     fn read(&self, file: &str) -> Result<PlanOnFile, Text> {
         let path = user_path(file);
-        let bytes = read_regular(&path, LONGEST).map_err(|error| {
-            let error = error.to_string();
-            text!("refused-plan-unreadable", file = file, error = error)
-        })?;
+        let bytes = read_regular(&path, LONGEST).map_err(|error| unread(&path, &error))?;
         crate::plan::read(&bytes, &ReadOptions::default())
             .map(|loaded| PlanOnFile {
                 notes: loaded

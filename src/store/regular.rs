@@ -10,7 +10,11 @@ use std::path::Path;
 /// It does not exist, is not a regular file, is larger, or cannot be read.
 pub(super) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     // Opening a FIFO would wait for its writer, so its type is checked first.
-    if !fs::metadata(path)?.is_file() {
+    let kind = fs::metadata(path)?;
+    if kind.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    if !kind.is_file() {
         return Err(io::Error::other("it is not a regular file"));
     }
     let mut bytes = Vec::new();

@@ -5,6 +5,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use super::names::unread;
 use crate::diagnostic::{self, Diagnostic};
 use crate::text;
 use crate::text::Text;
@@ -64,10 +65,7 @@ impl From<&StoreError> for Text {
         let shown = |path: &Path| path.display().to_string();
         let named = |kind: &'static str| Self::new(kind, Vec::new());
         match error {
-            StoreError::Unreadable { path, error } => {
-                let error = error.to_string();
-                text!("file-unreadable", path = shown(path), error = error)
-            }
+            StoreError::Unreadable { path, error } => unread(path, error),
             StoreError::TooLarge { path, kind } => text!(
                 "file-too-large",
                 path = shown(path),
@@ -139,32 +137,4 @@ pub fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, StoreError> {
             error,
         })?;
     Ok(bytes)
-}
-
-/// The maximum number of names of one folder that are offered.
-const MOST_NAMES: usize = 1000;
-
-/// The names in a folder in order, without hidden ones; those of folders end with `/`. Empty if it cannot be read. An
-/// empty path is the working directory.
-pub fn names_in(folder: &Path) -> Vec<String> {
-    let folder = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let named = entries.take(MOST_NAMES).filter_map(|entry| {
-        let name = entry.file_name().into_string().ok()?;
-        let is_folder = fs::metadata(entry.path()).is_ok_and(|it| it.is_dir());
-        (!name.starts_with('.')).then(|| if is_folder { name + "/" } else { name })
-    });
-    let mut names: Vec<String> = named.collect();
-    names.sort();
-    names
-}
-
-/// A path as typed: `~/` is the home folder.
-pub fn user_path(written: &str) -> PathBuf {
-    let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());
-    in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }

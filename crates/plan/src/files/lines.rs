@@ -62,7 +62,8 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     ))
 }
 
-/// The return point, then the corners of one inclusion area; the last corner repeats the first.
+/// The return point, then the corners of one inclusion area; the last corner repeats the first. A ring that ends at its
+/// very first point, and three points alone, are corners only.
 pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut points = Vec::new();
     let mut faults = Vec::new();
@@ -75,19 +76,23 @@ pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let is_closed =
-        points.len() > 2 && points.last().map(|it| it.0) == points.get(1).map(|it| it.0);
-    if is_closed {
+    let is_ring_from = |first: usize| {
+        let last = points.last().filter(|_| points.len() > first + 1);
+        last.map(|it| it.0) == points.get(first).map(|it| it.0)
+    };
+    let has_return = is_ring_from(1) || !is_ring_from(0) && points.len() > 3;
+    let first = usize::from(has_return);
+    if is_ring_from(first) {
         points.pop();
     }
-    let corners = points.len().saturating_sub(1);
+    let corners = points.len().saturating_sub(first);
     if corners < 3 {
         let span = points.last().map_or(0..0, |(_, span)| span.clone());
         return Err(vec![Fault::new(span, FaultKind::FewCorners(corners))]);
     }
     let mut parsed = Parsed::default();
     for (index, ((x, y), span)) in points.into_iter().enumerate() {
-        let item = if index == 0 {
+        let item = if index < first {
             point(command::FENCE_RETURN_POINT, SEA_LEVEL, 0.0, x, y, 0.0)
         } else {
             let count = corners as f32;

@@ -205,6 +205,29 @@ fn old_fences_and_rally_points_of_mavproxy_are_read() {
     );
 }
 
+/// Three points are a triangle, and a ring that ends at its first point has no return point: neither has too few corners.
+#[test]
+fn old_fences_without_a_return_point_are_read_in_any_order() {
+    let triangle = ["50.45 30.52", "50.45 30.54", "50.46 30.54"];
+    let [a, b, c] = triangle;
+    for corners in [vec![a, b, c], vec![c, b, a], vec![a, b, c, a]] {
+        let fence = loaded(corners.join("\n").as_bytes());
+        assert_eq!(
+            commands(&fence.document, ListKind::Fence),
+            [5001; 3],
+            "{corners:?}"
+        );
+    }
+    let returning = [b, a, b, c, a].join("\n");
+    let fence = loaded(returning.as_bytes());
+    assert_eq!(
+        commands(&fence.document, ListKind::Fence),
+        [5000, 5001, 5001, 5001]
+    );
+    let between = [a, "50.45 30.53", b, c].join("\n");
+    assert_eq!(loaded(between.as_bytes()).document.fence.len(), 4);
+}
+
 #[test]
 fn all_shapes_of_a_kml_are_read_packed_or_not() {
     let plain = loaded(KML.as_bytes());
