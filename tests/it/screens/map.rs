@@ -265,6 +265,23 @@ fn signs_in(console: &Console, role: Role, size: (u16, u16)) -> Vec<String> {
     rows.map(|row| row.iter().map(sign).collect()).collect()
 }
 
+/// A vehicle in flight has the colour of its plan, also where all are selected.
+#[test]
+fn selected_vehicles_keep_their_own_colours() {
+    let size = (120, 40);
+    let mut console = Console::flying(0);
+    for (id, north_m) in [(1, 0.0), (2, 80.0)] {
+        console.vehicle(fixtures::airborne(id, north_m, 20.0));
+    }
+    console.press("M");
+    let mut console = resized(console, size);
+    console.press("*").press("z");
+    for (mark, role) in ["1*", "2*"].into_iter().zip(Role::DRONES) {
+        let own = signs_in(&console, role, size);
+        assert!(own.iter().any(|row| row.contains(mark)), "{mark}: {own:#?}");
+    }
+}
+
 #[test]
 fn the_fence_is_dashed_in_a_colour_of_its_own_and_an_alert_in_that_of_alerts() {
     let size = (120, 40);

@@ -140,8 +140,12 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
     let (role, rank) = match &alarm {
         _ if lost => (Role::Danger, 0),
         Some(alarm) => (severity_role(alarm.severity), 0),
+        // The colour of a vehicle in flight is that of its plan and trail; a star marks it as selected.
+        None if vehicle.armed() => (
+            Badge::of_vehicle(vehicle.id).role,
+            if selected { 1 } else { 2 },
+        ),
         None if selected => (Role::Selected, 1),
-        None if vehicle.armed() => (Badge::of_vehicle(vehicle.id).role, 2),
         None => (Role::Muted, 2),
     };
     Marker {
