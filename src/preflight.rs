@@ -12,7 +12,7 @@ mod faults;
 mod findings;
 
 pub use faults::note as note_words;
-pub use findings::words as finding_words;
+pub use findings::{words as finding_words, words_of_all as shared_finding_words};
 
 /// A remark about a file, with its place, and whether it is only a warning.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -90,10 +90,20 @@ plans-leg = leg { $length }, { $time }
 plans-climb = climb { $height }, { $time }
 plans-cursor = cursor
 plans-from-item = from the item
-plans-heights = heights  { $length }, { $time } at { $speed } m/s
+plans-heights = heights of { $name }  { $length }, { $time } at { $speed } m/s
+plans-heights-at = { $name }  { $length }, { $time } at { $speed } m/s
+plans-heights-short = { $name }  { $length }, { $time }
+plans-mark = plan { $mark }
 plans-upload = upload: { $done } of { $count } done
 plans-upload-failed = upload: { $failed } of { $count } failed, see Commands
-plans-upload-done = on board; next: `arm`, `plan start`
+plans-upload-done = upload: all { $count } done
+plans-next-upload = next: `{ $key }` uploads it
+plans-next-arm = on board; next: `guided`, `arm`, `plan start`
+plans-next-start = armed, with the plan on board; next: `plan start`
+plans-next-aloft = in the air; next: `plan resume` flies the plan, `rtl` returns
+plans-next-flying = flies its plan: `plan pause`, `plan skip`, `plan abort`
+plans-next-paused = has paused: `plan resume`, `plan skip`, `plan abort`
+plans-next-flown = flown; next: `{ $key }` uploads another plan, `plan clear` removes it, `guided`, `arm`, `plan start` repeat it
 plans-repeats = , without the repetitions of jumps
 
 draft-holds = { $name }: { $holds }
@@ -186,7 +196,9 @@ draft-trial-refused = { $name }: the vehicle would refuse the { $list }
 draft-trial-conflicts = { $count ->
     [one] { $count } conflict
    *[other] { $count } conflicts
-}: { $a } and { $b } at { $time }; `draft deconflict` separates them
+}: { $pairs }; `draft deconflict` separates them
+draft-trial-more = { $pairs } and { $more } more
+draft-trial-closest = closest: { $a } and { $b } at { $time }, { $horizontal } m horizontally, { $vertical } m vertically
 draft-trial-meeting = { $a } and { $b } come too close at { $time }
 draft-trial-fence = { $name } breaches its fence at { $time }
 draft-trial-unfinished = { $name } was not flown to its end

@@ -17,6 +17,7 @@ plan-list-rally = rally points
 plan-good = good
 plan-warning = (warning)
 plan-at-item = { $list }, item { $number }: { $what }
+plan-at-items = { $list }, items { $numbers }: { $what }
 
 plan-file-unknown = unknown format: expected QGC WPL, .plan, a fence or rally points of MAVProxy, KML, KMZ or GeoJSON
 plan-file-not-text = the file is not UTF-8 text

@@ -91,10 +91,20 @@ plans-leg = відрізок { $length }, { $time }
 plans-climb = набір { $height }, { $time }
 plans-cursor = курсор
 plans-from-item = від пункту
-plans-heights = висоти  { $length }, { $time } на { $speed } m/s
+plans-heights = висоти: { $name }  { $length }, { $time } на { $speed } m/s
+plans-heights-at = { $name }  { $length }, { $time } на { $speed } m/s
+plans-heights-short = { $name }  { $length }, { $time }
+plans-mark = план { $mark }
 plans-upload = на борт: { $done } з { $count }
 plans-upload-failed = на борт: невдач { $failed } з { $count }, причини на екрані команд
-plans-upload-done = на борту; далі `arm`, `plan start`
+plans-upload-done = передано все: { $count }
+plans-next-upload = далі: `{ $key }` передасть план на борт
+plans-next-arm = на борту; далі: `guided`, `arm`, `plan start`
+plans-next-start = двигуни активні, план на борту; далі: `plan start`
+plans-next-aloft = у повітрі; далі: `plan resume` — летіти за планом, `rtl` — повернутися
+plans-next-flying = летить за планом: `plan pause`, `plan skip`, `plan abort`
+plans-next-paused = пауза: `plan resume`, `plan skip`, `plan abort`
+plans-next-flown = план виконано; далі: `{ $key }` передасть інший план, `plan clear` видалить цей, `guided`, `arm`, `plan start` повторять
 plans-repeats = , без повторів переходів
 
 draft-holds = { $name }: { $holds }
@@ -189,7 +199,9 @@ draft-trial-conflicts = { $count ->
     [one] { $count } конфлікт
     [few] { $count } конфлікти
    *[other] { $count } конфліктів
-}: { $a } і { $b } на { $time }; `draft deconflict` розведе їх
+}: { $pairs }; `draft deconflict` розведе їх
+draft-trial-more = { $pairs } та ще { $more }
+draft-trial-closest = найближче: { $a } і { $b } на { $time }, { $horizontal } m по горизонталі, { $vertical } m по вертикалі
 draft-trial-meeting = { $a } і { $b } надто зближуються на { $time }
 draft-trial-fence = { $name } порушує геозону на { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану

@@ -19,6 +19,7 @@ plan-list-rally = точки збору
 plan-good = помилок немає
 plan-warning = (попередження)
 plan-at-item = { $list }, пункт { $number }: { $what }
+plan-at-items = { $list }, пункти { $numbers }: { $what }
 
 plan-file-unknown = невідомий формат: потрібен QGC WPL, .plan, геозона чи точки збору MAVProxy, KML, KMZ або GeoJSON
 plan-file-not-text = файл не є текстом UTF-8

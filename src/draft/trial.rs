@@ -15,6 +15,8 @@ use crate::vehicle_id::VehicleId;
 
 /// Metres between separate heights.
 const LAYER_M: f32 = 6.0;
+/// The most pairs in conflict that one text names.
+const MOST_PAIRS: usize = 6;
 
 /// Drafts to fly together.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +44,8 @@ pub struct TrialDraft {
 pub struct Tried {
     /// The outcome in words.
     pub text: Text,
+    /// The conflicts, each with its time and distances; the closest first.
+    pub details: Vec<Text>,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
     pub is_sound: bool,
     /// The drafts to change, with their new content. If one of a shared draft changes, all of them are here.
@@ -138,17 +142,46 @@ impl Trial {
         (!is_good).then(|| text!("draft-trial-unfinished", name = name))
     }
 
-    /// The figures of a rehearsal, its first conflict, or the first plan that is not flown to its end.
-    fn told(&self, outcome: &Outcome) -> Tried {
-        if let Some(conflict) = outcome.conflicts().next() {
+    /// All pairs that come too close to each other.
+    fn in_conflict(&self, conflicts: &[&Approach]) -> Tried {
+        let pair = |conflict: &&Approach| -> Text {
             let [a, b] = [conflict.a, conflict.b].map(|at| self.name(at));
-            return unsound(text!(
-                "draft-trial-conflicts",
-                count = outcome.conflicts().count(),
+            format!("{a} + {b} {}", time(conflict.at_s)).into()
+        };
+        let pairs = conflicts.iter().take(MOST_PAIRS).map(pair).collect();
+        let mut pairs = Text::joined(", ", pairs);
+        let more = conflicts.len().saturating_sub(MOST_PAIRS);
+        if more > 0 {
+            pairs = text!("draft-trial-more", pairs = pairs, more = more);
+        }
+        let distances = |conflict: &&Approach| {
+            let [a, b] = [conflict.a, conflict.b].map(|at| self.name(at));
+            let metres = [conflict.horizontal_m, conflict.vertical_m].map(|it| figure(it, 1));
+            let [horizontal, vertical] = metres;
+            text!(
+                "plan-rehearse-conflict",
                 a = a,
                 b = b,
-                time = time(conflict.at_s)
-            ));
+                time = time(conflict.at_s),
+                horizontal = horizontal,
+                vertical = vertical
+            )
+        };
+        let text = text!(
+            "draft-trial-conflicts",
+            count = conflicts.len(),
+            pairs = pairs
+        );
+        Tried {
+            details: conflicts.iter().map(distances).collect(),
+            ..unsound(text)
+        }
+    }
+
+    /// The figures of a rehearsal, its conflicts, or the first plan that is not flown to its end.
+    fn told(&self, outcome: &Outcome) -> Tried {
+        if outcome.conflicts().next().is_some() {
+            return self.in_conflict(&outcome.conflicts().collect::<Vec<&Approach>>());
         }
         let mut flown = outcome.vehicles.iter().enumerate();
         match flown.find_map(|(at, it)| self.failure(at, it)) {
@@ -181,9 +214,9 @@ impl Trial {
     fn approach(&self, closest: &Approach) -> Text {
         let [a, b] = [closest.a, closest.b].map(|at| self.name(at));
         let distances = [closest.horizontal_m, closest.vertical_m];
-        let [horizontal, vertical] = distances.map(|metres| figure(metres, 1));
+        let [horizontal, vertical] = distances.map(|metres| figure(metres, 0));
         text!(
-            "plan-rehearse-closest",
+            "draft-trial-closest",
             a = a,
             b = b,
             time = time(closest.at_s),
@@ -229,6 +262,7 @@ impl Trial {
 fn unsound(text: Text) -> Tried {
     Tried {
         text,
+        details: Vec::new(),
         is_sound: false,
         changed: Vec::new(),
         verdicts: Vec::new(),
@@ -346,6 +380,29 @@ mod tests {
         trial.is_apart = false;
         let again = trial.fly();
         assert!(again.is_sound, "{}", again.text);
+    }
+
+    #[test]
+    fn all_pairs_that_come_too_close_are_named() {
+        let drafts = [
+            ("a", 0.0, 100.0),
+            ("b", 100.0, 0.0),
+            ("c", 1000.0, 1100.0),
+            ("d", 1100.0, 1000.0),
+        ];
+        let trial = Trial {
+            drafts: drafts.map(|(name, from, to)| flight(name, from, to)).into(),
+            is_apart: false,
+            is_awaited: true,
+        };
+        let tried = trial.fly();
+        let text = tried.text.to_string();
+        assert!(text.contains("a + b") && text.contains("c + d"), "{text}");
+        assert_eq!(tried.details.len(), 2);
+        assert!(
+            text.starts_with("2 conflicts: ") && text.len() < 80,
+            "{text}"
+        );
     }
 
     #[test]

@@ -20,6 +20,20 @@ pub fn words(finding: &Finding) -> Text {
     }
 }
 
+/// The text of a finding that several items share; `items` count from 0.
+pub fn words_of_all(finding: &Finding, items: &[usize]) -> Text {
+    if items.len() < 2 {
+        return words(finding);
+    }
+    let numbers: Vec<String> = items.iter().map(|index| (index + 1).to_string()).collect();
+    text!(
+        "plan-at-items",
+        list = list_words(finding.list),
+        numbers = numbers.join(", "),
+        what = kind_words(&finding.kind)
+    )
+}
+
 fn kind_words(kind: &FindingKind) -> Text {
     match kind {
         FindingKind::Refused { command, reason } => refusal(*command, *reason),

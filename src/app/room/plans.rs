@@ -25,6 +25,7 @@ mod ground;
 mod hints;
 mod judge;
 mod line;
+mod stage;
 mod trial;
 mod view;
 
@@ -34,6 +35,7 @@ pub use ground::{ground_read, wanted_ground};
 pub use hints::of_items as room_hints;
 pub use judge::{findings, pace};
 pub use line::carry_out;
+pub use stage::{NextStep, PlanStage, next_step};
 pub use trial::tried;
 pub use view::{PlansLayout, click, layout};
 

@@ -251,13 +251,13 @@ fn a_fault_in_a_draft_names_its_own_word() {
             "draft add wrongcommand",
             "wrongcommand",
             "unknown plan command `wrongcommand`",
-            "Tab lists the commands: waypoint, loiter",
+            "completion lists the commands: waypoint, loiter",
         ),
         (
             "draft command 4 trns",
             "trns",
             "unknown plan command",
-            "did you mean `turns`?; Tab lists",
+            "did you mean `turns`?; completion lists",
         ),
     ];
     check_with(|line| parse(line, &context), cases);

@@ -20,6 +20,7 @@ use crate::vehicle::VehicleId;
 mod detail;
 mod heights;
 mod list;
+mod reports;
 mod tabs;
 
 /// The data that the parts of the screen show.
@@ -41,13 +42,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let line = footer::hints(state, room_hints(state).iter().copied(), panel.at(keys));
     put(buffer, keys, 0, &line);
     let body = below(above, 1);
-    let middle = upper(body, sizes.rows);
+    let middle = upper(body, sizes.canvas.rows);
     let map = columns(middle, sizes.list + 1, middle.width);
     draw_drafts(state, panel.at(map), buffer);
     draw_border(panel.at(columns(middle, sizes.list, 1)), buffer);
-    let list = panel.at(columns(middle, 0, sizes.list));
+    let left = panel.at(columns(middle, 0, sizes.list));
+    let details = panel.at(below(body, sizes.canvas.rows));
     let Some(draft) = room.drafts().current() else {
-        return draw_nothing(state, list, buffer);
+        draw_nothing(state, left, buffer);
+        return detail::draw(state, None, details, buffer);
     };
     let pace = pace(state);
     let shown = Shown {
@@ -58,11 +61,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         pace,
         findings: findings(state, draft.document()),
     };
-    list::draw(&shown, list, buffer);
-    let rest = below(body, sizes.rows);
-    let detail_rows = rest.height.saturating_sub(sizes.heights);
-    detail::draw(state, &shown, panel.at(upper(rest, detail_rows)), buffer);
-    heights::draw(state, &shown, panel.at(below(rest, detail_rows)), buffer);
+    list::draw(&shown, left.upper(sizes.rows), buffer);
+    heights::draw(&shown, draft, left.below(sizes.rows), buffer);
+    detail::draw(state, Some(&shown), details, buffer);
 }
 
 /// An area without its last row, and that row.

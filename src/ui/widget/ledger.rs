@@ -36,11 +36,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         if used >= rows {
             break;
         }
-        let mut block = entry_lines(entry, state.session(), width, panel.look);
-        if rows - used == 1 && block.len() > 1 {
-            block = vec![short_line(entry, state.session(), width, panel.look)];
-        }
-        cut(&mut block, rows - used, width);
+        let block = lines_within(entry, state.session(), (width, rows - used), panel.look);
         used += block.len();
         blocks.push(block);
     }
@@ -56,6 +52,21 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
     }
+}
+
+/// The lines of a command within a width and a number of rows.
+pub fn lines_within<'a>(
+    entry: &LedgerEntry,
+    session: &FlightView,
+    (width, rows): (usize, usize),
+    look: &Look,
+) -> Vec<Line<'a>> {
+    let mut lines = entry_lines(entry, session, width, look);
+    if rows == 1 && lines.len() > 1 {
+        lines = vec![short_line(entry, session, width, look)];
+    }
+    cut(&mut lines, rows, width);
+    lines
 }
 
 /// The text in place of the commands while there is none.

@@ -1,8 +1,10 @@
 //! The room of plans: a survey with a fence, beside another draft.
 
-use sortie::app::event::{FileEvent, TerminalEvent};
+use sortie::app::event::{Event, FileEvent, TerminalEvent};
+use sortie::draft::Tried;
 use sortie::geo::{Square, Terrain};
-use sortie::text::Language;
+use sortie::ledger::RowState;
+use sortie::text::{Language, Text};
 
 use super::check;
 use crate::fixtures;
@@ -63,6 +65,58 @@ fn a_survey_being_drawn() {
             insta::assert_snapshot!(name, screen);
         }
     }
+}
+
+/// The room shows the outcome of commands to vehicles, each in its own line, and what can be done next.
+#[test]
+fn the_last_command_and_the_next_step_are_shown() {
+    let mut console = drawing(Language::English);
+    console.give("1-2 plan upload survey.plan");
+    console.row(1, RowState::InProgress(40), None);
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("1-2 plan upload survey.plan"), "{screen}");
+    console.row(1, RowState::Done, Some("9 items (7f3a)")).row(
+        2,
+        RowState::Refused,
+        Some("item 3 is too far away"),
+    );
+    for (columns, rows) in [(80, 24), (200, 50)] {
+        let name = format!("plans_refused_{columns}x{rows}");
+        insta::assert_snapshot!(name, sized(&console, columns, rows).screen(columns, rows));
+    }
+}
+
+/// The result of a rehearsal is whole at 80 columns, and names all pairs in conflict.
+#[test]
+fn the_result_of_a_rehearsal_is_not_cut() {
+    let mut console = drawing(Language::English);
+    let pairs = "vehicle-1 + vehicle-3 01:03, vehicle-2 + vehicle-4 02:10";
+    console.hear(Event::Tried(Tried {
+        text: Text::verbatim(format!(
+            "2 conflicts: {pairs}; `draft deconflict` parts them"
+        )),
+        details: vec![
+            Text::verbatim("too close: vehicle-1 and vehicle-3"),
+            Text::verbatim("too close: vehicle-2 and vehicle-4"),
+        ],
+        is_sound: false,
+        changed: Vec::new(),
+        is_awaited: false,
+    }));
+    console.press("k");
+    for (columns, rows) in [(80, 24), (200, 50)] {
+        let screen = sized(&console, columns, rows).screen(columns, rows);
+        let words = screen.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(pairs), "{screen}");
+        insta::assert_snapshot!(format!("plans_conflicts_{columns}x{rows}"), screen);
+    }
+}
+
+/// The most used keys are in the footer at 80 columns.
+#[test]
+fn the_survey_key_is_shown_at_80_columns() {
+    let screen = drawing(Language::English).screen(80, 24);
+    assert!(screen.contains("S survey"), "{screen}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::ground::CLEARANCE_M;
 use crate::app::State;
 use crate::draft::Pace;
 use crate::plan::Document;
-use crate::plan::check::{CheckOptions, Finding, check, check_terrain};
+use crate::plan::check::{CheckOptions, Finding, FindingKind, check, check_terrain};
 use crate::vehicle::check_rules;
 
 /// A parameter of the vehicle under the cursor, if it is known.
@@ -47,5 +47,22 @@ pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
         findings.extend(check_terrain(document, &height, CLEARANCE_M));
         findings.sort_by_key(|finding| (finding.list, finding.item));
     }
-    findings
+    counted_once(findings)
+}
+
+/// Findings without repetitions: what the vehicle refuses in an item of a fence is also a fault of that fence.
+fn counted_once(findings: Vec<Finding>) -> Vec<Finding> {
+    let mut once: Vec<Finding> = Vec::new();
+    for finding in findings {
+        let is_known = |known: &Finding| {
+            let is_refused = matches!(known.kind, FindingKind::Refused { .. })
+                && matches!(finding.kind, FindingKind::Fence(_));
+            let is_there = (known.list, known.item) == (finding.list, finding.item);
+            *known == finding || is_there && is_refused
+        };
+        if !once.iter().any(is_known) {
+            once.push(finding);
+        }
+    }
+    once
 }

@@ -17,6 +17,7 @@ use crate::vehicle::{
 
 mod area;
 mod files;
+mod stage;
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);
 

@@ -9,10 +9,11 @@ use crate::plan::{Document, ListKind};
 
 /// Rows of the screen for other things: the header, the keys, the footer.
 const OTHER_ROWS: u16 = 3;
-/// Rows of the details of an item, the cursor and the faults.
-pub const DETAIL_ROWS: u16 = 3;
+/// Rows of the details, on small screens and on large ones: the item, the cursor, and what has been found and done.
+const FEW_DETAILS: u16 = 5;
+const DETAILS: u16 = 9;
 /// Rows of the heights with their rule, on small screens and on large ones.
-const LOW: u16 = 6;
+const LOW: u16 = 5;
 const HIGH: u16 = 11;
 /// From this number of rows on, a screen is a large one.
 const TALL: u16 = 36;
@@ -31,10 +32,8 @@ const ROWS_ABOVE: u16 = 2;
 pub struct PlansLayout {
     /// Columns of the list, with its gap.
     pub list: u16,
-    /// Rows of the list and the map, without their rules.
+    /// Rows of the list; the heights are below it, down to the end of the map.
     pub rows: u16,
-    /// Rows of the heights, with their rule.
-    pub heights: u16,
     /// The canvas of the map.
     pub canvas: GridSize,
 }
@@ -43,14 +42,15 @@ pub struct PlansLayout {
 pub fn layout(screen: GridSize) -> PlansLayout {
     let wide = LISTS.iter().find(|(least, _)| screen.columns >= *least);
     let list = wide.map_or(NARROW, |(_, list)| *list);
-    let heights = if screen.rows >= TALL { HIGH } else { LOW };
-    let rows = screen
-        .rows
-        .saturating_sub(OTHER_ROWS + 1 + DETAIL_ROWS + heights);
+    let (heights, details) = if screen.rows >= TALL {
+        (HIGH, DETAILS)
+    } else {
+        (LOW, FEW_DETAILS)
+    };
+    let rows = screen.rows.saturating_sub(OTHER_ROWS + 1 + details);
     PlansLayout {
         list,
-        rows,
-        heights,
+        rows: rows.saturating_sub(heights),
         canvas: GridSize::new(screen.columns.saturating_sub(list + 1), rows),
     }
 }

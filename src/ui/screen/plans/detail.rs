@@ -1,19 +1,16 @@
-//! The item under the cursor, the cursor of the map, and the faults.
-
-use std::cmp::Reverse;
+//! The item under the cursor, the cursor of the map, and the reports.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
-use super::Shown;
 use super::list::{parameters, percent, seconds};
+use super::{Shown, reports};
 use crate::app::State;
 use crate::app::room::plans::layout;
 use crate::draft::{Stop, place};
 use crate::geo::{GridSize, LatLon};
-use crate::plan::check::{Finding, Severity, legs};
+use crate::plan::check::legs;
 use crate::plan::{HeightFrame, Item, ListKind, command, field};
-use crate::preflight::finding_words;
 use crate::text;
 use crate::text::Text;
 use crate::text::figure;
@@ -22,7 +19,20 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{clip, put};
 
-pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+/// Draws them; without a draft, only what has been done.
+pub(super) fn draw(
+    state: &State,
+    shown: Option<&Shown<'_>>,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
+    if let Some(shown) = shown {
+        draw_item(state, shown, panel, buffer);
+    }
+    reports::draw(state, shown, panel.below(2), buffer);
+}
+
+fn draw_item(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let item = shown
         .room
         .row()
@@ -31,7 +41,6 @@ pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &
         put(buffer, panel.area, 0, &item_line(shown, row, item, panel));
     }
     put(buffer, panel.area, 1, &cursor_line(state, shown, panel));
-    put(buffer, panel.area, 2, &fault_line(shown, panel));
 }
 
 /// The item under the cursor: its command, its parameters, the leg that leads to it.
@@ -122,42 +131,4 @@ fn cursor_line(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Line<'stat
         spans.push(Span::raw(way));
     }
     Line::from(spans)
-}
-
-/// A fault: of the item under the cursor if it has one, otherwise the first of all.
-fn fault_line(shown: &Shown<'_>, panel: Panel<'_>) -> Line<'static> {
-    let findings = &shown.findings;
-    let row = shown.room.row();
-    let is_own =
-        |it: &&Finding| it.list == shown.room.list() && it.item.is_some() && it.item == row;
-    let own = findings.iter().find(is_own);
-    let worst = || findings.iter().min_by_key(|it| Reverse(it.severity()));
-    let Some(finding) = own.or_else(worst) else {
-        if let Some(tried) = shown.room.tried() {
-            let role = if tried.is_sound {
-                Role::Ok
-            } else {
-                Role::Warning
-            };
-            let text = format!(" {}", panel.text(&tried.text));
-            return Line::styled(clip(&text, panel.width()), panel.style(role));
-        }
-        let is_empty = shown.document.kinds().next().is_none();
-        let id = if is_empty {
-            "plans-begin"
-        } else {
-            "plans-no-faults"
-        };
-        let role = if is_empty { Role::Muted } else { Role::Ok };
-        return Line::styled(format!(" {}", panel.say(id)), panel.style(role));
-    };
-    let (mark, role) = match finding.severity() {
-        Severity::Error => ("!", Role::Danger),
-        Severity::Warning => ("?", Role::Warning),
-    };
-    let words = panel.text(&finding_words(finding));
-    let count = findings.len();
-    let counted = panel.text(&text!("plans-faults", count = count));
-    let text = format!(" {mark} {counted}: {words}");
-    Line::styled(clip(&text, panel.width()), panel.style(role))
 }

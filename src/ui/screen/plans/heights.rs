@@ -5,22 +5,21 @@ use ratatui::text::Line;
 
 use super::Shown;
 use super::list::seconds;
-use crate::app::State;
-use crate::draft::{PlanFrame, Stop, ground_above_home};
+use crate::draft::{Draft, PlanFrame, Stop, ground_above_home};
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
-use crate::ledger::RowState;
 use crate::plan::{ContentHash, ListKind};
 use crate::text;
-use crate::text::Text;
 use crate::text::figure;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{Canvas, Stroke, length, stamp};
-use crate::ui::widget::{aligned, put, row_of};
+use crate::ui::widget::{aligned, put, row_of, width};
 
 /// Columns of the heights at the left.
 const AXIS: u16 = 6;
+/// Columns of a title's rule and blanks.
+const TITLE_ENDS: usize = 6;
 /// The minimum height at the top of the scale, in metres.
 const LEAST_TOP_M: f64 = 10.0;
 
@@ -77,10 +76,8 @@ impl Scale {
     }
 }
 
-pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let mut title = title(shown, panel);
-    title.extend(upload(state).map(|text| format!("  {}", panel.text(&text))));
-    let inner = panel.at(panel.titled(&title, buffer));
+pub(super) fn draw(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.at(panel.titled(&title(shown, draft, panel), buffer));
     let curve = inner.columns(AXIS, inner.area.width.saturating_sub(AXIS + 1));
     let size = GridSize::new(curve.area.width, curve.area.height);
     if shown.course.stops.is_empty() || size.rows == 0 {
@@ -96,42 +93,44 @@ pub(super) fn draw(state: &State, shown: &Shown<'_>, panel: Panel<'_>, buffer: &
     draw_numbers(shown, &scale, curve, buffer);
 }
 
-/// The totals: length, time and speed, and the name of the plan by its content.
-fn title(shown: &Shown<'_>, panel: Panel<'_>) -> String {
+/// The name of the plan, its length and time, and as far as there is room the speed and the mark of its content.
+fn title(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>) -> String {
     let course = &shown.course;
-    let mut title = panel.text(&text!(
+    let (name, way) = (draft.short_name(), length(course.length_m.round()));
+    let time = seconds(course.time_s);
+    let speed = figure(shown.pace.speed_m_s, 1);
+    let speed = speed.trim_end_matches(".0");
+    let long = text!(
         "plans-heights",
-        length = length(course.length_m.round()),
-        time = seconds(course.time_s),
-        speed = figure(shown.pace.speed_m_s, 1).trim_end_matches(".0")
-    ));
+        name = name,
+        length = &way,
+        time = &time,
+        speed = speed
+    );
+    let mut long = panel.text(&long);
     if course.repeats {
-        title.push_str(&panel.say("plans-repeats"));
+        long.push_str(&panel.say("plans-repeats"));
     }
-    if !shown.document.plan.is_empty() {
-        let hash = ContentHash::of(&shown.document.plan).to_string();
-        title = format!("{title}  {hash}");
-    }
-    title
-}
-
-/// The state of the last upload.
-fn upload(state: &State) -> Option<Text> {
-    let ledger = state.session().ledger();
-    let entries = state.rooms().plans().uploads().iter();
-    let rows: Vec<RowState> = entries
-        .filter_map(|entry| ledger.entry(*entry))
-        .flat_map(|entry| entry.rows.iter().map(|row| row.state))
-        .collect();
-    let failed = rows.iter().filter(|row| row.is_failure()).count();
-    let done = rows.iter().filter(|row| row.is_final()).count() - failed;
-    let count = rows.len();
-    match (failed, count) {
-        (_, 0) => None,
-        (0, _) if done == count => Some(text!("plans-upload-done")),
-        (0, _) => Some(text!("plans-upload", done = done, count = count)),
-        _ => Some(text!("plans-upload-failed", failed = failed, count = count)),
-    }
+    let mark = ContentHash::of(&shown.document.plan).to_string();
+    let marked = panel.text(&text!("plans-mark", mark = mark));
+    let middle = text!(
+        "plans-heights-at",
+        name = name,
+        length = &way,
+        time = &time,
+        speed = speed
+    );
+    let short = text!(
+        "plans-heights-short",
+        name = name,
+        length = way,
+        time = time
+    );
+    let whole = format!("{long}  {marked}");
+    let mut titles = [whole, long, panel.text(&middle)].into_iter();
+    let room = panel.width().saturating_sub(TITLE_ENDS);
+    let fitting = titles.find(|title| width(title) <= room);
+    fitting.unwrap_or_else(|| panel.text(&short))
 }
 
 /// The ground where it is known, otherwise the height of home.

@@ -266,6 +266,7 @@ fn drafts_fly_together_before_an_upload() {
     let longer = Arc::clone(&trial.drafts[1].document);
     let tried = Tried {
         text: "vehicle-1 starts later".into(),
+        details: Vec::new(),
         is_sound: true,
         is_awaited: true,
         verdicts: Vec::new(),

@@ -1,0 +1,140 @@
+//! What can be done next with a draft and the vehicles that it is for.
+
+use crate::app::State;
+use crate::app::action::{Action, PlansAction};
+use crate::draft::Draft;
+use crate::language::verb;
+use crate::ledger::RowState;
+use crate::plan::ContentHash;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle_id::ranges;
+use crate::verb::CountsAs;
+
+/// How far a vehicle is with the plan of a draft; the later ones matter more to the user.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PlanStage {
+    /// It does not carry the plan.
+    Elsewhere,
+    /// It has flown the plan, and stands on the ground.
+    Flown,
+    /// It carries the plan; its motors are off.
+    OnBoard,
+    /// It stands on the ground with its motors on.
+    Armed,
+    /// It is in the air, and flies no plan.
+    Aloft,
+    /// It has paused in the plan.
+    Paused,
+    /// It flies its plan.
+    Flying,
+}
+
+/// The stage of the vehicle that is the farthest, with all vehicles in that stage and in any.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NextStep {
+    pub stage: PlanStage,
+    vehicles: Vec<VehicleId>,
+    count: usize,
+}
+
+/// The next step with the current draft: for its vehicle, otherwise for those that got the last upload, otherwise for
+/// the addressed ones. `None` without a plan or a vehicle.
+pub fn next_step(state: &State) -> Option<NextStep> {
+    let draft = state.rooms.plans.drafts.current()?;
+    if draft.document().plan.is_empty() {
+        return None;
+    }
+    let vehicles = concerned(state, draft);
+    let staged = vehicles.iter().filter_map(|id| {
+        let vehicle = state.session.vehicles.get(id)?;
+        Some((stage(state, draft, vehicle), *id))
+    });
+    let staged: Vec<(PlanStage, VehicleId)> = staged.collect();
+    let stage = staged.iter().map(|(stage, _)| *stage).max()?;
+    let own = staged.iter().filter(|(own, _)| *own == stage);
+    Some(NextStep {
+        stage,
+        vehicles: own.map(|(_, id)| *id).collect(),
+        count: staged.len(),
+    })
+}
+
+fn concerned(state: &State, draft: &Draft) -> Vec<VehicleId> {
+    if let Some(vehicle) = draft.vehicle() {
+        return vec![vehicle];
+    }
+    let ledger = state.session().ledger();
+    let entries = state.rooms.plans.uploads.iter();
+    let entries = entries.filter_map(|entry| ledger.entry(*entry));
+    let mut uploaded: Vec<VehicleId> = entries
+        .flat_map(|entry| entry.rows.iter().map(|row| row.vehicle))
+        .collect();
+    uploaded.sort_unstable();
+    uploaded.dedup();
+    if uploaded.is_empty() {
+        state.addressed()
+    } else {
+        uploaded
+    }
+}
+
+fn stage(state: &State, draft: &Draft, vehicle: &Vehicle) -> PlanStage {
+    let carried = vehicle.plans.plan.content.as_ref();
+    let mark = ContentHash::of(&draft.document().plan);
+    let carries = carried.is_some_and(|plan| ContentHash::of(plan.flown()) == mark);
+    if vehicle.armed() && vehicle.airborne() {
+        return if vehicle.has_paused() {
+            PlanStage::Paused
+        } else if vehicle.flies_plan() {
+            PlanStage::Flying
+        } else {
+            PlanStage::Aloft
+        };
+    }
+    match (carries, vehicle.armed()) {
+        (false, _) => PlanStage::Elsewhere,
+        (true, true) => PlanStage::Armed,
+        (true, false) if has_flown(state, vehicle.id) => PlanStage::Flown,
+        (true, false) => PlanStage::OnBoard,
+    }
+}
+
+/// Whether a vehicle has begun the plan that it carries.
+fn has_flown(state: &State, vehicle: VehicleId) -> bool {
+    let begins = ["plan start", "plan resume"].map(verb);
+    let ledger = state.session().ledger();
+    for entry in ledger.entries().rev() {
+        let mut rows = entry.rows.iter();
+        let is_done = rows.any(|row| row.vehicle == vehicle && matches!(row.state, RowState::Done));
+        if is_done && entry.verb.counts_as == CountsAs::PlanChange {
+            return false;
+        }
+        if is_done && begins.contains(&Some(entry.verb)) {
+            return true;
+        }
+    }
+    false
+}
+
+impl NextStep {
+    /// The step in words, with the vehicles if it concerns only some of them.
+    pub fn text(&self, state: &State) -> Text {
+        let upload = state.key(Action::Plans(PlansAction::UploadDraft));
+        let text = match self.stage {
+            PlanStage::Elsewhere => text!("plans-next-upload", key = upload),
+            PlanStage::OnBoard => text!("plans-next-arm"),
+            PlanStage::Armed => text!("plans-next-start"),
+            PlanStage::Aloft => text!("plans-next-aloft"),
+            PlanStage::Flying => text!("plans-next-flying"),
+            PlanStage::Paused => text!("plans-next-paused"),
+            PlanStage::Flown => text!("plans-next-flown", key = upload),
+        };
+        if self.vehicles.len() == self.count {
+            return text;
+        }
+        let vehicles = ranges(self.vehicles.iter().copied());
+        Text::joined(": ", vec![vehicles.into(), text])
+    }
+}

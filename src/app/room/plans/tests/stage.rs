@@ -1,0 +1,108 @@
+//! The next step with a draft.
+
+use super::*;
+use crate::app::room::plans::{PlanStage, next_step};
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::vehicle::LandedState;
+
+impl Desk {
+    fn stage(&self) -> Option<PlanStage> {
+        next_step(self.app.state()).map(|step| step.stage)
+    }
+
+    fn next(&self) -> String {
+        let step = next_step(self.app.state()).expect("a step");
+        step.text(self.app.state()).to_string()
+    }
+
+    /// The newest command is done for a vehicle.
+    fn done(&mut self, vehicle: VehicleId) {
+        let newest = self.app.state().session().ledger().entries().len() as u32 - 1;
+        let _ = self.app.update(Event::from(VehicleEvent::Row(RowUpdate {
+            entry: EntryId(newest),
+            vehicle,
+            state: RowState::Done,
+            tries: 1,
+            at: Duration::ZERO,
+            explanation: None,
+        })));
+    }
+}
+
+fn at(items: Vec<Item>, mode: u8, armed: bool, landed: LandedState) -> impl FnOnce(&mut Vehicle) {
+    move |vehicle| {
+        flies_plan(vehicle);
+        if let Some(heartbeat) = &mut vehicle.heartbeat {
+            (heartbeat.mode, heartbeat.armed) = (Mode::copter(mode), armed);
+        }
+        vehicle.landed = landed;
+        vehicle.plans.plan = Stored {
+            content: Some(Arc::new(Plan {
+                items,
+                home_first: false,
+            })),
+            transfer: Transfer::Done,
+        };
+    }
+}
+
+/// From the upload to the end of the flight, the hint is what can be done in that state.
+#[test]
+fn the_next_step_follows_the_flight() {
+    const AUTO: u8 = 3;
+    const GUIDED: u8 = 4;
+    let mut desk = Desk::new();
+    assert_eq!(desk.stage(), None, "no draft");
+    desk.press("ta");
+    assert_eq!(desk.stage(), Some(PlanStage::Elsewhere));
+    assert!(desk.next().contains("`U`"), "{}", desk.next());
+    let items = desk.room().items().to_vec();
+    let carrying = |armed, mode, landed| at(items.clone(), mode, armed, landed);
+    desk.vehicle(1, carrying(false, GUIDED, LandedState::OnGround));
+    assert!(
+        desk.next().contains("`arm`, `plan start`"),
+        "{}",
+        desk.next()
+    );
+    desk.vehicle(1, carrying(true, GUIDED, LandedState::OnGround));
+    assert_eq!(desk.stage(), Some(PlanStage::Armed));
+    desk.vehicle(1, carrying(true, AUTO, LandedState::InAir));
+    assert_eq!(desk.stage(), Some(PlanStage::Flying));
+    assert!(!desk.next().contains("arm"), "{}", desk.next());
+    desk.vehicle(1, carrying(true, GUIDED, LandedState::InAir));
+    assert!(desk.next().contains("`plan resume`"), "{}", desk.next());
+    desk.vehicle(1, carrying(true, GUIDED, LandedState::OnGround));
+    desk.give("1 plan start");
+    desk.done(1);
+    desk.vehicle(1, carrying(false, AUTO, LandedState::OnGround));
+    assert_eq!(desk.stage(), Some(PlanStage::Flown));
+    assert!(desk.next().contains("`plan clear`"), "{}", desk.next());
+}
+
+#[test]
+fn a_step_that_concerns_some_of_the_vehicles_names_them() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    let items = desk.room().items().to_vec();
+    desk.give("select all");
+    desk.vehicle(2, at(items, 3, true, LandedState::InAir));
+    assert!(desk.next().starts_with("2: "), "{}", desk.next());
+}
+
+/// What the vehicle refuses in an item of a fence is one fault, not two.
+#[test]
+fn a_fault_is_counted_once() {
+    let mut desk = Desk::new();
+    let mut document = Document::default();
+    document.fence = vec![Item {
+        command: command::FENCE_CIRCLE_INCLUSION,
+        params: [50.0, 0.0, 0.0, 0.0],
+        x: 2_000_000_000,
+        y: 305_200_000,
+        ..Item::default()
+    }];
+    let state = desk.app.state();
+    let found = findings(state, &document);
+    assert_eq!(found.len(), 1, "{found:?}");
+    desk.press("E");
+}

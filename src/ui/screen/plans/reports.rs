@@ -1,0 +1,292 @@
+//! What has been found and done, as far as there is room: faults, the last trial, the last command to vehicles, and the
+//! next step.
+
+use std::cmp::Reverse;
+
+use ratatui::buffer::Buffer;
+use ratatui::text::Line;
+
+use super::Shown;
+use crate::app::State;
+use crate::app::room::plans::next_step;
+use crate::ledger::{EntryId, LedgerEntry, RowState};
+use crate::plan::check::{Finding, Severity};
+use crate::preflight::shared_finding_words;
+use crate::text;
+use crate::text::Text;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, ledger, put, wrap};
+
+/// The columns before a text, and before the lines that continue it.
+const INDENT: usize = 1;
+const FURTHER: usize = 3;
+
+/// A report of one or several lines.
+#[derive(Default)]
+struct Report {
+    lines: Vec<Line<'static>>,
+}
+
+impl Report {
+    /// Adds a text in as many lines as it needs.
+    fn say(&mut self, text: &str, role: Role, panel: Panel<'_>) {
+        let width = panel.width().saturating_sub(FURTHER);
+        for (row, line) in wrap(text, width).into_iter().enumerate() {
+            let indent = if row == 0 { INDENT } else { FURTHER };
+            let line = format!("{:indent$}{line}", "");
+            self.lines.push(Line::styled(line, panel.style(role)));
+        }
+    }
+
+    /// Its first lines; a mark shows that there are more.
+    fn cut(mut self, rows: usize, width: usize) -> Vec<Line<'static>> {
+        if self.lines.len() > rows {
+            self.lines.truncate(rows);
+            if let Some(last) = self.lines.last_mut() {
+                let style = last.style;
+                let text = format!("{last} ");
+                let room = width.min(text.chars().count());
+                *last = Line::styled(clip(&format!("{text} "), room), style);
+            }
+        }
+        self.lines
+    }
+}
+
+/// Draws them; faults, the trial and the last command have at least a line each.
+pub(super) fn draw(
+    state: &State,
+    shown: Option<&Shown<'_>>,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
+    let found = shown.map(|shown| found(shown, panel)).unwrap_or_default();
+    let tried = shown.map(|shown| tried(shown, panel)).unwrap_or_default();
+    let next = next(state, panel);
+    let entry = last_entry(state);
+    let command = |rows| {
+        let entry = entry.as_ref()?;
+        Some(command(state, entry, rows, panel))
+    };
+    let whole = command(usize::MAX).map_or(0, |lines| lines.len());
+    let needs = [
+        found.lines.len(),
+        tried.lines.len(),
+        whole,
+        next.lines.len(),
+    ];
+    let [few, some, own, last] = shares(needs, usize::from(panel.area.height));
+    let width = panel.width();
+    let lines = found.cut(few, width).into_iter();
+    let lines = lines.chain(tried.cut(some, width));
+    let lines = lines.chain(command(own).into_iter().flatten());
+    for (row, line) in (0..).zip(lines.chain(next.cut(last, width))) {
+        put(buffer, panel.area, row, &line);
+    }
+}
+
+/// The rows of each report: the next step is the first to be left out, then lines after the first one.
+fn shares([found, tried, command, next]: [usize; 4], rows: usize) -> [usize; 4] {
+    let mut left = rows;
+    let mut take = |wanted: usize| {
+        let taken = wanted.min(left);
+        left -= taken;
+        taken
+    };
+    let mut given = [
+        take(found.min(1)),
+        take(tried.min(1)),
+        take(command.min(1)),
+        0,
+    ];
+    given[1] += take(tried - given[1]);
+    given[0] += take(found - given[0]);
+    given[3] += take(next.min(1));
+    given[2] += take(command - given[2]);
+    given[3] += take(next - given[3]);
+    given
+}
+
+/// The faults: that of the item under the cursor first, then the worst.
+fn found(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
+    let mut report = Report::default();
+    let findings = &shown.findings;
+    if findings.is_empty() {
+        let is_empty = shown.document.kinds().next().is_none();
+        if is_empty {
+            report.say(&panel.say("plans-begin"), Role::Muted, panel);
+        } else if shown.room.tried().is_none() {
+            report.say(&panel.say("plans-no-faults"), Role::Ok, panel);
+        }
+        return report;
+    }
+    let row = shown.room.row();
+    let is_own = |it: &Finding| it.list == shown.room.list() && it.item.is_some() && it.item == row;
+    let mut faults = shared(findings);
+    faults.sort_by_key(|(fault, _)| {
+        let is_own = findings.iter().any(|it| is_own(it) && is_same(it, fault));
+        Reverse((is_own, fault.severity()))
+    });
+    let count = panel.text(&text!("plans-faults", count = faults.len()));
+    for (at, (fault, items)) in faults.into_iter().enumerate() {
+        let (mark, role) = match fault.severity() {
+            Severity::Error => ("!", Role::Danger),
+            Severity::Warning => ("?", Role::Warning),
+        };
+        let words = panel.text(&shared_finding_words(fault, &items));
+        let text = if at == 0 {
+            format!("{mark} {count}: {words}")
+        } else {
+            format!("{mark} {words}")
+        };
+        report.say(&text, role, panel);
+    }
+    report
+}
+
+fn is_same(a: &Finding, b: &Finding) -> bool {
+    a.list == b.list && a.kind == b.kind
+}
+
+/// Each fault once, with the items that have it.
+fn shared(findings: &[Finding]) -> Vec<(&Finding, Vec<usize>)> {
+    let mut faults: Vec<(&Finding, Vec<usize>)> = Vec::new();
+    for finding in findings {
+        match faults.iter_mut().find(|(known, _)| is_same(known, finding)) {
+            Some((_, items)) => items.extend(finding.item),
+            None => faults.push((finding, finding.item.into_iter().collect())),
+        }
+    }
+    faults
+}
+
+/// The outcome of the last trial.
+fn tried(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
+    let mut report = Report::default();
+    if let Some(tried) = shown.room.tried() {
+        let role = if tried.is_sound {
+            Role::Ok
+        } else {
+            Role::Warning
+        };
+        for text in std::iter::once(&tried.text).chain(&tried.details) {
+            report.say(&panel.text(text), role, panel);
+        }
+    }
+    report
+}
+
+/// The last command to vehicles; those of one upload count together.
+enum LastEntry<'a> {
+    One(&'a LedgerEntry),
+    Upload(Vec<&'a LedgerEntry>),
+}
+
+fn last_entry(state: &State) -> Option<LastEntry<'_>> {
+    let ledger = state.session().ledger();
+    let last = ledger.entries().next_back()?;
+    let uploads = state.rooms().plans().uploads();
+    let entry = |id: &EntryId| ledger.entry(*id);
+    Some(if uploads.len() > 1 && uploads.contains(&last.id) {
+        LastEntry::Upload(uploads.iter().filter_map(entry).collect())
+    } else {
+        LastEntry::One(last)
+    })
+}
+
+fn command(
+    state: &State,
+    last: &LastEntry<'_>,
+    rows: usize,
+    panel: Panel<'_>,
+) -> Vec<Line<'static>> {
+    let size = (panel.width().saturating_sub(INDENT), rows);
+    let of = |entry, size| {
+        let lines = ledger::lines_within(entry, state.session(), size, panel.look);
+        let indented = lines.into_iter().map(|mut line| {
+            line.spans.insert(0, " ".repeat(INDENT).into());
+            line
+        });
+        indented.collect::<Vec<Line<'static>>>()
+    };
+    match last {
+        LastEntry::One(entry) => of(*entry, size),
+        LastEntry::Upload(entries) => {
+            let (text, role) = upload(entries);
+            let mut report = Report::default();
+            report.say(&panel.text(&text), role, panel);
+            let failed =
+                |entry: &&&LedgerEntry| entry.rows.iter().any(|row| row.state.is_failure());
+            if let Some(failed) = entries.iter().find(failed) {
+                let left = rows.saturating_sub(report.lines.len());
+                report.lines.extend(of(failed, (size.0, left)));
+            }
+            report.lines
+        }
+    }
+}
+
+/// The state of an upload of several lists.
+fn upload(entries: &[&LedgerEntry]) -> (Text, Role) {
+    let rows: Vec<RowState> = entries
+        .iter()
+        .flat_map(|entry| entry.rows.iter().map(|row| row.state))
+        .collect();
+    let failed = rows.iter().filter(|row| row.is_failure()).count();
+    let done = rows.iter().filter(|row| row.is_final()).count() - failed;
+    let count = rows.len();
+    if failed > 0 {
+        let text = text!("plans-upload-failed", failed = failed, count = count);
+        (text, Role::Danger)
+    } else if done == count {
+        (text!("plans-upload-done", count = count), Role::Ok)
+    } else {
+        let text = text!("plans-upload", done = done, count = count);
+        (text, Role::Info)
+    }
+}
+
+/// What can be done next.
+fn next(state: &State, panel: Panel<'_>) -> Report {
+    let mut report = Report::default();
+    if let Some(step) = next_step(state) {
+        report.say(&panel.text(&step.text(state)), Role::Muted, panel);
+    }
+    report
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::ListKind;
+    use crate::plan::check::FindingKind;
+
+    #[test]
+    fn a_fault_of_several_items_is_counted_once() {
+        let finding = |item, kind| Finding {
+            list: ListKind::Plan,
+            item: Some(item),
+            kind,
+        };
+        let findings = [
+            finding(4, FindingKind::NoTerrain),
+            finding(6, FindingKind::NoTerrain),
+            finding(6, FindingKind::BreaksFence { area: 0 }),
+        ];
+        let faults = shared(&findings);
+        assert_eq!(faults.len(), 2);
+        let words = shared_finding_words(faults[0].0, &faults[0].1).to_string();
+        assert!(words.starts_with("plan, items 5, 7: "), "{words}");
+    }
+
+    #[test]
+    fn each_report_has_a_line_before_any_has_two_and_the_next_step_comes_last() {
+        assert_eq!(shares([1, 0, 1, 1], 3), [1, 0, 1, 1]);
+        assert_eq!(shares([1, 2, 3, 1], 3), [1, 1, 1, 0]);
+        assert_eq!(shares([0, 2, 1, 1], 3), [0, 2, 1, 0]);
+        assert_eq!(shares([0, 2, 3, 1], 7), [0, 2, 3, 1]);
+        assert_eq!(shares([9, 2, 1, 1], 7), [4, 2, 1, 0]);
+        assert_eq!(shares([1, 1, 1, 1], 0), [0; 4]);
+    }
+}
