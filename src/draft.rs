@@ -29,7 +29,7 @@ pub use edit::{
 };
 pub use fence::areas;
 pub use place::place;
-pub use profile::{Pace, Profile, Stop, ground_above_home, height_above_home, profile};
+pub use profile::{Profile, Stop, ground_above_home, height_above_home, profile};
 pub use shelf::Drafts;
 pub use squares::squares;
 pub use trial::{PlanVerdict, Trial, TrialDraft, Tried};

@@ -1,33 +1,14 @@
 //! The profile of a plan: the legs with their lengths, times and slopes, and the heights along them.
 
 use super::place::place;
-use crate::geo::{LatLon, Terrain};
+use crate::geo::{LatLon, Terrain, wrap_180};
+use crate::plan::effort::Pace;
 use crate::plan::{Document, HeightFrame, Item, command};
 
-/// The radius of a loiter that names none, in metres.
-const LOITER_RADIUS_M: f64 = 10.0;
+/// Legs shorter than this have no direction, in metres.
+const SAME_PLACE_M: f64 = 1.0;
 /// A wait before the next item to fly to.
 const CONDITION_DELAY: u16 = 112;
-
-/// The speeds of a vehicle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pace {
-    /// Over the ground, in m/s.
-    pub speed_m_s: f64,
-    pub climb_m_s: f64,
-    pub descent_m_s: f64,
-}
-
-impl Default for Pace {
-    /// The defaults of `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `WPNAV_SPEED_DN` in ArduCopter 4.6.
-    fn default() -> Self {
-        Self {
-            speed_m_s: 10.0,
-            climb_m_s: 2.5,
-            descent_m_s: 1.5,
-        }
-    }
-}
 
 /// An item that the vehicle flies to, and the leg that leads there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,6 +95,8 @@ struct Course<'a> {
     ground: &'a Terrain,
     at: Option<LatLon>,
     height_m: f64,
+    /// The direction in which it arrives, in degrees; `None` at rest.
+    along_deg: Option<f64>,
     pace: Pace,
     profile: Profile,
 }
@@ -124,6 +107,7 @@ pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     let mut course = Course {
         at: home,
         height_m: 0.0,
+        along_deg: None,
         pace,
         profile: Profile {
             start: home,
@@ -139,12 +123,12 @@ pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
             command::DO_JUMP | command::DO_JUMP_TAG => course.profile.repeats = true,
             command::DELAY | CONDITION_DELAY => {
                 course.profile.time_s += f64::from(item.params[0].max(0.0));
+                // Only a delay is a stop; a condition holds back the next action.
+                if item.command == command::DELAY {
+                    course.along_deg = None;
+                }
             }
-            command::RETURN_TO_LAUNCH => {
-                let height_m = course.height_m;
-                course.go(index, home, height_m, 0.0);
-                course.land();
-            }
+            command::RETURN_TO_LAUNCH => course.go_home(index, home),
             flown if command::is_flown_to(flown) => course.fly(document, index, item),
             _ => {}
         }
@@ -165,9 +149,14 @@ impl Course<'_> {
         } else {
             height_above_home(document, item, self.ground).unwrap_or(self.height_m)
         };
-        self.go(index, goal, height_m, self.stay_s(item));
+        let stay_s = self.stay_s(item);
+        self.go(index, goal, height_m, stay_s);
+        if stay_s > 0.0 || command::is_takeoff(item.command) {
+            self.along_deg = None;
+        }
         if lands {
-            self.land();
+            let height_m = std::mem::take(&mut self.height_m);
+            self.land(self.pace.landing(height_m.max(0.0)).time_s);
         }
     }
 
@@ -176,14 +165,7 @@ impl Course<'_> {
         let [first, _, third, _] = item.params.map(f64::from);
         match item.command {
             command::WAYPOINT | command::SPLINE_WAYPOINT | command::LOITER_TIME => first.max(0.0),
-            command::LOITER_TURNS => {
-                let radius_m = if third == 0.0 {
-                    LOITER_RADIUS_M
-                } else {
-                    third.abs()
-                };
-                first.max(0.0) * std::f64::consts::TAU * radius_m / self.pace.speed_m_s
-            }
+            command::LOITER_TURNS => self.pace.circle_s(first, third),
             _ => 0.0,
         }
     }
@@ -194,39 +176,71 @@ impl Course<'_> {
         };
         let leg_m = self.at.map_or(0.0, |from| from.distance_m(place));
         let climb_m = height_m - self.height_m;
-        let leg_s = (leg_m / self.pace.speed_m_s).max(self.climb_s(climb_m)) + stay_s;
-        let profile = &mut self.profile;
-        profile.length_m += leg_m;
-        profile.time_s += leg_s;
-        profile.stops.push(Stop {
+        let across_s = self.across_s(place, leg_m);
+        let leg_s = across_s.max(self.pace.rise(climb_m).time_s) + stay_s;
+        self.stop(Stop {
             item,
             place,
             height_m,
             leg_m,
             climb_m,
             leg_s,
-            along_m: profile.length_m,
+            along_m: self.profile.length_m + leg_m,
             lands: false,
         });
-        self.at = Some(place);
-        self.height_m = height_m;
     }
 
-    fn climb_s(&self, climb_m: f64) -> f64 {
-        if climb_m >= 0.0 {
-            climb_m / self.pace.climb_m_s
-        } else {
-            -climb_m / self.pace.descent_m_s
-        }
+    /// The seconds of a level leg, with the corner before it.
+    fn across_s(&mut self, place: LatLon, leg_m: f64) -> f64 {
+        let Some(from) = self.at.filter(|_| leg_m >= SAME_PLACE_M) else {
+            return 0.0;
+        };
+        let bearing_deg = from.bearing_deg(place);
+        let before = self.along_deg.replace(bearing_deg);
+        let lost_s = match before {
+            Some(before_deg) => self.pace.corner_s(wrap_180(bearing_deg - before_deg)),
+            None => self.pace.start_s(),
+        };
+        leg_m / self.pace.speed_m_s + lost_s
     }
 
-    fn land(&mut self) {
-        let descent_s = self.climb_s(-self.height_m.max(0.0));
+    fn go_home(&mut self, item: usize, home: Option<LatLon>) {
+        let Some(place) = home else {
+            return;
+        };
+        let leg_m = self.at.map_or(0.0, |from| from.distance_m(place));
+        let height_m = self.height_m;
+        let along_m = self.profile.length_m + leg_m;
+        self.stop(Stop {
+            item,
+            place,
+            height_m,
+            leg_m,
+            climb_m: 0.0,
+            leg_s: 0.0,
+            along_m,
+            lands: false,
+        });
+        let return_s = self.pace.homeward(leg_m, height_m.max(0.0), 0.0).time_s;
+        self.height_m = 0.0;
+        self.land(return_s);
+    }
+
+    fn stop(&mut self, stop: Stop) {
+        let profile = &mut self.profile;
+        profile.length_m = stop.along_m;
+        profile.time_s += stop.leg_s;
+        profile.stops.push(stop);
+        (self.at, self.height_m) = (Some(stop.place), stop.height_m);
+    }
+
+    /// Ends the last leg on the ground, after some seconds more.
+    fn land(&mut self, seconds: f64) {
+        self.along_deg = None;
         if let Some(stop) = self.profile.stops.last_mut() {
             stop.lands = true;
-            stop.leg_s += descent_s;
-            self.profile.time_s += descent_s;
+            stop.leg_s += seconds;
+            self.profile.time_s += seconds;
         }
-        self.height_m = 0.0;
     }
 }

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::HeightChange;
+use crate::plan::effort::Pace;
 use crate::plan::{Fence, Home, Item, ListKind, command};
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);
@@ -94,14 +95,15 @@ fn the_profile_has_lengths_times_and_slopes() {
         panic!("five stops: {course:?}");
     };
     assert_eq!((up.leg_m, up.climb_m, up.leg_s), (0.0, 20.0, 8.0));
-    assert!((north.leg_m - 100.0).abs() < 0.1 && (north.leg_s - 10.0).abs() < 0.1);
+    assert!((north.leg_m - 100.0).abs() < 0.1 && (north.leg_s - 16.5).abs() < 0.1);
     assert!((east.slope_percent().expect("a slope") - 10.0).abs() < 0.1);
     assert!((south.climb_m + 10.0).abs() < 0.01);
     assert!(home.lands && (home.leg_m - 100.0).abs() < 0.1);
     assert!((course.length_m - 400.0).abs() < 0.5);
-    let descent_s = 20.0 / 1.5;
+    // Each leg gathers speed anew, as the corners are right angles; the return waits, and lands slowly.
+    let return_s = 10.0 + 10.0 + 10.0 / 1.5 + 10.0 / 0.5 + 2.0;
     assert!(
-        (course.time_s - (8.0 + 40.0 + descent_s)).abs() < 0.1,
+        (course.time_s - (8.0 + 3.0 * 16.5 + return_s)).abs() < 0.1,
         "{}",
         course.time_s
     );
@@ -125,7 +127,32 @@ fn a_speed_in_the_plan_counts_from_there_on() {
         &Terrain::default(),
     );
     let legs: Vec<f64> = course.stops.iter().map(|stop| stop.leg_s.round()).collect();
-    assert_eq!(legs[1..4], [10.0, 20.0, 20.0]);
+    assert_eq!(legs[1..4], [17.0, 25.0, 25.0]);
+}
+
+/// Turns are as slow as the vehicle flies them, and a landing slows down near the ground.
+#[test]
+fn turns_and_landings_take_the_time_that_they_take_in_flight() {
+    let item = |command, params: [f32; 4]| {
+        let item = NewItem {
+            params,
+            height_m: Some(30.0),
+            ..NewItem::new(command)
+        };
+        Edit::Plan(PlanEdit::Add {
+            item,
+            at: Insertion::Last,
+        })
+    };
+    let draft = drawn(&[
+        item(command::TAKEOFF, [0.0; 4]),
+        item(command::LOITER_TURNS, [2.0, 0.0, 25.0, 0.0]),
+        item(command::LAND, [0.0; 4]),
+    ]);
+    let course = profile(draft.document(), Pace::default(), &Terrain::default());
+    let legs: Vec<f64> = course.stops.iter().map(|stop| stop.leg_s.round()).collect();
+    // 100 m from rest, and two turns of 28 s.
+    assert_eq!(legs, [12.0, 73.0, 33.0]);
 }
 
 #[test]

@@ -23,6 +23,8 @@ const FLIES_IT: u8 = 1;
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanWatch {
     reached: BTreeSet<u16>,
+    /// Whether there was a report since the vehicle's boot.
+    has_report: bool,
     /// Whether the vehicle flew its plan at the last report.
     flew: bool,
     /// Whether the end of this flight of the plan has been said.
@@ -41,24 +43,26 @@ impl PlanWatch {
         let total = total(data);
         let is_same = before.total == total;
         let is_news = before.current != data.seq || !is_same;
-        let since = before.since.filter(|_| !is_news).unwrap_or(report.now);
+        let since = before.since.filter(|_| !is_news).or(vehicle.clock());
         vehicle.plan = PlanProgress {
             current: data.seq,
             total,
             // With a new plan, the item reached in the old one does not apply.
             reached: before.reached.filter(|_| is_same),
             phase: phase(data.mission_state),
-            since: Some(since),
+            since,
+            arrived: before.arrived.filter(|_| !is_news),
             asked: before.asked,
         };
         let flies = vehicle.armed() && (vehicle.flies_plan() || data.mission_mode == FLIES_IT);
         let flew = std::mem::replace(&mut self.flew, flies);
+        let had_report = std::mem::replace(&mut self.has_report, true);
         self.has_ended &= flew || !flies;
         let mut ends = vehicle.plan.phase == Some(PlanPhase::Complete)
             && before.phase == Some(PlanPhase::Active);
         if is_news {
             let reached = std::mem::take(&mut self.reached);
-            let is_own = is_same && before.since.is_some() && !was_asked(before, report.now);
+            let is_own = is_same && had_report && !was_asked(before, report.now);
             let begins_anew = is_own && begins_anew(vehicle, before.current);
             ends |= begins_anew;
             if is_own && flies && !begins_anew {

@@ -31,7 +31,9 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
         && vehicle.flies_plan()
         && vehicle.airborne()
     {
-        vehicle.cruise = LegSpeed::after(vehicle.cruise, position.ground_speed_m_s(), now);
+        let at = Duration::from_millis(data.time_boot_ms.into());
+        vehicle.cruise = LegSpeed::after(vehicle.cruise, position.ground_speed_m_s(), at);
+        vehicle.note_arrival(at);
     }
 }
 

@@ -48,9 +48,9 @@ pub struct PlanLeg {
     pub to: Option<LatLon>,
     /// The horizontal distance to that place, in metres.
     pub left_m: Option<f64>,
-    /// The time until the current item is done, without a stay at its place.
+    /// The time until the next item begins, by the vehicle's clock: with the stay at this one's place.
     pub next: Option<Duration>,
-    /// The time until the end of the plan.
+    /// The time until the end of the plan, by the vehicle's clock.
     pub end: Option<Duration>,
 }
 
@@ -63,6 +63,15 @@ impl Vehicle {
     /// Whether it has paused on the way of the plan that it flies.
     pub fn has_paused(&self) -> bool {
         self.flies_plan() && self.plan.phase == Some(PlanPhase::Paused)
+    }
+
+    /// Notes when it has arrived where it stays for the current item of its plan.
+    pub fn note_arrival(&mut self, at: Duration) {
+        let plan = self.plans.plan.content.as_ref();
+        let is_there = plan.and_then(|plan| Route::of(self, plan).is_there(self.plan.current));
+        if self.plan.arrived.is_none() && is_there == Some(true) {
+            self.plan.arrived = Some(at);
+        }
     }
 
     /// The current leg; `None` unless it flies a plan that has been read. Times are estimates from its speed on the

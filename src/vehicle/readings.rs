@@ -230,8 +230,10 @@ pub struct PlanProgress {
     pub reached: Option<u16>,
     /// The phase of the plan in AUTO; `None` if the vehicle does not report it.
     pub phase: Option<PlanPhase>,
-    /// When the current item became current.
+    /// When the current item became current, by the vehicle's clock.
     pub since: Option<Duration>,
+    /// When the vehicle arrived where it stays for the current item, by its clock.
+    pub arrived: Option<Duration>,
     /// When this program last set the item at which the vehicle continues.
     pub asked: Option<Duration>,
 }

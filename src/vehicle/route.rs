@@ -1,10 +1,11 @@
 //! The time that the rest of a plan takes: legs, stays, jumps, and the landing.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
-use super::way_home;
+use super::way_home::return_s;
 use super::{Plan, Vehicle, VehicleClass};
-use crate::geo::{LatLon, maths, wrap_180};
+use crate::geo::{LatLon, wrap_180};
 use crate::plan::effort::Pace;
 use crate::plan::{HeightFrame, Item, command};
 
@@ -16,6 +17,10 @@ const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 const FOR_EVER: f32 = -1.0;
 /// Legs shorter than this are ignored.
 const SAME_PLACE_M: f64 = 1.0;
+/// A vehicle closer to its place, or to the circle around it, than this has arrived.
+const ARRIVED_M: f64 = 3.0;
+/// A vehicle that sinks faster than this lands.
+const SINKING_M_S: f32 = 0.2;
 
 /// A plan, and the vehicle that flies it.
 pub(super) struct Route<'a> {
@@ -67,10 +72,22 @@ impl<'a> Route<'a> {
         }
     }
 
-    /// The seconds until the current item is done, without a stay at its place.
+    /// Whether the vehicle is where it stays for an item; items without a stay have no such place.
+    pub fn is_there(&self, number: u16) -> Option<bool> {
+        let item = self.item(number)?;
+        let stay_s = self.stay_s(item, self.usual_m_s());
+        if stay_s.is_some_and(|stay_s| stay_s <= 0.0) {
+            return None;
+        }
+        let centre = item.place()?;
+        let off_m = self.vehicle.global?.at_point.distance_m(centre) - circle_m(item);
+        Some(off_m.abs() < ARRIVED_M)
+    }
+
+    /// The seconds until the next item begins, with the stay at this one's place.
     pub fn current_s(&self, number: u16) -> Option<f64> {
         let mut at = self.start(number)?;
-        self.way_s(self.item(number)?, &mut at, true)
+        self.whole_s(self.item(number)?, &mut at, true)
     }
 
     /// The seconds until the end of the plan.
@@ -91,13 +108,8 @@ impl<'a> Route<'a> {
             if item.command == command::DO_CHANGE_SPEED {
                 at.speed_m_s = changed_speed(item).or(at.speed_m_s);
             } else if command::is_navigation(item.command) {
-                seconds += self.way_s(item, &mut at, is_current)?;
+                seconds += self.whole_s(item, &mut at, is_current)?;
                 is_current = false;
-                let stay_s = stay_s(item, at.speed_m_s)?;
-                if stay_s > 0.0 {
-                    at.motion = Motion::Rest;
-                }
-                seconds += stay_s;
                 // Items after a landing begin when the vehicle is armed again.
                 let lands = [command::RETURN_TO_LAUNCH, command::LAND, command::VTOL_LAND];
                 if lands.contains(&item.command) {
@@ -122,9 +134,40 @@ impl<'a> Route<'a> {
         Some(Waystate {
             place: global.at_point,
             height_m: global.altitude_m,
-            speed_m_s: measured.or_else(planned).or_else(asked),
+            speed_m_s: measured
+                .or_else(planned)
+                .or_else(asked)
+                .or(self.usual_m_s()),
             motion: Motion::Unknown,
         })
+    }
+
+    /// The speed over ground before any has been measured; only that of copters is the same for most of them.
+    fn usual_m_s(&self) -> Option<f64> {
+        self.is_copter.then(|| Pace::default().speed_m_s)
+    }
+
+    /// The seconds of the way to an item's end, and of the stay there.
+    fn whole_s(&self, item: &Item, at: &mut Waystate, is_current: bool) -> Option<f64> {
+        let stay_s = self.stay_s(item, at.speed_m_s)?;
+        let arrived = self.vehicle.plan.arrived.filter(|_| is_current);
+        if stay_s > 0.0
+            && let Some(passed_s) = arrived.and_then(|arrived| self.passed_s(arrived))
+        {
+            at.motion = Motion::Rest;
+            return Some((stay_s - passed_s).max(0.0));
+        }
+        let way_s = self.way_s(item, at, is_current)?;
+        if stay_s > 0.0 {
+            at.motion = Motion::Rest;
+        }
+        Some(way_s + stay_s)
+    }
+
+    /// The seconds since a moment of the vehicle's clock.
+    fn passed_s(&self, since: Duration) -> Option<f64> {
+        let now = self.vehicle.clock()?;
+        Some(now.saturating_sub(since).as_secs_f64())
     }
 
     /// The item after a jump; `None` for one that never ends or leads nowhere.
@@ -162,11 +205,18 @@ impl<'a> Route<'a> {
                 at.motion = Motion::Rest;
                 self.delay_s(item, is_current)
             }
-            command::RETURN_TO_LAUNCH => self.return_s(at),
+            command::RETURN_TO_LAUNCH => self.return_s(at, is_current),
             command::LAND | command::VTOL_LAND => {
                 let way_s = self.leg_s(at, item.place().unwrap_or(at.place), at.height_m)?;
-                let landing_s = self.is_copter.then(|| way_home::landing_s(at.height_m));
+                let landing_s = self
+                    .is_copter
+                    .then(|| Pace::default().landing(at.height_m.max(0.0)).time_s);
                 Some(way_s + landing_s?)
+            }
+            command::LOITER_TURNS => {
+                let centre = item.place().unwrap_or(at.place);
+                let edge = edge(centre, circle_m(item), at.place);
+                self.leg_s(at, edge, height_m)
             }
             flown_to if command::is_flown_to(flown_to) => {
                 self.leg_s(at, item.place().unwrap_or(at.place), height_m)
@@ -192,22 +242,20 @@ impl<'a> Route<'a> {
         Some(across_s.max(steep_s))
     }
 
-    /// The seconds lost by braking and gathering speed at the start of a leg: a copter comes nearly to rest at a right
-    /// angle, and hardly slows down where the way goes nearly straight on.
+    /// The seconds lost by braking and gathering speed at the start of a leg.
     fn corner_s(&self, motion: Motion, bearing_deg: f64, speed_m_s: f64) -> f64 {
-        let share = match motion {
-            Motion::Unknown => 0.0,
-            Motion::Rest => 1.0,
-            Motion::Along(before_deg) => {
-                let turn = wrap_180(bearing_deg - before_deg).to_radians();
-                (1.0 - maths::cos(turn)).min(1.0)
-            }
-        };
         if !self.is_copter {
             return 0.0;
         }
-        let pace = Pace::default();
-        share * (speed_m_s / pace.accel_m_s2 + pace.accel_m_s2 / pace.jerk_m_s3)
+        let pace = Pace {
+            speed_m_s,
+            ..Pace::default()
+        };
+        match motion {
+            Motion::Unknown => 0.0,
+            Motion::Rest => pace.start_s(),
+            Motion::Along(before_deg) => pace.corner_s(wrap_180(bearing_deg - before_deg)),
+        }
     }
 
     /// Only copters have rates that are the same for most of them.
@@ -219,37 +267,61 @@ impl<'a> Route<'a> {
         }
     }
 
-    fn return_s(&self, at: &Waystate) -> Option<f64> {
+    fn return_s(&self, at: &Waystate, is_current: bool) -> Option<f64> {
         let home = self.vehicle.home.filter(|_| self.is_copter)?;
+        let sinks = self
+            .vehicle
+            .global
+            .is_some_and(|global| global.down_m_s > SINKING_M_S);
+        if is_current && sinks && at.place.distance_m(home.at_point) < ARRIVED_M {
+            return Some(Pace::default().touchdown(at.height_m.max(0.0)).time_s);
+        }
         let wind = self.vehicle.wind;
-        Some(way_home::return_s(
-            at.place,
-            home.at_point,
-            at.height_m,
-            wind,
-        ))
+        Some(return_s(at.place, home.at_point, at.height_m, wind))
+    }
+
+    /// The seconds of a stay at an item's place; `None` for one without a known end.
+    fn stay_s(&self, item: &Item, speed_m_s: Option<f64>) -> Option<f64> {
+        let first = f64::from(item.params[0]).max(0.0);
+        match item.command {
+            command::WAYPOINT | command::SPLINE_WAYPOINT | command::LOITER_TIME => Some(first),
+            command::LOITER_TURNS => {
+                let radius_m = circle_m(item);
+                let speed_m_s = speed_m_s?;
+                if self.is_copter {
+                    let pace = Pace {
+                        speed_m_s,
+                        ..Pace::default()
+                    };
+                    return Some(pace.circle_s(first, radius_m));
+                }
+                let is_known = radius_m > 0.0;
+                is_known.then(|| first * std::f64::consts::TAU * radius_m / speed_m_s)
+            }
+            command::LOITER_UNLIMITED | command::PAYLOAD_PLACE => None,
+            _ => Some(0.0),
+        }
     }
 
     /// The seconds of a `NAV_DELAY`, less those that have passed; `None` if it waits for a time of day.
     fn delay_s(&self, item: &Item, is_current: bool) -> Option<f64> {
         let whole_s = f64::from(item.params[0]);
-        let passed_s = match (self.vehicle.plan.since, self.vehicle.link.last_heard) {
-            (Some(since), Some(now)) if is_current => now.saturating_sub(since).as_secs_f64(),
-            _ => 0.0,
-        };
-        (whole_s > 0.0).then(|| (whole_s - passed_s).max(0.0))
+        let since = self.vehicle.plan.since.filter(|_| is_current);
+        let passed_s = since.and_then(|since| self.passed_s(since));
+        (whole_s > 0.0).then(|| (whole_s - passed_s.unwrap_or(0.0)).max(0.0))
     }
 
     /// An item's height above home.
     fn height_m(&self, item: &Item) -> Option<f64> {
         let height_m = f64::from(item.altitude_m()?);
         match item.height_frame() {
-            HeightFrame::Home => Some(height_m),
+            // Where the ground is not known, it counts as level.
+            HeightFrame::Home | HeightFrame::Terrain => Some(height_m),
             HeightFrame::SeaLevel => {
                 let global = self.vehicle.global?;
                 Some(height_m - (global.altitude_amsl_m - global.altitude_m))
             }
-            HeightFrame::Terrain | HeightFrame::Other => None,
+            HeightFrame::Other => None,
         }
     }
 }
@@ -261,17 +333,22 @@ fn changed_speed(item: &Item) -> Option<f64> {
     is_ground.then(|| f64::from(speed_m_s))
 }
 
-/// The seconds of a stay at an item's place; `None` for one without a known end.
-fn stay_s(item: &Item, speed_m_s: Option<f64>) -> Option<f64> {
-    let first = f64::from(item.params[0]).max(0.0);
+/// The radius of an item's circle, in metres; 0 for other items.
+fn circle_m(item: &Item) -> f64 {
     match item.command {
-        command::WAYPOINT | command::SPLINE_WAYPOINT | command::LOITER_TIME => Some(first),
-        command::LOITER_TURNS => {
-            let radius_m = f64::from(item.params[2]).abs();
-            let speed_m_s = speed_m_s.filter(|_| radius_m > 0.0)?;
-            Some(first * std::f64::consts::TAU * radius_m / speed_m_s)
-        }
-        command::LOITER_UNLIMITED | command::PAYLOAD_PLACE => None,
-        _ => Some(0.0),
+        command::LOITER_TURNS => f64::from(item.params[2]).abs(),
+        _ => 0.0,
+    }
+}
+
+/// The point of a circle that is nearest to a place.
+fn edge(centre: LatLon, radius_m: f64, from: LatLon) -> LatLon {
+    let (north_m, east_m) = centre.offset_to(from);
+    let off_m = centre.distance_m(from);
+    if off_m > 0.0 {
+        let share = radius_m / off_m;
+        centre.moved(north_m * share, east_m * share)
+    } else {
+        centre.moved(radius_m, 0.0)
     }
 }

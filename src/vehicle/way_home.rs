@@ -16,16 +16,6 @@ const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
 
-/// The default of `RTL_ALT`, in metres.
-const RETURN_HEIGHT_M: f64 = 15.0;
-/// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
-const CONE_SLOPE: f64 = 3.0;
-/// The time for acceleration and braking, `RTL_LOIT_TIME`, and the stop of the motors.
-const PAUSES_S: f64 = 12.0;
-/// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
-const FASTEST_M_S: f64 = 15.0;
-/// The minimum ground speed assumed in any wind.
-const SLOWEST_M_S: f64 = 1.0;
 /// The mean current of a vehicle over the last seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanCurrent {
@@ -109,25 +99,11 @@ impl Vehicle {
 
 /// The time and energy of the way home.
 fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Effort {
-    let pace = Pace::default();
-    let distance_m = from.distance_m(home);
-    let cone_m = (distance_m * CONE_SLOPE).max(height_m);
-    let top_m = height_m.max(RETURN_HEIGHT_M.min(cone_m));
     let headwind_m_s = wind.map_or(0.0, |wind| {
         let off = f64::from(wind.from_deg) - from.bearing_deg(home);
         f64::from(wind.speed_m_s) * maths::cos(off.to_radians())
     });
-    let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, pace.speed_m_s);
-    let cruise_s = distance_m / speed_m_s;
-    pace.rise(top_m - height_m)
-        + Effort::level(cruise_s, speed_m_s + headwind_m_s)
-        + pace.landing(top_m)
-        + Effort::hover(PAUSES_S)
-}
-
-/// The seconds of a landing from a height.
-pub(super) fn landing_s(height_m: f64) -> f64 {
-    Pace::default().landing(height_m.max(0.0)).time_s
+    Pace::default().homeward(from.distance_m(home), height_m, headwind_m_s)
 }
 
 /// The seconds of a return from a place and a height, until the motors have stopped.

@@ -7,6 +7,7 @@ use std::iter::Sum;
 use std::ops::Add;
 
 use glam::DVec2;
+use sortie_geo::maths;
 
 /// The power of a climb, relative to the hover.
 const CLIMBING: f64 = 1.3;
@@ -14,6 +15,20 @@ const CLIMBING: f64 = 1.3;
 const DRAG_PER_SPEED2: f64 = 0.0012;
 /// The steps in which the highest speed of a short leg is found.
 const TOP_SPEED_STEPS: u32 = 14;
+/// The default of `CIRCLE_RATE`, in degrees per second.
+const CIRCLE_RATE_DEG_S: f64 = 20.0;
+/// The default of `RTL_ALT`, in metres above home.
+const RETURN_HEIGHT_M: f64 = 15.0;
+/// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
+const CONE_SLOPE: f64 = 3.0;
+/// The time of a return for acceleration and braking, and `RTL_LOIT_TIME`.
+const RETURN_PAUSES_S: f64 = 10.0;
+/// The time from the touchdown until the motors stop.
+const STOP_S: f64 = 2.0;
+/// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
+const FASTEST_RETURN_M_S: f64 = 15.0;
+/// The minimum ground speed assumed in any wind.
+const SLOWEST_RETURN_M_S: f64 = 1.0;
 /// The default of `LAND_ALT_LOW`, in metres.
 const LANDING_HEIGHT_M: f64 = 10.0;
 
@@ -113,6 +128,51 @@ impl Pace {
         Effort::hover((height_m - low_m) / self.descent_m_s + low_m / self.landing_m_s)
     }
 
+    /// The effort of the last part of a return: from a height above home until the motors have stopped.
+    pub fn touchdown(&self, height_m: f64) -> Effort {
+        self.landing(height_m) + Effort::hover(STOP_S)
+    }
+
+    /// The effort of a return from a distance and a height above home against a headwind, until the motors have stopped.
+    pub fn homeward(&self, distance_m: f64, height_m: f64, headwind_m_s: f64) -> Effort {
+        let cone_m = (distance_m * CONE_SLOPE).max(height_m);
+        let top_m = height_m.max(RETURN_HEIGHT_M.min(cone_m));
+        let fastest_m_s = FASTEST_RETURN_M_S - headwind_m_s;
+        let speed_m_s =
+            fastest_m_s.clamp(SLOWEST_RETURN_M_S, self.speed_m_s.max(SLOWEST_RETURN_M_S));
+        self.rise(top_m - height_m)
+            + Effort::level(distance_m / speed_m_s, speed_m_s + headwind_m_s)
+            + Effort::hover(RETURN_PAUSES_S)
+            + self.touchdown(top_m)
+    }
+
+    /// The seconds lost by braking and gathering speed where the way turns by an angle: a copter comes nearly to rest at
+    /// a right angle, and hardly slows down where the way goes nearly straight on.
+    pub fn corner_s(&self, turn_deg: f64) -> f64 {
+        let share = 1.0 - maths::cos(turn_deg.to_radians());
+        share.min(1.0) * self.start_s()
+    }
+
+    /// The seconds lost by gathering speed from rest.
+    pub fn start_s(&self) -> f64 {
+        self.speed_m_s / self.accel_m_s2 + self.accel_m_s2 / self.jerk_m_s3
+    }
+
+    /// The seconds of turns around a place (`LOITER_TURNS`); with a radius of 0, the vehicle turns in place.
+    pub fn circle_s(&self, turns: f64, radius_m: f64) -> f64 {
+        let radius_m = radius_m.abs();
+        let fastest_m_s = self
+            .speed_m_s
+            .min((0.5 * self.accel_m_s2 * radius_m).sqrt());
+        let rate = CIRCLE_RATE_DEG_S.to_radians();
+        let rate = if radius_m > 0.0 {
+            rate.min(fastest_m_s / radius_m)
+        } else {
+            rate
+        };
+        turns.max(0.0) * std::f64::consts::TAU / rate
+    }
+
     /// The effort of a flight from place to place in calm air, from rest to rest; points are in metres.
     ///
     /// A corner is passed at the share of the speed that the turn leaves: all of it straight ahead, half of it at 90
@@ -204,6 +264,31 @@ mod tests {
         };
         assert!(way(100.0, 0.0) < way(0.0, 100.0));
         assert!(way(0.0, 100.0) < way(-100.0, 0.0));
+    }
+
+    #[test]
+    fn turns_are_as_slow_as_their_rate_or_their_radius_demands() {
+        let pace = Pace::default();
+        // At 20 degrees per second, 18 s for a turn in place or on a small circle.
+        for radius_m in [0.0, 5.0, -5.0] {
+            assert!(
+                (pace.circle_s(2.0, radius_m) - 36.0).abs() < 1e-9,
+                "{radius_m}"
+            );
+        }
+        // On 25 m, the speed is limited to 5.6 m/s.
+        assert!((pace.circle_s(1.0, 25.0) - 28.1).abs() < 0.1);
+        // On 200 m, at 10 m/s.
+        assert!((pace.circle_s(1.0, 200.0) - 125.7).abs() < 0.1);
+    }
+
+    #[test]
+    fn a_return_is_flight_pauses_and_a_slow_landing() {
+        let pace = Pace::default();
+        // 10 s, the pauses, 13.3 s down to 10 m, 20 s to the ground.
+        let homeward = pace.homeward(100.0, 30.0, 0.0).time_s;
+        assert!((homeward - (10.0 + 12.0 + 33.3)).abs() < 0.1, "{homeward}");
+        assert!((pace.touchdown(5.0).time_s - 12.0).abs() < 1e-9);
     }
 
     #[test]

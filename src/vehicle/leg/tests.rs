@@ -112,7 +112,7 @@ fn a_takeoff_is_a_climb_and_a_delay_passes() {
     assert_eq!(times(&vehicle), (Some(4.0), Some(16.0)));
     vehicle.plan.current = 2;
     vehicle.plan.since = Some(Duration::from_secs(3));
-    vehicle.link.last_heard = Some(Duration::from_secs(8));
+    vehicle.boot_ms = Some(8000);
     assert_eq!(times(&vehicle), (Some(7.0), Some(7.0)));
     let again = [
         item(93, [12.0, -1.0, -1.0], 0.0),
@@ -120,7 +120,7 @@ fn a_takeoff_is_a_climb_and_a_delay_passes() {
     ];
     let mut vehicle = flying(&again, 1);
     vehicle.plan.since = Some(Duration::from_secs(3));
-    vehicle.link.last_heard = Some(Duration::from_secs(8));
+    vehicle.boot_ms = Some(8000);
     assert_eq!(
         times(&vehicle),
         (Some(7.0), Some(19.0)),
@@ -137,7 +137,69 @@ fn speeds_of_the_plan_count_from_their_item_on() {
     vehicle.cruise = None;
     assert_eq!(times(&vehicle), (Some(45.0), Some(45.0)));
     vehicle.plan.current = 1;
-    assert_eq!(times(&vehicle), (None, None), "no speed is known");
+    assert_eq!(times(&vehicle), (Some(10.0), Some(30.0)), "the usual speed");
+}
+
+/// Before a vehicle has a speed, its takeoff has a time, and so has the rest of the plan.
+#[test]
+fn from_the_takeoff_on_the_end_is_known() {
+    let mut vehicle = flying(&[item(22, [0.0; 3], 0.0), waypoint(100.0)], 1);
+    vehicle.cruise = None;
+    if let Some(global) = &mut vehicle.global {
+        global.altitude_m = 0.0;
+    }
+    assert_eq!(times(&vehicle), (Some(8.0), Some(8.0 + 16.5)));
+}
+
+/// Two turns on 25 m take 56.2 s; what the vehicle has flown of them by its own clock is over.
+#[test]
+fn turns_count_from_their_circle_on() {
+    let plan = [item(18, [2.0, 0.0, 25.0], 125.0), waypoint(125.0)];
+    let mut vehicle = flying(&plan, 1);
+    let (next, end) = times(&vehicle);
+    assert_eq!(next, Some(66.2), "100 m to the circle");
+    assert!(end > next, "{end:?}");
+    let at = |vehicle: &mut Vehicle, north_m: f64, clock_s: u64| {
+        if let Some(global) = &mut vehicle.global {
+            global.at_point = HOME.moved(north_m, 0.0);
+        }
+        vehicle.boot_ms = Some(clock_s as u32 * 1000);
+        vehicle.note_arrival(Duration::from_secs(clock_s));
+    };
+    at(&mut vehicle, 50.0, 100);
+    assert_eq!(vehicle.plan.arrived, None, "on the way");
+    at(&mut vehicle, 99.0, 105);
+    assert_eq!(times(&vehicle).0, Some(56.2));
+    // With a speed-up, this took the console a second.
+    vehicle.link.last_heard = Some(Duration::from_secs(1));
+    at(&mut vehicle, 150.0, 125);
+    assert_eq!(times(&vehicle).0, Some(36.2));
+}
+
+#[test]
+fn a_hold_passes_at_its_place() {
+    let mut vehicle = flying(&[item(16, [20.0, 0.0, 0.0], 100.0), waypoint(200.0)], 1);
+    assert_eq!(times(&vehicle).0, Some(30.0), "10 s and the hold");
+    vehicle.plan.arrived = Some(Duration::from_secs(50));
+    vehicle.boot_ms = Some(65_000);
+    if let Some(global) = &mut vehicle.global {
+        global.at_point = HOME.moved(100.0, 0.0);
+    }
+    assert_eq!(times(&vehicle), (Some(5.0), Some(5.0 + 16.5)));
+}
+
+#[test]
+fn a_descent_at_home_counts_no_way() {
+    let mut vehicle = flying(&[waypoint(100.0), item(20, [0.0; 3], 0.0)], 2);
+    assert_eq!(times(&vehicle).1, Some(10.0 + 6.7 + 20.0 + 2.0).map(round));
+    if let Some(global) = &mut vehicle.global {
+        (global.altitude_m, global.down_m_s) = (5.0, 0.5);
+    }
+    assert_eq!(times(&vehicle), (Some(12.0), Some(12.0)));
+}
+
+fn round(seconds: f64) -> f64 {
+    (seconds * 10.0).round() / 10.0
 }
 
 #[test]

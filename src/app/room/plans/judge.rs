@@ -2,9 +2,9 @@
 
 use super::ground::CLEARANCE_M;
 use crate::app::State;
-use crate::draft::Pace;
 use crate::plan::Document;
 use crate::plan::check::{CheckOptions, Finding, FindingKind, check, check_terrain};
+use crate::plan::effort::Pace;
 use crate::vehicle::check_rules;
 
 /// A parameter of the vehicle under the cursor, if it is known.
@@ -27,6 +27,9 @@ pub fn pace(state: &State) -> Pace {
         speed_m_s: given.unwrap_or_else(|| own("WPNAV_SPEED", usual.speed_m_s)),
         climb_m_s: own("WPNAV_SPEED_UP", usual.climb_m_s),
         descent_m_s: own("WPNAV_SPEED_DN", usual.descent_m_s),
+        accel_m_s2: own("WPNAV_ACCEL", usual.accel_m_s2),
+        landing_m_s: own("LAND_SPEED", usual.landing_m_s),
+        ..usual
     }
 }
 
