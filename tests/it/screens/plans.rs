@@ -93,7 +93,7 @@ fn the_result_of_a_rehearsal_is_not_cut() {
     let pairs = "vehicle-1 + vehicle-3 01:03, vehicle-2 + vehicle-4 02:10";
     console.hear(Event::Tried(Tried {
         text: Text::verbatim(format!(
-            "2 conflicts: {pairs}; `draft deconflict` parts them"
+            "2 conflicts: {pairs}; `draft deconflict` separates them"
         )),
         details: vec![
             Text::verbatim("too close: vehicle-1 and vehicle-3"),
@@ -101,6 +101,7 @@ fn the_result_of_a_rehearsal_is_not_cut() {
         ],
         is_sound: false,
         changed: Vec::new(),
+        verdicts: Vec::new(),
         is_awaited: false,
     }));
     console.press("k");

@@ -225,6 +225,7 @@ fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
     });
     let verdict = |failure: Option<&str>| Tried {
         text: "conflicts: 1".into(),
+        details: Vec::new(),
         is_sound: failure.is_none(),
         is_awaited: true,
         changed: Vec::new(),
@@ -319,6 +320,7 @@ fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
     };
     let tried = Tried {
         text: "vehicle-2 starts later".into(),
+        details: Vec::new(),
         is_sound: true,
         is_awaited: true,
         changed: trial.drafts.clone(),
