@@ -42,6 +42,7 @@ mod transit;
 
 use act::{ActiveManoeuvre, WorldView};
 pub use divided::{DividedWork, carrying};
+pub use drafts::base;
 use planner::Planner;
 
 /// The rules of all manoeuvres in a session.

@@ -74,8 +74,8 @@ pub(super) struct Transaction {
     claim: Claim,
     /// When telemetry first agreed with the claim; only after that can another source contradict it.
     holds_since: Option<Duration>,
-    /// Whether the request had several steps.
-    is_chain: bool,
+    /// How many steps of a chain have been accepted.
+    accepted_steps: u8,
     /// Since when telemetry has shown the effect of a command that is not answered.
     shown_since: Option<Duration>,
     /// Whether the effect showed while setpoints were being repeated.
@@ -125,7 +125,7 @@ impl Transaction {
             is_accepted: request.answer == Answer::None,
             claim: order.command.claim(vehicle),
             holds_since: None,
-            is_chain: request.next.is_some(),
+            accepted_steps: 0,
             shown_since: None,
             effect_has_shown: false,
             effect,

@@ -186,7 +186,7 @@ fn search(pattern: Pattern, datum: LatLon, radius_m: Option<f64>, spacing_m: f64
 }
 
 /// Where a vehicle's flight begins and ends: where it stands, or home if it is in the air.
-fn base(vehicle: &Vehicle) -> Option<Home> {
+pub fn base(vehicle: &Vehicle) -> Option<Home> {
     let (at, amsl_m) = if vehicle.airborne() {
         let home = vehicle.home?;
         (home.at_point, home.altitude_amsl_m)

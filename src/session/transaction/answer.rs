@@ -94,7 +94,7 @@ impl Transaction {
             return false;
         }
         let shown_since = *self.shown_since.get_or_insert(now);
-        if self.is_chain {
+        if self.accepted_steps > 0 {
             now >= deadline
         } else {
             now >= shown_since + ANSWER_FOLLOWS_WITHIN || now >= deadline
@@ -146,6 +146,7 @@ impl Transaction {
         if let Some(next) = self.request.next.take() {
             self.request = *next;
             self.tries = 0;
+            self.accepted_steps = self.accepted_steps.saturating_add(1);
             self.phase = TransactionPhase::AwaitingAnswer {
                 deadline: self.given + self.order.verb.retry.deadline,
                 in_progress: false,

@@ -43,9 +43,8 @@ pub fn misheld(item: &Item) -> impl Iterator<Item = Misheld> {
 fn rounding(letter: u8, written: f32) -> Option<f32> {
     match letter {
         b't' if written > 0.0 && written < 1.0 => Some(1.0 / 256.0),
-        b'B' | b'b' | b'H' | b'h' | b's' | b't' => Some(1.0),
         b'r' if written.abs() > 255.0 => Some(10.0),
-        b'r' => Some(1.0),
+        b'B' | b'b' | b'H' | b'h' | b'r' | b's' | b't' => Some(1.0),
         b'c' => Some(0.011),
         _ => None,
     }

@@ -8,6 +8,7 @@ use crate::app::effect::{Effect, Effects};
 use crate::draft::{Draft, Trial, TrialDraft, Tried};
 use crate::notice::Notice;
 use crate::plan::{Document, Home};
+use crate::swarm::base;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -87,7 +88,7 @@ fn flown_by(
         if let Some(draft) = own.iter().find(|draft| draft.vehicle() == Some(id)) {
             flown.push(alone(state, draft));
         } else if let Some(draft) = shared {
-            let home = stand(state, id);
+            let home = state.session.vehicles.get(&id).and_then(|it| base(it));
             let home = home.ok_or_else(|| text!("draft-trial-unplaced", vehicles = id))?;
             flown.push(TrialDraft {
                 name: files::name_of(id),
@@ -97,25 +98,6 @@ fn flown_by(
         }
     }
     Ok(flown)
-}
-
-/// Where a vehicle would begin: where it stands, or its home if it is in the air.
-fn stand(state: &State, id: VehicleId) -> Option<Home> {
-    let vehicle = state.session.vehicles.get(&id)?;
-    let here = vehicle.global.filter(|_| !vehicle.airborne());
-    let (at, amsl_m) = match here {
-        Some(here) => (here.at_point, here.altitude_amsl_m),
-        None => {
-            let home = vehicle.home?;
-            (home.at_point, home.altitude_amsl_m)
-        }
-    };
-    let (x, y) = at.to_e7();
-    Some(Home {
-        x,
-        y,
-        z: amsl_m as f32,
-    })
 }
 
 /// The content of a draft with this home.
