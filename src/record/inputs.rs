@@ -276,13 +276,7 @@ impl StoredInputs {
                 (since..=LONGEST_STEPS).contains(&line.s) && !stored.is_whole()
             });
             let Some(read) = in_order else {
-                // A console that is killed may leave a part of a line.
-                stored.is_damaged = line.ends_with('\n');
-                stored.damage = Some(if stored.is_damaged {
-                    text!("verify-damaged", line = index + 2)
-                } else {
-                    text!("verify-torn", line = index + 2)
-                });
+                stored.break_off(index + 2, !line.ends_with('\n'));
                 break;
             };
             since = read.s;
@@ -292,6 +286,16 @@ impl StoredInputs {
             stored.damage = Some(text!("verify-no-end"));
         }
         Ok(stored)
+    }
+
+    /// Ends the log before a line of the file. A killed console may leave a part of a line, which is no damage.
+    fn break_off(&mut self, line: usize, is_torn: bool) {
+        self.is_damaged = !is_torn;
+        self.damage = Some(if is_torn {
+            text!("verify-torn", line = line)
+        } else {
+            text!("verify-damaged", line = line)
+        });
     }
 
     /// Whether it covers the whole flight.

@@ -87,14 +87,7 @@ impl Stored {
                 .ok()
                 .filter(|read: &RecordLine| read.time().is_none_or(|t| t >= since));
             let Some(read) = read.filter(|_| !is_over) else {
-                let is_torn = !is_over && !line.ends_with('\n');
-                (stored.ending, stored.damage) = if is_torn {
-                    let torn = text!("record-torn", line = index + 2);
-                    (RecordEnding::Torn, Some(torn))
-                } else {
-                    let damaged = text!("record-damaged", line = index + 2);
-                    (RecordEnding::Damaged, Some(damaged))
-                };
+                stored.break_off(index + 2, !is_over && !line.ends_with('\n'));
                 break;
             };
             since = read.time().unwrap_or(since);
@@ -109,6 +102,16 @@ impl Stored {
             stored.damage = Some(text!("record-no-end"));
         }
         Ok(stored)
+    }
+
+    /// Ends the record before a line of the file.
+    fn break_off(&mut self, line: usize, is_torn: bool) {
+        (self.ending, self.damage) = if is_torn {
+            (RecordEnding::Torn, Some(text!("record-torn", line = line)))
+        } else {
+            let damaged = text!("record-damaged", line = line);
+            (RecordEnding::Damaged, Some(damaged))
+        };
     }
 
     /// The fault of a damaged line; `None` for a record that is whole or, like that of a flight that was left, only
