@@ -325,7 +325,9 @@ impl Console {
     }
 
     fn suspend(&mut self) {
-        if terminal::can_be_suspended() {
+        if !self.app.state().session().may_be_stopped() {
+            self.post(Event::Answer(text!("terminal-no-pause")));
+        } else if terminal::can_be_suspended() {
             terminal::suspend_group();
         } else {
             self.post(Event::Answer(text!("terminal-no-shell")));
@@ -333,6 +335,7 @@ impl Console {
     }
 
     async fn tick(&mut self) {
+        self.note_stop();
         self.wait_for_reader();
         let now = self.clock.now();
         if self.next_look <= now {

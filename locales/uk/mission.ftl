@@ -159,6 +159,8 @@ mission-goal-score = щонайменше балів: { $points }
 mission-goal-score-result = балів: { $points }
 # Пауза.
 mission-paused = пауза { $seconds } s
+# Усю програму було зупинено (Ctrl-Z), поки літав вбудований симулятор.
+session-stopped = консоль було призупинено на { $seconds } s: політ стояв на місці
 pause-begins = ПАУЗА: `continue` або { $key } — далі
 pause-ends = симуляцію продовжено
 pause-is-one = пауза вже триває

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use super::PacedClock;
 use crate::mission::{Clock, Flight, TICK};
 use crate::vehicle::VehicleId;
 
@@ -12,10 +11,8 @@ const HEARD_WITHIN: Duration = Duration::from_secs(10);
 /// The clock of mission time once the mission has begun.
 #[derive(Debug, Clone)]
 pub enum FlightPace {
-    /// The driver's time: the simulator is stepped together with the mission.
-    LockStep,
-    /// A rate, which may change: the simulator keeps up with it.
-    Scaled(PacedClock),
+    /// The driver's time, which is the simulator's.
+    Simulated,
     /// The vehicles' own clocks: a slow machine slows the mission down with them.
     VehicleClocks(Clock),
 }
@@ -80,9 +77,6 @@ impl FlightDriver {
         let awaited = *self.awaited.get_or_insert(now);
         if are_all_heard || now.saturating_sub(awaited) >= HEARD_WITHIN {
             self.begun = Some(now);
-            if let FlightPace::Scaled(clock) = &mut self.pace {
-                clock.begin(now);
-            }
         }
         self.has_begun()
     }
@@ -96,19 +90,11 @@ impl FlightDriver {
     ) -> Duration {
         if let Some(begun) = self.begun {
             self.time = match &mut self.pace {
-                FlightPace::LockStep => now.saturating_sub(begun),
-                FlightPace::Scaled(clock) => clock.at(now),
+                FlightPace::Simulated => now.saturating_sub(begun),
                 FlightPace::VehicleClocks(clock) => clock.step(now, clocks),
             };
         }
         self.time
-    }
-
-    /// Changes the rate of time, if the flight has one.
-    pub fn set_rate(&mut self, rate: f64, now: Duration) {
-        if let FlightPace::Scaled(clock) = &mut self.pace {
-            clock.set_rate(rate, now);
-        }
     }
 
     /// The next tick of the flight that is due at a mission time; `None` after its end.

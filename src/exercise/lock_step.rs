@@ -44,7 +44,7 @@ impl Exercise {
             head,
             inputs: None,
         };
-        let mut driver = FlightDriver::new(Flight::new(mission, seed), FlightPace::LockStep);
+        let mut driver = FlightDriver::new(Flight::new(mission, seed), FlightPace::Simulated);
         driver.begin_when_heard(Duration::ZERO, true);
         Self::on(link, driver, script, vehicles)
     }

@@ -22,11 +22,6 @@ impl PacedClock {
         }
     }
 
-    /// Sets the clock to zero now, at its current rate.
-    pub fn begin(&mut self, now: Duration) {
-        *self = Self::new(self.rate, now);
-    }
-
     /// Its time for a time of the other clock.
     pub fn at(&self, now: Duration) -> Duration {
         self.reached + now.saturating_sub(self.since).mul_f64(self.rate)

@@ -1,26 +1,49 @@
 //! The program's clock, which can be stopped.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use tokio::sync::watch;
 use tokio::time::Instant;
+
+/// The longest time for which a running program does not look at its clock. Every task of a session looks several
+/// times a second, so after a longer time the whole program was stopped. It is shorter than the silence after which a
+/// vehicle counts as lost.
+const STOPPED_AFTER: Duration = Duration::from_secs(2);
 
 /// The program's clock: every `now` in the pure modules counts from its start. All clones share one clock: while it is
 /// stopped, no deadline of any vehicle approaches.
 #[derive(Debug, Clone)]
 pub struct FleetClock {
     start: Instant,
-    stand: Arc<watch::Sender<ClockPauses>>,
+    pauses: Arc<Mutex<ClockPauses>>,
 }
 
 /// The current pause of a clock, and the sum of the earlier ones.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 struct ClockPauses {
     /// The start of the current pause; `None` while the clock runs.
     since: Option<Instant>,
     /// The duration of its earlier pauses, altogether.
     before: Duration,
+    /// The last look at the clock, if it stands still while the program is stopped.
+    seen: Option<Instant>,
+    /// How long the program was stopped, until it is reported.
+    stopped: Duration,
+}
+
+impl ClockPauses {
+    /// Looks at the clock. If the program was stopped since the last look, that was a pause.
+    fn look(&mut self, at: Instant) {
+        let Some(seen) = &mut self.seen else {
+            return;
+        };
+        let unseen = at.saturating_duration_since(*seen);
+        *seen = at.max(*seen);
+        if self.since.is_none() && unseen > STOPPED_AFTER {
+            self.before += unseen;
+            self.stopped += unseen;
+        }
+    }
 }
 
 impl FleetClock {
@@ -28,17 +51,19 @@ impl FleetClock {
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
-            stand: Arc::new(watch::Sender::new(ClockPauses::default())),
+            pauses: Arc::default(),
         }
     }
 
     /// The time since the start, without pauses.
     pub fn now(&self) -> Duration {
-        let stand = *self.stand.borrow();
-        let until = stand.since.unwrap_or_else(Instant::now);
+        let mut pauses = self.pauses();
+        let now = Instant::now();
+        pauses.look(now);
+        let until = pauses.since.unwrap_or(now);
         until
             .duration_since(self.start)
-            .saturating_sub(stand.before)
+            .saturating_sub(pauses.before)
     }
 
     /// The wall time since the start, which never stops.
@@ -47,19 +72,37 @@ impl FleetClock {
     }
 
     pub fn stop(&self) {
-        self.stand.send_modify(|stand| {
-            stand.since.get_or_insert_with(Instant::now);
-        });
+        let mut pauses = self.pauses();
+        let now = Instant::now();
+        pauses.look(now);
+        pauses.since.get_or_insert(now);
     }
 
     /// Resumes the clock; returns how long it was stopped, or `None` if it was not.
     pub fn go_on(&self) -> Option<Duration> {
-        let mut stood = None;
-        self.stand.send_modify(|stand| {
-            stood = stand.since.take().map(|since| since.elapsed());
-            stand.before += stood.unwrap_or_default();
-        });
+        let mut pauses = self.pauses();
+        let now = Instant::now();
+        pauses.look(now);
+        let stood = pauses.since.take().map(|since| now - since);
+        pauses.before += stood.unwrap_or_default();
         stood
+    }
+
+    /// Whether time also stands still while the whole program is stopped, as by Ctrl-Z: the vehicles are simulated by
+    /// the program itself, and are stopped with it.
+    pub fn stand_through_stops(&self, stands: bool) {
+        self.pauses().seen = stands.then(Instant::now);
+    }
+
+    /// How long the program was stopped since the last call; `None` if it was not.
+    pub fn take_stopped(&self) -> Option<Duration> {
+        let mut pauses = self.pauses();
+        pauses.look(Instant::now());
+        Some(std::mem::take(&mut pauses.stopped)).filter(|stopped| !stopped.is_zero())
+    }
+
+    fn pauses(&self) -> MutexGuard<'_, ClockPauses> {
+        self.pauses.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -90,5 +133,29 @@ mod tests {
         clock.stop();
         advance(s(1)).await;
         assert_eq!(clock.now(), s(8));
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_stop_of_the_whole_program_is_a_pause_where_it_also_stops_the_vehicles() {
+        let clock = FleetClock::start();
+        advance(s(5)).await;
+        assert_eq!((clock.now(), clock.take_stopped()), (s(5), None));
+        clock.stand_through_stops(true);
+        advance(s(1)).await;
+        assert_eq!((clock.now(), clock.take_stopped()), (s(6), None));
+        let other = clock.clone();
+        advance(s(60)).await;
+        assert_eq!((other.now(), clock.now()), (s(6), s(6)));
+        assert_eq!(clock.take_stopped(), Some(s(60)));
+        assert_eq!(clock.take_stopped(), None);
+        advance(s(1)).await;
+        assert_eq!(clock.now(), s(7));
+        // A stop within a pause belongs to the pause.
+        clock.stop();
+        advance(s(30)).await;
+        assert_eq!((clock.take_stopped(), clock.go_on()), (None, Some(s(30))));
+        clock.stand_through_stops(false);
+        advance(s(60)).await;
+        assert_eq!((clock.now(), clock.take_stopped()), (s(67), None));
     }
 }

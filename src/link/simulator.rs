@@ -168,6 +168,8 @@ pub struct StartedSimulator {
     pub further_addresses: Vec<[SocketAddr; 2]>,
     /// The number of connected ground stations (a pipe or a UDP target counts once per vehicle).
     pub connections: watch::Receiver<usize>,
+    /// The number of steps whose output the vehicles have sent. It stands still while the program is stopped.
+    pub steps: watch::Receiver<u64>,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -216,11 +218,13 @@ impl Simulator {
         // Without the exemption, tokio's cooperative budget would make the sockets of later vehicles look idle in
         // every round, because those of earlier ones use it up.
         let (count, connections) = watch::channel(world.connections());
+        let (passed, steps) = watch::channel(world.steps());
         let running = SteppedWorld {
             threads: threads(world.vehicles(), speedup),
             world,
             transports,
             count,
+            passed,
             record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -229,6 +233,7 @@ impl Simulator {
             addresses: addresses.iter().map(|[zero, ..]| *zero).collect(),
             further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
             connections,
+            steps,
             task,
         })
     }
@@ -333,6 +338,7 @@ struct SteppedWorld {
     world: World,
     transports: Transports,
     count: watch::Sender<usize>,
+    passed: watch::Sender<u64>,
     threads: usize,
     record: Option<WorldRecord>,
 }
@@ -392,8 +398,9 @@ impl SteppedWorld {
 
     fn write(&mut self) {
         if let Some(record) = &mut self.record {
-            record.publish(&self.world);
+            record.publish();
         }
+        self.passed.send_replace(self.world.steps());
         self.transports.write(&mut self.world);
     }
 

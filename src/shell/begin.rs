@@ -120,6 +120,7 @@ impl Console {
     /// `ending`.
     pub(super) fn end_session(&mut self) {
         self.go_on();
+        self.clock.stand_through_stops(false);
         self.replaying = None;
         // The ghost was meant for the flight that ends.
         self.ghost = None;

@@ -4,7 +4,7 @@ use super::{Console, RunningSession};
 use crate::app::effect::PaceChange;
 use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
-use crate::record::Happening;
+use crate::record::{Happening, NoticeLine};
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -38,6 +38,24 @@ impl Console {
         if !was_read && let Some(notice) = running.note_pause(lasted, now) {
             self.post(notice);
         }
+    }
+
+    /// Notes that the whole program was stopped, as by Ctrl-Z: with the embedded simulator, that was a pause.
+    pub(super) fn note_stop(&mut self) {
+        let Some(lasted) = self.clock.take_stopped() else {
+            return;
+        };
+        let now = self.clock.now();
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        running.rest(now);
+        // The general notice says it also outside of missions.
+        let _ = running.note_pause(lasted, now);
+        let text = text!("session-stopped", seconds = lasted.as_secs());
+        let notice = Notice::general(now, Severity::Notice, text);
+        running.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
+        self.post(notice);
     }
 
     /// Changes the speed-up of simulated time.
@@ -175,6 +193,31 @@ mod tests {
             .await;
         run(&mut console, 3).await;
         assert!(elapsed(&console) > Duration::from_secs(1));
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_stop_of_the_whole_program_is_a_pause_and_loses_no_link() {
+        let mut console = Box::pin(reading()).await;
+        run(&mut console, 5).await;
+        console.feed(key(KeyCode::Enter)).await;
+        run(&mut console, 5).await;
+        tokio::time::advance(Duration::from_secs(60)).await;
+        run(&mut console, 5).await;
+        let late = Duration::from_secs(10).saturating_sub(elapsed(&console));
+        assert!(late < Duration::from_secs(1), "{late:?}");
+        assert!(elapsed(&console) <= Duration::from_secs(10));
+        let notices: Vec<String> = console
+            .app
+            .state()
+            .notices()
+            .lines()
+            .map(|it| it.notice.text.to_string())
+            .collect();
+        assert!(
+            notices.iter().any(|it| it.contains("suspended for 60 s")),
+            "{notices:?}"
+        );
+        assert!(!notices.iter().any(|it| it.contains("link")), "{notices:?}");
     }
 
     async fn say(console: &mut Console, line: &str) {

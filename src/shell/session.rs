@@ -121,13 +121,10 @@ impl RunningSession {
         self.pace.borrow().speedup
     }
 
-    /// Changes the speed-up of the embedded simulator and the mission.
+    /// Changes the speed-up of the embedded simulator, whose time is the mission's.
     pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
         self.pace.send_modify(|pace| pace.speedup = speedup);
         self.vehicle_time.set_rate(speedup, now);
-        if let Some(mission_run) = &mut self.mission_run {
-            mission_run.set_speedup(speedup, now);
-        }
     }
 
     /// Notes that everything was paused until now.

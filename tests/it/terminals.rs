@@ -173,6 +173,41 @@ fn ctrl_z_gives_the_terminal_to_the_shell_and_fg_brings_the_screen_back() {
 }
 
 #[test]
+fn a_mission_that_was_suspended_and_stopped_stood_still_and_can_be_verified() {
+    let mut terminal = Terminal::run(
+        &["bash", "--norc", "--noprofile"],
+        120,
+        40,
+        &[("PS1", "shell> ")],
+    );
+    let sortie = program().join(" ");
+    terminal.see("shell>").press(&format!("{sortie} fly 00\r"));
+    terminal.see("MISSION").press("\r").see("FLY");
+    terminal
+        .command("1 guided")
+        .see("mode done");
+    // Longer than a vehicle may be silent.
+    terminal.press("\u{1a}").see("Stopped");
+    terminal
+        .press("sleep 4; echo 'it '\"slept\"\r")
+        .see("it slept");
+    terminal.press("fg\r").see("suspended for");
+    let contents = terminal.contents();
+    assert!(!contents.contains("link lost"), "{contents}");
+    terminal
+        .command("quit")
+        .see("press y")
+        .press("y")
+        .see("shell>");
+    terminal
+        .press(&format!("clear; {sortie} verify; echo \"code \"$?\r"))
+        .see("code 0")
+        .see("verified");
+    terminal.press("exit\r");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
 fn where_no_shell_could_bring_it_back_it_is_not_suspended() {
     let mut terminal = Terminal::start(&["fly"], 80, 24);
     terminal

@@ -167,6 +167,13 @@ impl FlightView {
         self.timing.pace
     }
 
+    /// Whether the program may be stopped for a while: in the embedded simulator, that is a pause, which exams and some
+    /// missions do not allow.
+    pub fn may_be_stopped(&self) -> bool {
+        let listing = self.task.listing.as_ref().filter(|_| !self.task.over);
+        self.hangar.is_some() || listing.is_none_or(|it| it.pausable)
+    }
+
     /// Whether the session is paused.
     pub fn is_paused(&self) -> bool {
         self.timing.flow == TimeFlow::Paused

@@ -26,14 +26,12 @@ struct WaitingInputs {
     /// Whether a simulator is adding lines.
     is_fed: bool,
     lines: String,
-    /// The number of simulator steps.
-    steps: u64,
     is_closed: bool,
 }
 
 impl fmt::Debug for InputSink {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("InputSink").field(&self.steps()).finish()
+        f.debug_struct("InputSink").finish_non_exhaustive()
     }
 }
 
@@ -41,11 +39,6 @@ impl InputSink {
     /// The lines since the last call.
     pub fn take(&self) -> String {
         std::mem::take(&mut self.waiting().lines)
-    }
-
-    /// The number of simulator steps so far.
-    pub fn steps(&self) -> u64 {
-        self.waiting().steps
     }
 
     /// Waits until the simulator has added its last line, but no longer than `most`.
@@ -64,9 +57,8 @@ impl InputSink {
         waiting.lines = String::new();
     }
 
-    fn put(&self, lines: &str, steps: u64) {
+    fn put(&self, lines: &str) {
         let mut waiting = self.waiting();
-        waiting.steps = steps;
         waiting.is_closed |= waiting.lines.len() + lines.len() > MOST_WAITING;
         if !waiting.is_closed {
             waiting.lines.push_str(lines);
@@ -109,13 +101,13 @@ impl WorldRecord {
     }
 
     /// Passes the lines on, before the vehicles' output is sent.
-    pub(super) fn publish(&mut self, world: &World) {
-        self.sink.put(&self.log.take(), world.steps());
+    pub(super) fn publish(&mut self) {
+        self.sink.put(&self.log.take());
     }
 
     pub(super) fn end(&mut self, world: &mut World) {
         self.log.end(world);
-        self.publish(world);
+        self.publish();
     }
 }
 

@@ -4,18 +4,20 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
+use tokio::sync::watch;
+
 use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::campaign::is_practice;
-use crate::exercise::{FlightDriver, FlightPace, PacedClock};
-use crate::link::InputSink;
+use crate::exercise::{FlightDriver, FlightPace};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
 use crate::notice::Notice;
 use crate::record::Happening;
 use crate::scoring::{FlightBackend, Report, TryReport};
+use crate::sim::STEP;
 use crate::store::{self, Runs};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -26,8 +28,8 @@ pub(super) struct MissionRun {
     logbook: Option<Logbook>,
     /// The simulator of its vehicles.
     backend: FlightBackend,
-    /// The recorder of its simulated vehicles' inputs.
-    inputs: Option<InputSink>,
+    /// The number of steps of the embedded simulator, whose time is the mission's.
+    steps: Option<watch::Receiver<u64>>,
     /// The mission's demands on vehicles not sent yet, oldest first.
     wanted: VecDeque<Demand>,
     /// The vehicles whose processes have ended.
@@ -59,12 +61,12 @@ impl MissionRun {
         self.driver.flight()
     }
 
-    /// A mission with the embedded simulator, at a speed-up.
-    pub fn embedded(flight: Flight, speedup: f64, inputs: Option<InputSink>) -> Self {
-        let clock = PacedClock::new(speedup, Duration::ZERO);
-        let driver = FlightDriver::new(flight, FlightPace::Scaled(clock));
+    /// A mission with the embedded simulator. Its time is that of the simulator's steps, so that neither a stopped
+    /// program nor a slow machine separates them.
+    pub fn embedded(flight: Flight, steps: watch::Receiver<u64>) -> Self {
+        let driver = FlightDriver::new(flight, FlightPace::Simulated);
         Self {
-            inputs,
+            steps: Some(steps),
             ..Self::new(driver, FlightBackend::Embedded)
         }
     }
@@ -80,17 +82,12 @@ impl MissionRun {
             driver,
             logbook: None,
             backend,
-            inputs: None,
+            steps: None,
             wanted: VecDeque::new(),
             lost: BTreeSet::new(),
             ended: false,
             finished: None,
         }
-    }
-
-    /// Changes the speed-up of mission time.
-    pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
-        self.driver.set_rate(speedup, now);
     }
 
     /// Starts its record, and sets its attempt number; `earlier` are those before it.
@@ -118,11 +115,12 @@ impl MissionRun {
         if self.ended {
             return Vec::new();
         }
-        let until = self.time(now, shown);
-        let mut events = self.note_losses(now, shown);
-        if let Some(inputs) = &self.inputs {
-            self.driver.flight_mut().note_simulated(inputs.steps());
+        let steps = self.steps.as_ref().map(|steps| *steps.borrow());
+        if let Some(steps) = steps {
+            self.driver.flight_mut().note_simulated(steps);
         }
+        let until = self.time(steps.map_or(now, simulated), shown);
+        let mut events = self.note_losses(now, shown);
         while let Some(tick) = self.driver.tick(until) {
             let flight = self.driver.flight_mut();
             let said = flight.step(tick, shown.vehicles(), shown.ledger());
@@ -183,7 +181,7 @@ impl MissionRun {
         events
     }
 
-    /// Mission time, which starts once the vehicles are heard.
+    /// Mission time, which starts once the vehicles are heard; `now` is the simulator's time if the mission follows it.
     fn time(&mut self, now: Duration, shown: &FlightView) -> Duration {
         if !shown.is_starting() && !shown.is_reading() {
             let wanted = self.driver.flight().mission().seats.count;
@@ -200,6 +198,11 @@ impl MissionRun {
         let clocks = vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms()));
         self.driver.advance(now, clocks)
     }
+}
+
+/// The time of a number of simulator steps.
+fn simulated(steps: u64) -> Duration {
+    Duration::from_nanos((STEP.as_nanos() as u64).saturating_mul(steps))
 }
 
 /// The mission's notices, converted from mission time to the program's clock.

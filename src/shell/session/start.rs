@@ -215,12 +215,9 @@ impl RunningSession {
     ) -> Result<Started, Text> {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
-        self.simulate(config, backend, before).await?;
-        let mut mission_run = if self.processes.is_some() {
-            MissionRun::of_processes(flight, backend.speedup)
-        } else {
-            let inputs = self.recorder.as_ref().map(FlightRecorder::inputs);
-            MissionRun::embedded(flight, backend.speedup, inputs)
+        let mut mission_run = match self.simulate(config, backend, before).await? {
+            Some(steps) => MissionRun::embedded(flight, steps),
+            None => MissionRun::of_processes(flight, backend.speedup),
         };
         if let Some(runs) = &backend.runs {
             mission_run.record(runs, backend.occasion.clone(), backend.earlier.clone());
@@ -238,13 +235,14 @@ impl RunningSession {
         })
     }
 
-    /// Starts the vehicles of a world: in the embedded simulator at once, as processes with some delay.
+    /// Starts the vehicles of a world: in the embedded simulator at once, as processes with some delay. Returns the
+    /// number of the embedded simulator's steps so far.
     async fn simulate(
         &mut self,
         world: WorldConfig,
         backend: &SessionBackend,
         before: SessionEnding,
-    ) -> Result<(), Text> {
+    ) -> Result<Option<watch::Receiver<u64>>, Text> {
         let simulation = &backend.simulation;
         self.airframes = simulation.of(world.clone()).airframes;
         let source = match &self.plan {
@@ -258,7 +256,7 @@ impl RunningSession {
             let cancel = self.cancel.clone();
             let processes = Processes::launch(source.clone(), launches, before, cancel);
             self.processes = Some(processes);
-            return Ok(());
+            return Ok(None);
         }
         let record = self.recorder.as_ref().map(|recorder| {
             let head = InputsHead::of(&world, &simulation.airframes);
@@ -273,7 +271,8 @@ impl RunningSession {
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
-        Ok(())
+        backend.clock.stand_through_stops(true);
+        Ok(Some(simulator.steps))
     }
 }
 

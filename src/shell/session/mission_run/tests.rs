@@ -11,6 +11,9 @@ use crate::vehicle::Vehicle;
 
 const FORMATION: &str = include_str!("../../../../missions/02-formation.toml");
 
+/// The steps of the embedded simulator in a second.
+const STEPS_PER_S: u64 = 100;
+
 const fn s(s: u64) -> Duration {
     Duration::from_secs(s)
 }
@@ -84,12 +87,17 @@ fn lost(events: &[Event]) -> Vec<VehicleId> {
 
 #[test]
 fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() {
-    let mut run = MissionRun::embedded(flight(), 2.0, None);
-    run.fly(s(5), &shown(&[2]));
-    run.fly(s(7), &shown(&[2, 3]));
+    let (passed, steps) = watch::channel(0);
+    let mut run = MissionRun::embedded(flight(), steps);
+    let fly = |run: &mut MissionRun, simulated_s: u64, heard: &[u8]| {
+        passed.send_replace(simulated_s * STEPS_PER_S);
+        run.fly(s(1), &shown(heard));
+    };
+    fly(&mut run, 5, &[2]);
+    fly(&mut run, 7, &[2, 3]);
     assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);
-    run.fly(s(8), &shown(&[1, 2, 3]));
-    run.fly(s(9), &shown(&[1, 2, 3]));
+    fly(&mut run, 8, &[1, 2, 3]);
+    fly(&mut run, 10, &[1, 2, 3]);
     assert_eq!(run.driver.flight().progress().elapsed, s(2));
     let progress = run.driver.flight().progress();
     let seats: Vec<VehicleId> = progress.readings.iter().map(|it| it.vehicle).collect();
@@ -98,13 +106,29 @@ fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() 
 
 #[test]
 fn a_vehicle_that_is_never_heard_does_not_hold_a_mission_up_for_ever() {
-    let mut run = MissionRun::embedded(flight(), 1.0, None);
-    run.fly(s(5), &shown(&[1, 2]));
-    run.fly(s(14), &shown(&[1, 2]));
+    let (passed, steps) = watch::channel(0);
+    let mut run = MissionRun::embedded(flight(), steps);
+    let fly = |run: &mut MissionRun, simulated_s: u64| {
+        passed.send_replace(simulated_s * STEPS_PER_S);
+        run.fly(s(1), &shown(&[1, 2]));
+    };
+    fly(&mut run, 5);
+    fly(&mut run, 14);
     assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);
-    run.fly(s(15), &shown(&[1, 2]));
-    run.fly(s(16), &shown(&[1, 2]));
+    fly(&mut run, 15);
+    fly(&mut run, 16);
     assert_eq!(run.driver.flight().progress().elapsed, s(1));
+}
+
+#[test]
+fn a_mission_stands_still_with_its_simulator_while_the_program_s_clock_goes_on() {
+    let (passed, steps) = watch::channel(0);
+    let mut run = MissionRun::embedded(flight(), steps);
+    run.fly(s(1), &shown(&[1, 2, 3]));
+    passed.send_replace(3 * STEPS_PER_S);
+    run.fly(s(4), &shown(&[1, 2, 3]));
+    run.fly(s(60), &shown(&[1, 2, 3]));
+    assert_eq!(run.driver.flight().progress().elapsed, s(3));
 }
 
 #[test]
