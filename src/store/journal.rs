@@ -3,7 +3,8 @@
 //!
 //! The record of a run is written line by line, its end last; only then is it stored in the profile. If the program is
 //! killed in between, the next start recovers it: a finished record that its profile lacks is scored again and stored.
-//! The record of an abandoned exam is stored too, and counts as ended there.
+//! The record of a flight that counts and was not ended, because the program was killed or the terminal disappeared, is
+//! stored too, and counts as left there: otherwise a kill would be a way out that `leave` is not.
 //!
 //! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
 //! open to the trainee, an exam has its seed, and the flight, repeated from the record's inputs, matches. Anything else
@@ -16,7 +17,8 @@ use super::append::is_written;
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RecordFiles, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
-    AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight, Stake,
+    AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight,
+    Stake, is_practice,
 };
 use crate::mission::Mission;
 use crate::mission::record::{Head, Stored};
@@ -72,28 +74,44 @@ pub struct Recovery {
     pub profile: String,
     pub mission: String,
     pub score: u16,
-    /// Whether it is an abandoned exam.
-    pub is_left_exam: bool,
+    /// How it was left, if it was not finished.
+    pub left: Option<LeftFlight>,
     /// Why it counts for less than its record claims, if it does.
     pub reduced: Vec<PracticeReason>,
 }
 
+/// An unfinished flight that counts as ended where its record ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeftFlight {
+    Exam,
+    /// An attempt at a mission other than an exam.
+    Attempt,
+}
+
 impl Recovery {
     pub fn text(&self) -> Text {
-        let recovered = if self.is_left_exam {
-            text!(
+        let profile = self.profile.as_str();
+        let mission = self.mission.as_str();
+        let score = self.score;
+        let recovered = match self.left {
+            Some(LeftFlight::Exam) => text!(
                 "profiles-left-exam",
-                profile = self.profile.as_str(),
-                mission = self.mission.as_str(),
-                score = self.score
-            )
-        } else {
-            text!(
+                profile = profile,
+                mission = mission,
+                score = score
+            ),
+            Some(LeftFlight::Attempt) => text!(
+                "profiles-left-attempt",
+                profile = profile,
+                mission = mission,
+                score = score
+            ),
+            None => text!(
                 "profiles-recovered",
-                profile = self.profile.as_str(),
-                mission = self.mission.as_str(),
-                score = self.score
-            )
+                profile = profile,
+                mission = mission,
+                score = score
+            ),
         };
         if self.reduced.is_empty() {
             return recovered;
@@ -121,7 +139,7 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that belong to a profile but are missing there, and abandoned exams, each once
+/// Stores the finished runs of a folder that belong to a profile but are missing there, and those left, each once
 /// even if several consoles start together. If none is missing, it reads only file names, and the first and last lines
 /// of records without a profile.
 ///
@@ -143,7 +161,7 @@ pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, Pr
                 profile: left.profile.name.clone(),
                 mission: run.flight.mission,
                 score: run.flight.score,
-                is_left_exam: left.is_left_exam,
+                left: left.left,
                 reduced: settled.reduced,
             });
         }
@@ -160,8 +178,8 @@ struct LeftRun<'a> {
     id: String,
     /// When its record was last written.
     when: SystemTime,
-    is_left_exam: bool,
-    /// Whether the record follows from the files beside it. An exam that was left gains nothing, and is not repeated.
+    left: Option<LeftFlight>,
+    /// Whether the record follows from the files beside it. A flight that was left gains nothing, and is not repeated.
     is_confirmed: bool,
 }
 
@@ -170,22 +188,27 @@ impl<'a> LeftRun<'a> {
     /// the record merely has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
-        let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_written(path);
-        if end.is_none() && !is_left_exam {
-            return None;
-        }
+        let left = match end {
+            Some(_) => None,
+            None => Some(left(&head).filter(|_| !is_written(path))?),
+        };
         let name = head.profile.as_deref()?;
         let profile = everybody
             .iter()
             .find(|it| it.name.eq_ignore_ascii_case(name) && it.since <= head.when)?;
         let when = path.metadata().and_then(|file| file.modified()).ok()?;
         let stored = Stored::read(&read_run(path).ok()?).ok()?;
-        if !is_left_exam {
-            stored.end()?;
-        }
-        let mut report = stored.rescore().ok()?.report;
-        // An exam has not begun if only its brief was read.
-        if is_left_exam && report.sim_time_s <= 0.0 {
+        let mut report = match left {
+            None => {
+                stored.end()?;
+                stored.rescore().ok()?.report
+            }
+            Some(LeftFlight::Exam) => stored.rescore_left().ok()?,
+            Some(LeftFlight::Attempt) if stored.damaged_line().is_some() => return None,
+            Some(LeftFlight::Attempt) => stored.rescore_left().ok()?,
+        };
+        // A flight has not begun if only its brief was read.
+        if left.is_some() && report.sim_time_s <= 0.0 {
             return None;
         }
         let mission = stored.head.flown().ok()?;
@@ -197,8 +220,8 @@ impl<'a> LeftRun<'a> {
             report,
             id: run_id(path).to_owned(),
             when,
-            is_left_exam,
-            is_confirmed: is_left_exam || is_confirmed(path, &stored),
+            left,
+            is_confirmed: left.is_some() || is_confirmed(path, &stored),
         })
     }
 
@@ -228,6 +251,17 @@ impl<'a> LeftRun<'a> {
         };
         RunEntry::of(&self.mission, &self.report, landing)
     }
+}
+
+/// How a flight without an end counts; `None` if it does not count.
+fn left(head: &Head) -> Option<LeftFlight> {
+    if is_practice(head.stake, head.flown_by) {
+        return None;
+    }
+    Some(match head.stake {
+        Stake::Exam => LeftFlight::Exam,
+        Stake::Graded | Stake::Daily | Stake::Practice => LeftFlight::Attempt,
+    })
 }
 
 /// Whether a run follows from the files beside it.

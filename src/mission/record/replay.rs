@@ -171,6 +171,17 @@ impl Stored {
         })
     }
 
+    /// The report of a flight that was left where its record ends.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it.
+    pub fn rescore_left(&self) -> Result<Report, Text> {
+        let mut replay = self.reenact()?;
+        drop(replay.advance(Duration::MAX));
+        replay.flight.abandon();
+        Ok(replay.report())
+    }
+
     /// The flight before its first step, ready to be repeated step by step.
     ///
     /// # Errors

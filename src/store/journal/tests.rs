@@ -62,7 +62,6 @@ fn a_finished_record_that_nobody_stored_is_made_up_for_once() {
     let mut profiles = profiles(data.path());
     let anna = profiles.create("Anna", BEGUN).expect("new");
     let (id, mission, report) = recorded(&runs, Some("anna"), true);
-    recorded(&runs, Some("Anna"), false);
     recorded(&runs, Some("Borys"), true);
     recorded(&runs, None, true);
     let recovered = recover(&mut profiles, &runs).expect("writable");
@@ -261,11 +260,35 @@ fn an_exam_that_was_left_counts_as_ended_there_once_nobody_flies_it() {
     drop(flown);
     let recovered = recover(&mut profiles, &runs).expect("writable");
     assert_eq!(recovered.len(), 1);
-    assert!(recovered[0].is_left_exam && recovered[0].reduced.is_empty());
+    assert_eq!(recovered[0].left, Some(LeftFlight::Exam));
+    assert!(recovered[0].reduced.is_empty());
     let stored = profiles.runs(&anna).expect("readable");
     assert_eq!(
         (stored[0].flight.stake, stored[0].flight.passed),
         (Stake::Exam, false)
+    );
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+}
+
+#[test]
+fn a_graded_flight_that_was_killed_counts_as_left_once_and_is_told() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    let anna = profiles.create("Anna", BEGUN).expect("new");
+    recorded(&runs, Some("Anna"), false);
+    recorded(&runs, Some("Borys"), false);
+    recorded(&runs, None, false);
+    let recovered = recover(&mut profiles, &runs).expect("writable");
+    assert_eq!(recovered.len(), 1, "{recovered:?}");
+    assert_eq!(recovered[0].left, Some(LeftFlight::Attempt));
+    let said = recovered[0].text().to_string();
+    assert!(said.contains("counts as left"), "{said}");
+    let stored = profiles.runs(&anna).expect("readable");
+    let flight = &stored[0].flight;
+    assert_eq!(
+        (flight.stake, flight.score, flight.passed),
+        (Stake::Graded, 0, false)
     );
     assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
 }
@@ -285,7 +308,7 @@ fn a_record_counts_for_no_more_than_the_career_allows() {
     assert_ne!(whole, rewritten);
     fs::write(&path, rewritten).expect("writable");
     let mut recovered = recover(&mut profiles, &runs).expect("writable");
-    recovered.sort_by_key(|one| !one.is_left_exam);
+    recovered.sort_by_key(|one| one.left.is_none());
     let reduced: Vec<&[PracticeReason]> = recovered.iter().map(|one| &one.reduced[..]).collect();
     let expected: [&[PracticeReason]; 2] = [
         &[PracticeReason::ChosenSeed],
