@@ -236,11 +236,15 @@ impl Lookout {
         }
     }
 
-    /// Adds moments that only the mission's report contains: broken rules, events and injects.
+    /// Adds moments that only the mission's report contains: broken rules, alerts of the mission, events and injects.
     fn close(&mut self, report: &Report) {
         for event in &report.events {
             let kind = match event.kind {
                 EventKind::Rule => MomentKind::Rule,
+                // The console's own alerts of vehicles are in its state.
+                EventKind::Alert if event.vehicle.is_none() || event.about.is_some() => {
+                    MomentKind::Alert
+                }
                 EventKind::MissionEvent | EventKind::Inject => MomentKind::Event,
                 EventKind::Objective
                 | EventKind::Alert
@@ -262,5 +266,44 @@ impl Lookout {
         }
         self.report = Some(Arc::new(report.clone()));
         self.revision += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise::Exercise;
+    use crate::language::{Context, Script};
+    use crate::mission::Mission;
+    use crate::scoring::{EventReport, EventSubject};
+
+    #[test]
+    fn an_alert_of_the_mission_is_a_moment() {
+        let source = include_str!("../../missions/00-first-flight.toml");
+        let mission = Arc::new(Mission::parse(source).expect("no faults"));
+        let script = Script::parse("", &Context::default()).expect("nothing to do");
+        let mut report = Exercise::new(mission, 1, script, Vec::new()).report();
+        let alert = |vehicle, about, text| EventReport {
+            at_s: 60.0,
+            kind: EventKind::Alert,
+            vehicle,
+            text: Text::verbatim(text),
+            about,
+        };
+        report.events = vec![
+            alert(None, None, "60 s left"),
+            alert(
+                Some(1),
+                Some(EventSubject::Alert(0)),
+                "an aircraft comes near",
+            ),
+            alert(Some(1), None, "the process has ended"),
+        ];
+        let mut lookout = Lookout::default();
+        lookout.close(&report);
+        let found = lookout.found().expect("moments");
+        let found = found.into_iter().filter(|it| it.kind == MomentKind::Alert);
+        let found: Vec<String> = found.map(|it| it.text.to_string()).collect();
+        assert_eq!(found, ["60 s left", "an aircraft comes near"]);
     }
 }
