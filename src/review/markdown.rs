@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{PointKind, Review};
 use crate::debrief::{self, explanation};
-use crate::moment::Moment;
+use crate::moment::{Moment, MomentKind};
 use crate::notice::sanitised;
 use crate::record::MissionClock;
 use crate::scoring::Report;
@@ -19,6 +19,8 @@ pub struct ReviewedFlight<'a> {
     pub title: &'a str,
     /// The time of day of its beginning, in UTC.
     pub began: &'a str,
+    /// The mission's brief.
+    pub brief: Option<&'a Text>,
     /// The result, if a mission was flown.
     pub report: Option<&'a Report>,
     /// The moments of the flight, earliest first.
@@ -38,9 +40,13 @@ pub fn markdown(review: &Review, flight: ReviewedFlight<'_>, locale: &Locale) ->
     page.heading(1, &title);
     page.paragraph(&format!("{} UTC", flight.began));
     if let Some(report) = flight.report {
-        page.planned(report);
+        page.flown(report, review.profile.as_deref());
+        page.planned(report, flight.brief);
     }
     page.happened(flight);
+    if let Some(report) = flight.report {
+        page.workload(report);
+    }
     page.answer("review-why", &review.why);
     page.answer("review-next", &review.next);
     page.points(review, flight.clock);
@@ -48,6 +54,29 @@ pub fn markdown(review: &Review, flight: ReviewedFlight<'_>, locale: &Locale) ->
         page.explained(report);
     }
     page.words
+}
+
+/// A moment in words: its kind and its vehicles, unless its text gives them.
+fn told(moment: &Moment) -> Text {
+    let vehicles = ranges(moment.vehicles.iter().copied());
+    let parts = match moment.kind {
+        MomentKind::Objective => return moment.text.clone(),
+        // The text is the command with its targets; not all of them may have refused it.
+        MomentKind::Refusal => {
+            let refused = Text::from(format!("[{vehicles}]"));
+            return Text::joined(" ", vec![moment.text.clone(), refused]);
+        }
+        MomentKind::Bookmark
+        | MomentKind::Alert
+        | MomentKind::Mode
+        | MomentKind::Arming
+        | MomentKind::Rule
+        | MomentKind::Event
+        | MomentKind::Separation
+        | MomentKind::Log => [moment.kind.text(), vehicles.into(), moment.text.clone()],
+    };
+    let words = parts.into_iter().filter(|it| !it.is_empty()).collect();
+    Text::joined(": ", words)
 }
 
 struct MarkdownPage<'a> {
@@ -75,8 +104,40 @@ impl MarkdownPage<'_> {
         self.locale.say(id)
     }
 
-    fn planned(&mut self, report: &Report) {
+    /// The mission, its seed, the attempt and the trainee.
+    fn flown(&mut self, report: &Report, trainee: Option<&str>) {
+        let mission = text!(
+            "review-mission",
+            mission = report.mission.as_str(),
+            revision = report.revision,
+            seed = report.seed,
+            attempt = report.attempt
+        );
+        self.words.push('\n');
+        self.item(&self.locale.text(&mission));
+        if let Some(trainee) = trainee {
+            let trainee = text!("review-trainee", name = trainee);
+            self.item(&self.locale.text(&trainee));
+        }
+    }
+
+    fn workload(&mut self, report: &Report) {
+        let workload = &report.workload;
+        if workload.commands == 0 && workload.answers.is_empty() {
+            return;
+        }
+        self.heading(3, &self.say("debrief-workload"));
+        for words in debrief::workload_words(workload) {
+            self.item(&self.locale.text(&words));
+        }
+    }
+
+    fn planned(&mut self, report: &Report, brief: Option<&Text>) {
         self.heading(2, &self.say("review-planned"));
+        if let Some(brief) = brief {
+            self.paragraph(&self.locale.text(brief));
+            self.words.push('\n');
+        }
         for objective in &report.objectives {
             let line = text!(
                 "review-objective",
@@ -107,10 +168,7 @@ impl MarkdownPage<'_> {
             self.words.push('\n');
         }
         for moment in flight.moments.iter().filter(|it| it.kind.is_reviewed()) {
-            let vehicles = ranges(moment.vehicles.iter().copied());
-            let parts = [moment.kind.text(), vehicles.into(), moment.text.clone()];
-            let words = parts.into_iter().filter(|it| !it.is_empty()).collect();
-            let what = self.locale.text(&Text::joined(": ", words));
+            let what = self.locale.text(&told(moment));
             self.item(&format!(
                 "{} {what}",
                 clock(flight.clock.flight_time(moment.at))
@@ -150,5 +208,30 @@ impl MarkdownPage<'_> {
             let _ = writeln!(self.words, "{}", line.text);
         }
         self.words.push_str("```\n");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn a_moment_says_nothing_twice() {
+        let moment = |kind, text: &str| Moment {
+            at: Duration::ZERO,
+            vehicles: vec![1],
+            kind,
+            text: Text::verbatim(text),
+        };
+        let words = |kind, text| told(&moment(kind, text)).to_string();
+        let met = "objective met: landed";
+        assert_eq!(words(MomentKind::Objective, met), met);
+        let refused = "all takeoff 20: takeoff refused: no GPS";
+        let expected = format!("{refused} [1]");
+        assert_eq!(words(MomentKind::Refusal, refused), expected);
+        let alert = words(MomentKind::Alert, "low battery");
+        assert_eq!(alert, "alert: 1: low battery");
     }
 }

@@ -84,6 +84,7 @@ fn export(state: &State, path: String) -> Effects {
     let flight = ReviewedFlight {
         title: &title,
         began: &utc_of(view.began_unix_us),
+        brief: state.session.task.listing.as_ref().map(|it| &it.brief),
         report: view.report.as_deref(),
         moments: &view.moments,
         clock: &view.clock,

@@ -73,6 +73,7 @@ impl RecordsCommands {
         let flight = ReviewedFlight {
             title: &title,
             began: &utc_of(film.began_unix_us()),
+            brief: flown.as_ref().map(|it| &it.summary.brief),
             report: report.as_deref(),
             moments: replay.moments(),
             clock: film.clock(),
