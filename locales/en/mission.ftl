@@ -192,6 +192,7 @@ mission-goal = your goal
 mission-goal-none = { $key } sets one, as in `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = clock
 mission-reading-first = it starts when you leave the brief
+mission-brief-left = the mission's clock runs now; { $key } pauses it
 mission-reading-is = running; { $key } pauses it while you read
 mission-reading-paused = paused; { $key } resumes
 mission-then = to start

@@ -200,6 +200,7 @@ mission-goal = ваша мета
 mission-goal-none = { $key } ставить її, наприклад `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = годинник
 mission-reading-first = відлік почнеться, коли ви закриєте інструктаж
+mission-brief-left = відлік часу завдання почався; { $key } — пауза
 mission-reading-is = іде; { $key } — пауза, поки ви читаєте
 mission-reading-paused = на паузі; { $key } — далі
 mission-then = початок

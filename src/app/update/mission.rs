@@ -14,9 +14,15 @@ use crate::vehicle::Severity;
 
 /// Begins a mission when its brief is left for another room.
 pub fn leave_brief(state: &mut State) {
-    if state.room != Room::Mission && !state.session.is_starting() {
-        state.session.leave_brief();
+    if state.room == Room::Mission || state.session.is_starting() {
+        return;
     }
+    // In Fly, the clock itself shows that it runs.
+    if state.session.is_reading() && state.room != Room::Fly {
+        let key = state.key(Action::PauseMission);
+        state.say(Severity::Notice, text!("mission-brief-left", key = key));
+    }
+    state.session.leave_brief();
 }
 
 /// Pauses or resumes the session.
