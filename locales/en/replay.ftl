@@ -90,7 +90,14 @@ records-in-use = { $name } is still being recorded
 records-confirm = { $count ->
     [one] 1 record would be deleted: add --yes
    *[other] { $count } records would be deleted: add --yes
-}
+}:
+  { $names }
+records-reversed = the range { $range } is reversed: write the lower number first
+records-result = result
+records-seed = seed
+records-passed = passed { $score }
+records-not-passed = not passed { $score }
+records-cut-off = cut off
 records-deleted = deleted: { $name }
 action-replay-newest = replay the newest record
 hint-replay = replay

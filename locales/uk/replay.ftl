@@ -92,7 +92,14 @@ records-confirm = { $count ->
     [one] буде видалено { $count } запис: додайте --yes
     [few] буде видалено { $count } записи: додайте --yes
    *[other] буде видалено { $count } записів: додайте --yes
-}
+}:
+  { $names }
+records-reversed = діапазон { $range } записано навпаки: спершу вкажіть менший номер
+records-result = результат
+records-seed = варіант
+records-passed = виконано { $score }
+records-not-passed = не виконано { $score }
+records-cut-off = перервано
 records-deleted = видалено: { $name }
 action-replay-newest = переглянути останній записаний політ
 hint-replay = перегляд

@@ -13,6 +13,7 @@ use super::table::{Side, TextTable};
 use crate::config::Config;
 use crate::record::Head;
 use crate::replay::{Replay, TlogSpan};
+use crate::scoring::Medal;
 use crate::store::{RecordFiles, Records};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, utc_of};
@@ -92,7 +93,7 @@ enum RecordsCommand {
         /// The numbers in the list: `3`, `2-5` or `1,4-6`.
         #[arg(required = true, value_name = "NUMBERS")]
         records: Vec<String>,
-        /// Delete the records; without this option, the command only counts them.
+        /// Delete the records; without this option, the command only names them.
         #[arg(long)]
         yes: bool,
     },
@@ -109,9 +110,25 @@ struct ListedRecord {
     profile: Option<String>,
     /// Whether it belongs to a run of a mission.
     has_run: bool,
+    /// The seed of the mission's world.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<u64>,
+    /// The result of the mission, if it was flown to its end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    result: Option<ListedResult>,
+    /// Whether its console was killed: the journal has no end.
+    cut_off: bool,
     duration_s: Option<f64>,
     bytes: u64,
     being_recorded: bool,
+}
+
+/// The result of a recorded mission.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct ListedResult {
+    score: u16,
+    passed: bool,
+    medal: Option<Medal>,
 }
 
 /// Carries out the command.
@@ -174,6 +191,7 @@ impl RecordsCommands {
             .and_then(|path| TlogSpan::read(path).ok());
         let head = files.head().ok();
         let fits = |head: &&Head| span.is_none_or(|it| head.misfit(it.first_unix_us).is_none());
+        let run = files.run_outline();
         let journalled = head.as_ref().filter(fits).map(|it| it.began_unix_us);
         let began = journalled.or(span.map(|it| it.first_unix_us));
         ListedRecord {
@@ -186,6 +204,13 @@ impl RecordsCommands {
                 .unwrap_or_default(),
             profile: head.and_then(|it| it.profile),
             has_run: files.run.is_some(),
+            seed: run.as_ref().map(|(head, _)| head.seed),
+            result: run.and_then(|(_, end)| end).map(|end| ListedResult {
+                score: end.score,
+                passed: end.passed,
+                medal: end.medal,
+            }),
+            cut_off: files.is_cut_off(),
             duration_s: span
                 .zip(began)
                 .map(|(span, began)| span.length_from(began).as_secs_f64()),
@@ -225,6 +250,8 @@ impl RecordsCommands {
             (text!("records-began"), Side::Left),
             (text!("records-subject"), Side::Left),
             (text!("records-length"), Side::Right),
+            (text!("records-result"), Side::Left),
+            (text!("records-seed"), Side::Right),
             (text!("records-size"), Side::Right),
             (text!("records-profile"), Side::Left),
         ];
@@ -240,6 +267,8 @@ impl RecordsCommands {
                 record.began.clone(),
                 record.subject.clone(),
                 length,
+                self.locale.text(&result_of(record)),
+                record.seed.map(|it| it.to_string()).unwrap_or_default(),
                 format!("{} MiB", mebibytes(record.bytes)),
                 record.profile.clone().unwrap_or_default(),
             ]);
@@ -260,6 +289,9 @@ impl RecordsCommands {
         let mut numbers = BTreeSet::new();
         for ranges in listed {
             let wrong = |_| self.invalid(&text!("records-not-numbers", word = ranges.as_str()));
+            if let Some(range) = ranges.split(',').find(|range| is_reversed(range)) {
+                return Err(self.invalid(&text!("records-reversed", range = range)));
+            }
             numbers.extend(parse_ranges(ranges).map_err(wrong)?);
         }
         let found = numbers
@@ -276,7 +308,9 @@ impl RecordsCommands {
             }
         }
         if !yes {
-            return Err(self.invalid(&text!("records-confirm", count = found.len())));
+            let names: Vec<&str> = found.iter().map(|it| it.stem.as_str()).collect();
+            let (count, names) = (names.len(), names.join("\n  "));
+            return Err(self.invalid(&text!("records-confirm", count = count, names = names)));
         }
         for files in &found {
             files.delete()?;
@@ -286,6 +320,32 @@ impl RecordsCommands {
         }
         Ok(())
     }
+}
+
+/// The result of a record in a word: of its mission, or that it was cut off.
+fn result_of(record: &ListedRecord) -> Text {
+    let Some(result) = record.result else {
+        return if record.cut_off {
+            text!("records-cut-off")
+        } else {
+            Text::default()
+        };
+    };
+    if !result.passed {
+        return text!("records-not-passed", score = result.score);
+    }
+    let passed = text!("records-passed", score = result.score);
+    let medal = result.medal.map(Medal::title);
+    Text::joined(", ", [passed].into_iter().chain(medal).collect())
+}
+
+/// Whether a range of numbers ends before it begins: a slip, which must not delete anything.
+fn is_reversed(range: &str) -> bool {
+    let ends = range.split_once('-').and_then(|(first, last)| {
+        let number = |word: &str| word.trim().parse::<usize>().ok();
+        Some((number(first)?, number(last)?))
+    });
+    ends.is_some_and(|(first, last)| first > last)
 }
 
 fn mebibytes(bytes: u64) -> String {

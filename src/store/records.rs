@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 use super::append::{AppendFile, is_written};
 use super::signature::signature_of;
 use super::{StoreError, sharing, user_path};
-use crate::record::{Head, Journal};
+use crate::mission::record::{End as RunEnd, Head as RunHead};
+use crate::record::{Happening, Head, Journal, JournalLine};
 use crate::text;
 use crate::text::Text;
 
@@ -175,6 +176,21 @@ impl RecordFiles {
         self.journal.as_deref().is_some_and(is_written)
     }
 
+    /// The first line of the mission's run, and the last one if it is its end; `None` without a run.
+    pub fn run_outline(&self) -> Option<(RunHead, Option<RunEnd>)> {
+        super::runs::outline(self.run.as_deref()?).ok()
+    }
+
+    /// Whether the console that wrote it was killed: the journal lacks its end, and no console writes it.
+    pub fn is_cut_off(&self) -> bool {
+        let last = self.journal.as_deref().map(super::runs::last_line);
+        let is_end = |line: &[u8]| {
+            let line = serde_json::from_slice::<JournalLine>(line);
+            line.is_ok_and(|line| line.what == Happening::End)
+        };
+        matches!(&last, Some(Ok(line)) if !is_end(line)) && !self.is_written()
+    }
+
     /// Removes frames and journal; the record of a mission's run stays, because careers count it.
     ///
     /// # Errors
@@ -205,6 +221,10 @@ fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles
         .filter(|_| number > 0);
     let found = at.and_then(|at| oldest_first.into_iter().nth(at));
     found.ok_or_else(|| text!("records-no-number", number = number))
+}
+
+fn has_content(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|file| file.len() > 0)
 }
 
 fn unwritable(path: &Path, error: io::Error) -> StoreError {
@@ -293,7 +313,8 @@ impl Records {
 
     /// The frames of the newest record that has any.
     pub fn newest(&self) -> Option<PathBuf> {
-        self.list().into_iter().rev().find_map(|it| it.frames)
+        let mut newest_first = self.list().into_iter().rev();
+        newest_first.find_map(|it| it.frames.filter(|path| has_content(path)))
     }
 
     /// The frames of the newest record that has any, among those of a profile, or of guests (`None`).
@@ -303,7 +324,10 @@ impl Records {
             head.is_ok_and(|head| head.profile.as_deref() == profile)
         };
         let mut newest_first = self.list().into_iter().rev();
-        newest_first.find_map(|it| it.frames.clone().filter(|_| is_theirs(&it)))
+        newest_first.find_map(|it| {
+            let frames = it.frames.clone().filter(|path| has_content(path));
+            frames.filter(|_| is_theirs(&it))
+        })
     }
 
     /// Starts a record, with a thread that fetches frames from `source` and writes.

@@ -297,16 +297,25 @@ pub(super) fn moment(text: &str) -> Option<SystemTime> {
 
 /// The first line of a run, and the last one if it is its end.
 pub(super) fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
-    let mut file = File::open(path)?;
+    let file = File::open(path)?;
     let mut first = Vec::new();
     BufReader::new((&file).take(HEAD_LEN)).read_until(b'\n', &mut first)?;
     let head = serde_json::from_slice(&first)?;
+    Ok((head, End::of_line(&last_line_of(file)?)))
+}
+
+/// The last line of a file, without its line end.
+pub(super) fn last_line(path: &Path) -> io::Result<Vec<u8>> {
+    last_line_of(File::open(path)?)
+}
+
+fn last_line_of(mut file: File) -> io::Result<Vec<u8>> {
     let len = file.metadata()?.len();
     file.seek(SeekFrom::Start(len.saturating_sub(TAIL_LEN)))?;
     let mut tail = Vec::new();
     file.take(TAIL_LEN).read_to_end(&mut tail)?;
     let last = tail.trim_ascii_end().rsplit(|byte| *byte == b'\n').next();
-    Ok((head, End::of_line(last.unwrap_or_default())))
+    Ok(last.unwrap_or_default().to_vec())
 }
 
 fn as_try(head: &Head, end: Option<&End>) -> TryReport {

@@ -128,6 +128,43 @@ fn a_scripts_flight_is_recorded_like_one_of_the_console() {
 }
 
 #[test]
+fn records_are_listed_with_their_result_and_deleted_only_by_plain_numbers() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let data = folder.path();
+    let flown = run(data, "", &FLIGHT);
+    let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("a report");
+    let printed = |arguments: &[&str]| {
+        let output = run(data, "", arguments);
+        String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output)
+    };
+    let list = printed(&["records", "list"]);
+    assert!(
+        list.contains(&format!("passed {}", report["score"])),
+        "{list}"
+    );
+    let review = data.join("review.md");
+    let path = review.to_str().expect("a plain path");
+    printed(&["records", "export", "1", "--format", "md", "--output", path]);
+    let review = fs::read_to_string(&review).expect("a review");
+    let flown = format!(
+        "mission 01-air-sample, revision {}, seed {}",
+        report["revision"], report["seed"]
+    );
+    assert!(review.contains(&flown), "{review}");
+    let reversed = printed(&["records", "delete", "3-1", "--yes"]);
+    assert!(
+        reversed.contains("3-1") && reversed.contains("reversed"),
+        "{reversed}"
+    );
+    let asked = printed(&["records", "delete", "1"]);
+    assert!(
+        asked.contains("_01-air-sample_") && asked.contains("--yes"),
+        "{asked}"
+    );
+    assert_eq!(runs(&data.join("sortie/runs")).len(), 1);
+}
+
+#[test]
 fn a_signature_is_part_of_what_is_verified() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let data = folder.path();

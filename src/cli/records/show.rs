@@ -22,6 +22,7 @@ struct ShownRecord {
     frames: Option<PathBuf>,
     journal: Option<PathBuf>,
     run: Option<PathBuf>,
+    signatures: Vec<PathBuf>,
     moments: Vec<ShownMoment>,
 }
 
@@ -61,6 +62,7 @@ impl RecordsCommands {
         if json {
             let shown = ShownRecord {
                 record,
+                signatures: files.signatures(),
                 frames: files.frames,
                 journal: files.journal,
                 run: files.run,
@@ -80,6 +82,7 @@ impl RecordsCommands {
             .flatten()
             .chain(review)
             .chain(&files.joined_paths())
+            .chain(&files.signatures())
         {
             say!("  {}", path.display())?;
         }

@@ -40,6 +40,12 @@ impl RecordFiles {
         flown.filter_map(|(ending, path)| Some((ending, path.as_ref()?)))
     }
 
+    /// The files of its signatures.
+    pub fn signatures(&self) -> Vec<PathBuf> {
+        let paths = self.flown().map(|(_, path)| signature::signature_of(path));
+        paths.filter(|path| path.is_file()).collect()
+    }
+
     /// Signs each file of the record; the signatures contain the comment `about`. Existing signatures are replaced.
     /// Returns the signature files.
     ///
