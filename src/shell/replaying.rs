@@ -30,9 +30,13 @@ impl Console {
             Some(running) => running.record().map(Path::to_owned),
             None => self.newest_record(),
         };
-        let path = newest.ok_or_else(|| text!("records-none"))?;
-        // A recording under way ends first.
+        let current = newest.ok_or_else(|| text!("records-none"))?;
+        // A recording under way ends first; an empty one is removed.
         self.end_session();
+        let left = Some(current).filter(|path| path.is_file());
+        let path = left
+            .or_else(|| self.newest_record())
+            .ok_or_else(|| text!("records-none"))?;
         self.open_replay(&path, review)
     }
 
@@ -102,7 +106,7 @@ impl Console {
         let Some(running) = &self.running else {
             return;
         };
-        if running.record().is_none() {
+        if !running.is_recording() {
             self.post(Event::Failed(text!("bookmark-not-recorded")));
             return;
         }
@@ -208,6 +212,47 @@ mod tests {
         }
         console.take_in().await;
         shown(console.app.state())
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn the_record_of_a_mission_ends_soon_after_the_mission() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = Box::pin(flying(data.path())).await;
+        run(&mut console, 20).await;
+        abandon(&mut console).await;
+        run(&mut console, 60).await;
+        say(&mut console, "bookmark late").await;
+        let said = console.app.state().message().map(|it| it.text.clone());
+        assert_eq!(said, Some(text!("bookmark-not-recorded")));
+        say(&mut console, "leave").await;
+        let records = Records::within(data.path(), RecordLimits::default());
+        let files = records.list().remove(0);
+        assert!(!files.is_cut_off());
+        let began = files.head().expect("a journal").began_unix_us;
+        let frames = files.frames().expect("a tlog");
+        let span = crate::replay::TlogSpan::read(frames).expect("frames");
+        let length = span.length_from(began).as_secs();
+        assert!((20..28).contains(&length), "{length} s");
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_brief_that_was_only_read_leaves_no_record() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mission = Mission::parse(FIRST).expect("it is good");
+        let mut options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
+        let records = Records::within(data.path(), RecordLimits::default());
+        options.preferences.records = Some(records.clone());
+        options.preferences.runs = Some(Runs::within(data.path()));
+        let mut console = Console::new(options, true);
+        let (columns, rows) = (120, 40);
+        console.feed(TerminalEvent::Resize { columns, rows }).await;
+        Box::pin(console.begin()).await;
+        run(&mut console, 10).await;
+        assert!(console.app.state().session().is_reading());
+        assert_eq!(records.list().len(), 1);
+        console.end_session();
+        let left = std::fs::read_dir(records.folder()).expect("a folder");
+        assert_eq!(left.count(), 0);
     }
 
     #[tokio::test(start_paused = true)]

@@ -188,6 +188,13 @@ impl RunningSession {
         self.recorder.as_ref()?.frames()
     }
 
+    /// Whether the session is recorded now; a mission's record ends soon after the mission.
+    pub fn is_recording(&self) -> bool {
+        self.recorder
+            .as_ref()
+            .is_some_and(FlightRecorder::is_recording)
+    }
+
     /// Adds an occurrence to the session's journal.
     pub fn note_down(&self, now: Duration, what: Happening) {
         if let Some(recorder) = &self.recorder {
@@ -233,8 +240,10 @@ impl RunningSession {
 impl Drop for RunningSession {
     fn drop(&mut self) {
         self.cancel.cancel();
-        if let Some(recorder) = &self.recorder {
-            recorder.end();
+        let has_begun = self.mission_run.as_ref().is_none_or(MissionRun::has_begun);
+        if let Some(recorder) = &mut self.recorder {
+            // Of a mission that has not begun, only the brief was read.
+            recorder.end(has_begun);
         }
     }
 }

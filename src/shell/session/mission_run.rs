@@ -106,6 +106,11 @@ impl MissionRun {
         Some(logbook.run_id())
     }
 
+    /// Whether the mission's clock has started.
+    pub fn has_begun(&self) -> bool {
+        self.driver.has_begun()
+    }
+
     fn elapsed(&self) -> Duration {
         self.driver.flight().elapsed()
     }
@@ -254,9 +259,13 @@ impl RunningSession {
                 is_told
             },
         );
+        let has_ended = mission_run.ended;
         if elapsed > before {
             let ms = elapsed.as_millis() as u64;
             self.note_down(now, Happening::Mission { ms });
+        }
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| has_ended) {
+            recorder.end_after_mission(now);
         }
         events
     }

@@ -15,6 +15,9 @@ use crate::text::Text;
 /// How long the end of a session may wait for the last inputs of the simulated vehicles.
 const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 
+/// How long the record of a mission goes on after its end, so that the replay reaches the result.
+const AFTER_MISSION: Duration = Duration::from_secs(2);
+
 /// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
@@ -24,6 +27,10 @@ pub(super) struct FlightRecorder {
     /// When the recording began, on the program's clock.
     began_at: Duration,
     recording: Option<Recording>,
+    /// When the record ends, once its mission has ended.
+    ends_at: Option<Duration>,
+    /// Whether the record has ended, while the session continues.
+    has_ended: bool,
     /// An error to report.
     fault: Option<Text>,
     /// Whether dropped frames have been reported.
@@ -44,6 +51,8 @@ impl FlightRecorder {
             began_unix_us,
             began_at,
             recording: None,
+            ends_at: None,
+            has_ended: false,
             fault: None,
             has_told_loss: false,
         }
@@ -89,16 +98,42 @@ impl FlightRecorder {
     }
 
     pub fn note(&self, now: Duration, what: Happening) {
-        if let Some(recording) = &self.recording {
+        if let Some(recording) = self.recording.as_ref().filter(|_| !self.has_ended) {
             let at = now.saturating_sub(self.began_at);
             recording.note(JournalLine::new(at, what));
         }
     }
 
-    /// Notes the regular end of the session, whose simulator was asked to end.
-    pub fn end(&self) {
+    /// Ends the record of a mission that is over, after a moment: what follows is no part of the flight. The inputs of
+    /// the simulated vehicles go on.
+    pub fn end_after_mission(&mut self, now: Duration) {
+        let ends_at = *self.ends_at.get_or_insert(now + AFTER_MISSION);
+        if now >= ends_at && !self.has_ended {
+            self.has_ended = true;
+            self.sink.close();
+            self.note_end();
+        }
+    }
+
+    /// Whether the session is still recorded.
+    pub fn is_recording(&self) -> bool {
+        self.recording.is_some() && !self.has_ended
+    }
+
+    /// Notes the regular end of the session, whose simulator was asked to end. A record that is not to be kept, or is
+    /// empty, is removed.
+    pub fn end(&mut self, is_kept: bool) {
         self.inputs.wait_for_end(LAST_INPUTS_WITHIN);
         self.pass_inputs();
+        if !self.has_ended {
+            self.note_end();
+        }
+        if let Some(recording) = self.recording.take() {
+            recording.finish(is_kept);
+        }
+    }
+
+    fn note_end(&self) {
         if let Some(recording) = &self.recording {
             recording.note_end();
         }

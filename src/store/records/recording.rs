@@ -1,12 +1,13 @@
 //! Writing a record: lines and frames wait in memory until a thread appends them to the files.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use super::{AppendFile, INPUTS, StoreError};
+use super::{AppendFile, INPUTS, RecordFiles, StoreError};
 use crate::record::{Happening, JournalLine};
 use crate::text;
 use crate::text::Text;
@@ -158,6 +159,26 @@ impl Recording {
         }
     }
 
+    /// Ends the record. Removes its files if they are not to be kept, or contain no frame.
+    pub fn finish(mut self, is_kept: bool) {
+        self.stop();
+        let is_empty = fs::metadata(&self.frames).is_ok_and(|file| file.len() == 0);
+        if !is_kept || is_empty {
+            // A file that cannot be removed stays as an empty record, which nothing replays by itself.
+            drop(RecordFiles::beside(&self.frames).delete());
+        }
+    }
+
+    /// Writes the remaining data.
+    fn stop(&mut self) {
+        self.shared.state().is_over = true;
+        self.shared.changed.notify_all();
+        if let Some(thread) = self.thread.take() {
+            // A writer that panicked has nothing left to write.
+            drop(thread.join());
+        }
+    }
+
     /// The number of bytes written so far.
     pub fn bytes(&self) -> u64 {
         self.shared.state().bytes
@@ -171,12 +192,7 @@ impl Recording {
 
 impl Drop for Recording {
     fn drop(&mut self) {
-        self.shared.state().is_over = true;
-        self.shared.changed.notify_all();
-        if let Some(thread) = self.thread.take() {
-            // A writer that panicked has nothing left to write.
-            drop(thread.join());
-        }
+        self.stop();
     }
 }
 

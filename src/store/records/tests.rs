@@ -55,6 +55,29 @@ fn what_is_recorded_is_in_the_files_when_the_record_is_over() {
 }
 
 #[test]
+fn a_record_without_frames_is_removed_and_never_the_newest() {
+    let (_folder, records) = records(10, 1 << 20);
+    let begin = |when: &str, frames: &'static [u8]| {
+        let recording = records.begin(&head(), None, when, move || frames.to_vec());
+        recording.expect("a record")
+    };
+    begin("2026-11-20T14:03:22Z", b"frames").finish(true);
+    let newest = records.newest();
+    assert!(newest.is_some());
+    // Its console was killed before the first frame.
+    drop(begin("2026-11-20T15:03:22Z", b""));
+    assert_eq!(
+        (records.list().len(), records.newest()),
+        (2, newest.clone())
+    );
+    assert_eq!(records.newest_of(None), newest);
+    assert!(records.list().iter().all(RecordFiles::is_cut_off));
+    begin("2026-11-20T16:03:22Z", b"").finish(true);
+    begin("2026-11-20T17:03:22Z", b"frames").finish(false);
+    assert_eq!(records.list().len(), 2);
+}
+
+#[test]
 fn the_oldest_records_make_room_and_runs_stay() {
     let (_folder, records) = records(3, 1 << 20);
     for second in 0..5 {
