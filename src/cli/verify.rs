@@ -247,7 +247,8 @@ fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
         (Verdict::VerifiedCut, cut)
     };
     VerifyDocument {
-        words,
+        // The end would state the checksum.
+        words: Text::joined("\n", vec![words, text!("verify-no-checksum")]),
         to_s: Some(to.as_secs_f64()),
         standing: Standing::Unfinished,
         ..VerifyDocument::new(verdict, head.program.clone())
