@@ -54,7 +54,7 @@ pub use simulator::{
 };
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
-pub use tlog::{TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
+pub use tlog::{TlogDamage, TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
 
 /// The maximum number of messages that wait for a link; more are dropped.
 const OUTBOX_LEN: usize = 256;

@@ -66,6 +66,8 @@ pub struct Replay {
     contents: Contents,
     /// The length last reported to the console.
     known_length: Duration,
+    /// Whether the damage of the frames was reported.
+    has_told_damage: bool,
 }
 
 impl Replay {
@@ -108,6 +110,7 @@ impl Replay {
             player: Player::default(),
             contents: Contents::new(&film),
             known_length: Duration::ZERO,
+            has_told_damage: false,
             film,
         };
         Ok((replay, events))
@@ -130,6 +133,9 @@ impl Replay {
             .tick(now, self.stage.now(), &self.contents, length);
         let mut events = self.approach();
         events.extend(self.news());
+        if self.index.length().is_some() && !std::mem::replace(&mut self.has_told_damage, true) {
+            events.extend(self.index.damage().into_iter().map(warning));
+        }
         events
     }
 
@@ -269,9 +275,9 @@ impl Replay {
         self.contents.merge(self.index.moments());
     }
 
-    /// The faults of the recording and of the files next to it.
+    /// The faults of the files next to the recording, and of its frames once all are read.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
-        self.film.damage()
+        self.film.damage().chain(self.index.damage())
     }
 
     /// All moments found so far, earliest first.

@@ -9,7 +9,7 @@ use tokio::time::{Instant, sleep_until};
 
 use super::core::LinkCore;
 use super::peer::{PeerStream, StreamEnding};
-use super::tlog::{TlogPiece, TlogSalvage};
+use super::tlog::{TlogDamage, TlogPiece, TlogSalvage};
 use super::{LinkPeer, Playback};
 use crate::text;
 use crate::text::Text;
@@ -32,7 +32,7 @@ pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
     let mut player = Player {
         stream: PeerStream::new(&link.config, PEER),
         pace: PlaybackPace::new(link.config.playback),
-        damage: Damage::default(),
+        damage: TlogDamage::default(),
         has_records: false,
     };
     let mut is_up = false;
@@ -54,34 +54,8 @@ pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
 struct Player {
     stream: PeerStream,
     pace: PlaybackPace,
-    damage: Damage,
+    damage: TlogDamage,
     has_records: bool,
-}
-
-/// The damaged stretches of a recording.
-#[derive(Debug, Default)]
-struct Damage {
-    first: Option<u64>,
-    stretches: u64,
-    bytes: u64,
-}
-
-impl Damage {
-    fn note(&mut self, offset: u64, len: u64) {
-        self.first.get_or_insert(offset);
-        self.stretches += 1;
-        self.bytes += len;
-    }
-
-    fn reason(&self) -> Option<Text> {
-        let (first, bytes) = (self.first?, self.bytes);
-        Some(text!(
-            "transport-damage",
-            count = self.stretches,
-            byte = first,
-            bytes = bytes
-        ))
-    }
 }
 
 impl Player {
@@ -113,7 +87,7 @@ impl Player {
     /// Counts a damaged stretch and reports the first.
     fn pass_over(&mut self, link: &mut LinkCore, offset: u64, len: u64) {
         link.meter.passed_over(len);
-        let is_first = self.damage.first.is_none();
+        let is_first = self.damage.reason().is_none();
         self.damage.note(offset, len);
         if is_first {
             let reason = self.damage.reason();

@@ -7,8 +7,10 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::frame_len;
 
+mod damage;
 mod salvage;
 
+pub use damage::TlogDamage;
 pub use salvage::{TlogPiece, TlogSalvage};
 
 const STAMP_LEN: usize = 8;

@@ -67,6 +67,8 @@ struct Found {
     reached: Duration,
     /// Whether the recording has been read to its end.
     is_over: bool,
+    /// The faults of the frames, once they have been read to the end.
+    damage: Vec<Text>,
 }
 
 impl Shared {
@@ -126,6 +128,11 @@ impl Index {
         self.shared.found().report.clone()
     }
 
+    /// The faults of the frames, once the recording has been indexed to its end.
+    pub fn damage(&self) -> Vec<Text> {
+        self.shared.found().damage.clone()
+    }
+
     /// The last key frame that is not later than a time.
     pub fn key_frame(&self, at: Duration) -> Option<Arc<KeyFrame>> {
         let found = self.shared.found();
@@ -177,7 +184,9 @@ impl IndexReader {
         }
         self.lookout.end();
         self.publish();
-        self.shared.found().is_over = true;
+        let mut found = self.shared.found();
+        found.damage = self.stage.damage();
+        found.is_over = true;
     }
 
     /// Adds a key frame.

@@ -10,7 +10,7 @@ use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::inspector::{Census, FrameWay};
 use crate::ledger::{EntryId, RowUpdate};
-use crate::link::{TlogPiece, TlogRecord, TlogSalvage};
+use crate::link::{TlogDamage, TlogPiece, TlogRecord, TlogSalvage};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::record::{EntryLine, Happening, JournalLine, LossLine, PathLine};
@@ -47,6 +47,10 @@ pub(super) struct Stage {
     mission: Option<MissionStage>,
     /// Frames received since the stage was built.
     heard: u64,
+    /// The damage found since the stage was built.
+    damage: TlogDamage,
+    /// Why the file ends before its last byte.
+    cut: Option<Text>,
 }
 
 /// The state of a stage, to return to later.
@@ -107,6 +111,8 @@ impl Stage {
             },
             mission: film.run().and_then(MissionStage::new),
             heard: 0,
+            damage: TlogDamage::default(),
+            cut: None,
         })
     }
 
@@ -209,11 +215,24 @@ impl Stage {
 
     fn next_record(&mut self) -> Option<TlogRecord> {
         loop {
-            match self.reader.next()?.ok()? {
-                TlogPiece::Record(record) => return Some(record),
-                TlogPiece::Damage { .. } => {}
+            match self.reader.next()? {
+                Ok(TlogPiece::Record(record)) => return Some(record),
+                Ok(TlogPiece::Damage { offset, len }) => self.damage.note(offset, len),
+                Err(error) => {
+                    self.cut = Some(Text::from(&error));
+                    return None;
+                }
             }
         }
+    }
+
+    /// The faults of the frames that have been read since the stage was built.
+    pub fn damage(&self) -> Vec<Text> {
+        self.damage
+            .reason()
+            .into_iter()
+            .chain(self.cut.clone())
+            .collect()
     }
 
     fn lines(&self) -> &[JournalLine] {

@@ -52,6 +52,29 @@ fn a_damaged_run_is_reported_and_one_without_an_end_is_not() {
 }
 
 #[test]
+fn damaged_and_missing_frames_are_reported() {
+    let recorded = recorded_with(&run_left());
+    let own = std::fs::read(&recorded.frames).expect("frames");
+    let middle = own.len() / 2;
+    let mut damaged = own.clone();
+    damaged[middle..middle + 100].fill(0);
+    for (bytes, named) in [
+        (&damaged[..], "the recording is damaged at byte"),
+        (&own[..own.len() - 4], "its last record, at byte"),
+    ] {
+        std::fs::write(&recorded.frames, bytes).expect("writable");
+        let (mut replay, _) = watched(&recorded);
+        let found: Vec<String> = replay.damage().map(|it| it.to_string()).collect();
+        assert!(found.len() == 1 && found[0].contains(named), "{found:?}");
+        let is_told =
+            |event: &Event| matches!(event, Event::Notice(it) if it.text.to_string() == found[0]);
+        let told = [replay.tick(FRAME), replay.tick(FRAME * 2)];
+        let counts = told.map(|events| events.iter().filter(|it| is_told(it)).count());
+        assert_eq!(counts, [1, 0], "{named}");
+    }
+}
+
+#[test]
 fn a_journal_of_another_flight_is_reported_and_left_out() {
     let recorded = recorded_with(&run_left());
     let (replay, _) = watched(&recorded);
