@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::str::FromStr;
 
+use strum::EnumTryAs;
+
 use super::kind::Switch;
 use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
@@ -10,7 +12,7 @@ use crate::language::VehicleChoice;
 use crate::text;
 use crate::text::Text;
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, EnumTryAs)]
 pub(in crate::language) enum Value {
     Flag,
     Number(f64),
@@ -69,54 +71,22 @@ impl Arguments {
     }
 
     pub fn number(&self, name: &str) -> Option<f64> {
-        match self.get(name)? {
-            Value::Number(number) => Some(*number),
-            Value::Flag
-            | Value::Word(_)
-            | Value::Vehicles(_)
-            | Value::Point(_)
-            | Value::Area(_)
-            | Value::Items(_) => None,
-        }
+        self.get(name)?.try_as_number_ref().copied()
     }
 
     pub fn word(&self, name: &str) -> Option<&str> {
-        match self.get(name)? {
-            Value::Word(word) => Some(word),
-            Value::Flag
-            | Value::Number(_)
-            | Value::Vehicles(_)
-            | Value::Point(_)
-            | Value::Area(_)
-            | Value::Items(_) => None,
-        }
+        self.get(name)?.try_as_word_ref().map(String::as_str)
     }
 
     /// All values of a repeatable argument.
     pub fn words(&self, name: &str) -> Vec<&str> {
         let named = self.values.iter().filter(|(known, _, _)| *known == name);
-        let words = named.filter_map(|(_, value, _)| match value {
-            Value::Word(word) => Some(word.as_str()),
-            Value::Flag
-            | Value::Number(_)
-            | Value::Vehicles(_)
-            | Value::Point(_)
-            | Value::Area(_)
-            | Value::Items(_) => None,
-        });
-        words.collect()
+        let words = named.filter_map(|(_, value, _)| value.try_as_word_ref());
+        words.map(String::as_str).collect()
     }
 
     pub fn point(&self, name: &str) -> Option<LatLon> {
-        match self.get(name)? {
-            Value::Point(point) => Some(*point),
-            Value::Flag
-            | Value::Number(_)
-            | Value::Word(_)
-            | Value::Vehicles(_)
-            | Value::Area(_)
-            | Value::Items(_) => None,
-        }
+        self.get(name)?.try_as_point_ref().copied()
     }
 
     /// Vehicles that the form requires.
@@ -125,27 +95,11 @@ impl Arguments {
     }
 
     pub fn vehicles(&self, name: &str) -> Option<VehicleChoice> {
-        match self.get(name)? {
-            Value::Vehicles(choice) => Some(choice.clone()),
-            Value::Flag
-            | Value::Number(_)
-            | Value::Word(_)
-            | Value::Point(_)
-            | Value::Area(_)
-            | Value::Items(_) => None,
-        }
+        self.get(name)?.try_as_vehicles_ref().cloned()
     }
 
     pub fn area(&self, name: &str) -> Option<&Outline> {
-        match self.get(name)? {
-            Value::Area(outline) => Some(outline),
-            Value::Flag
-            | Value::Number(_)
-            | Value::Word(_)
-            | Value::Vehicles(_)
-            | Value::Point(_)
-            | Value::Items(_) => None,
-        }
+        self.get(name)?.try_as_area_ref()
     }
 
     /// An area that the form requires.
@@ -155,10 +109,8 @@ impl Arguments {
 
     /// Items that the form requires.
     pub fn required_items(&self, name: &'static str) -> Result<Items, Problem> {
-        match self.get(name) {
-            Some(Value::Items(items)) => Ok(*items),
-            _ => Err(Problem::missing(name)),
-        }
+        let items = self.get(name).and_then(Value::try_as_items_ref);
+        items.copied().ok_or_else(|| Problem::missing(name))
     }
 
     /// A number that the form requires.
