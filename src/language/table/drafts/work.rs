@@ -1,4 +1,4 @@
-//! The forms of `draft` that divide work among vehicles.
+//! The forms of `draft` that divide work among vehicles, and fly the plans in simulation.
 
 use super::super::plans::tasks::{SWEEP, course};
 use super::super::swarm::{COURSE, LINES, PATTERN, REACH};
@@ -14,11 +14,32 @@ const DRAWN: Argument =
 const AROUND: Argument =
     Argument::keyed("around", "around", Kind::Point, "argument-draft-place").optional();
 
-pub(super) const SURVEY_AREA: Form = Form::new(&[SURVEY, TARGETS, LINES, UP, COURSE, DRAWN], sweep);
+pub(super) const FORMS: &[Form] = &[
+    SURVEY_AREA,
+    SEARCH_AREA,
+    SEARCH_AROUND,
+    Form::new(
+        &[says("rehearse", "argument-draft-rehearse"), TARGETS],
+        |given| attempt(given, false),
+    ),
+    Form::new(
+        &[says("deconflict", "argument-draft-deconflict"), TARGETS],
+        |given| attempt(given, true),
+    ),
+];
 
-pub(super) const SEARCH_AREA: Form = Form::new(&[SEARCH, SWEEP, TARGETS, LINES, UP, DRAWN], sweep);
+fn attempt(given: &Arguments, is_apart: bool) -> Built {
+    line(DraftLine::Try {
+        is_apart,
+        vehicles: given.vehicles("targets"),
+    })
+}
 
-pub(super) const SEARCH_AROUND: Form = Form::new(
+const SURVEY_AREA: Form = Form::new(&[SURVEY, TARGETS, LINES, UP, COURSE, DRAWN], sweep);
+
+const SEARCH_AREA: Form = Form::new(&[SEARCH, SWEEP, TARGETS, LINES, UP, DRAWN], sweep);
+
+const SEARCH_AROUND: Form = Form::new(
     &[SEARCH, PATTERN, TARGETS, AROUND, REACH, LINES, UP],
     search,
 );
