@@ -1,6 +1,7 @@
 //! Whether a list is fit for a vehicle: the findings of a check, by the vehicle's own rules.
 
-use super::{Desk, PlanOnFile, Wanted, whole};
+use super::list::{Wanted, whole};
+use super::{Desk, PlanOnFile};
 use crate::plan::check::{Severity, check};
 use crate::plan::{Document, Home, ListKind};
 use crate::preflight::finding_words;

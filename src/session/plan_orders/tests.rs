@@ -3,11 +3,16 @@
 use mavlink::dialects::ardupilotmega::{MavMessage, PARAM_SET_DATA};
 
 use super::*;
+use crate::commands::{PlanCommand, PlanDeed, PlanSource};
 use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::EntryId;
+use crate::ledger::RowUpdate;
+use crate::plan::{Item, ListKind, command};
 use crate::session::{Session, Want};
+use crate::text::Text;
 use crate::vehicle::Transfer;
+use crate::vehicle::VehicleId;
 use crate::wire::Encoder;
 
 mod broken;

@@ -8,9 +8,10 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
+use super::list::document_of;
 use super::reading::{Read, Reading};
 use super::sending::{Sending, Sent};
-use super::{Desk, PlanShelf, compare, document_of, packed};
+use super::{Desk, PlanShelf, compare, packed};
 use crate::plan::{ContentHash, Document, Item, ListKind};
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::logs::hands_out_files;

@@ -1,0 +1,239 @@
+//! The order in progress.
+
+use std::time::Duration;
+
+use super::list::{Wanted, document_of};
+use super::transaction::{Outcome, Transaction};
+use super::wanted::named;
+use super::{Desk, PlanShelf, compare, judging};
+use crate::commands::{PlanCommand, PlanDeed};
+use crate::ledger::{RowState, RowUpdate};
+use crate::plan::{Item, ListKind};
+use crate::session::VehicleCommand;
+use crate::session::ftp::{FtpClient, FtpEvent, FtpTicket};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId};
+use crate::wire::Frame;
+
+/// The order in progress, and its transfer.
+#[derive(Debug, Clone)]
+pub(super) struct Job {
+    /// The order whose row shows the progress; `None` for a list that the mission puts on board.
+    order: Option<VehicleCommand>,
+    command: PlanCommand,
+    transaction: Box<Transaction>,
+    /// Warnings about the list that is sent.
+    warnings: Vec<Text>,
+    /// The progress last reported, and whether the link was lost then.
+    told: Option<(u8, bool)>,
+}
+
+/// The end of an order.
+pub(super) struct Ended {
+    pub is_done: bool,
+    /// Whether it is known what the vehicle holds.
+    pub is_known: bool,
+    /// Whether the list was one that the mission puts on board.
+    pub is_of_stock: bool,
+}
+
+/// How an order ends, in its row.
+type Ending = (RowState, Text);
+
+impl Job {
+    /// Advances the transfer, and says how the order has ended.
+    pub fn poll(&mut self, shelf: Option<&dyn PlanShelf>, desk: &mut Desk<'_>) -> Option<Ended> {
+        let Some(outcome) = self.transaction.poll(shelf, desk) else {
+            self.tell_progress(desk);
+            return None;
+        };
+        let is_known = outcome != Outcome::Unknown;
+        self.put_away(&outcome, shelf, desk.vehicle.id);
+        let (state, text) = self.finish(outcome, shelf, desk);
+        self.report(state, Some(text), desk);
+        Some(Ended {
+            is_done: state == RowState::Done,
+            is_known,
+            is_of_stock: self.order.is_none(),
+        })
+    }
+
+    pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
+        self.transaction.begin_anew(ftp, now);
+    }
+
+    pub fn receive(&mut self, frame: &Frame, desk: &mut Desk<'_>) {
+        self.transaction.receive(frame, desk);
+    }
+
+    pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
+        self.transaction.hear_file(ticket, event, now);
+    }
+
+    /// Begins a transfer, before which any reading makes way.
+    pub fn begin(
+        order: Option<VehicleCommand>,
+        command: PlanCommand,
+        wanted: Wanted,
+        desk: &mut Desk<'_>,
+    ) -> Self {
+        let mut messages = Vec::new();
+        desk.plans.make_way(desk.now, &mut messages);
+        desk.output.send(messages);
+        let transaction = Transaction::new(command.kind, wanted.items, desk);
+        Self {
+            order,
+            command,
+            transaction: Box::new(transaction),
+            warnings: wanted.warnings,
+            told: None,
+        }
+    }
+
+    pub fn report(&self, state: RowState, explanation: Option<Text>, desk: &mut Desk<'_>) {
+        let Some(order) = &self.order else {
+            return;
+        };
+        let row = RowUpdate {
+            entry: order.entry,
+            vehicle: desk.vehicle.id,
+            state,
+            tries: 1,
+            at: desk.now,
+            explanation,
+        };
+        desk.output.row(row);
+    }
+
+    fn tell_progress(&mut self, desk: &mut Desk<'_>) {
+        let told = (self.transaction.percent(), desk.vehicle.link.lost);
+        if self.told == Some(told) {
+            return;
+        }
+        self.told = Some(told);
+        let explanation = if desk.vehicle.link.lost {
+            Some(text!("plan-stage-lost"))
+        } else {
+            self.transaction
+                .is_restoring()
+                .then(|| text!("plan-stage-restoring"))
+        };
+        self.report(RowState::InProgress(told.0), explanation, desk);
+    }
+
+    /// Removes the stored old list, unless it may still be needed.
+    fn put_away(&self, outcome: &Outcome, shelf: Option<&dyn PlanShelf>, vehicle: VehicleId) {
+        let writes = match self.command.deed {
+            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+            PlanDeed::Download { .. } | PlanDeed::Show => false,
+        };
+        let is_over = match outcome {
+            Outcome::Written(_) | Outcome::Same(_) => writes,
+            // The list before this transfer may itself be an incomplete one.
+            Outcome::Kept(..) | Outcome::Restored(..) => self.transaction.is_stored(),
+            Outcome::Read(_)
+            | Outcome::Changed(_)
+            | Outcome::Unfamiliar(_)
+            | Outcome::Unsupported
+            | Outcome::Unread
+            | Outcome::Unknown => false,
+        };
+        if let Some(shelf) = shelf.filter(|_| is_over) {
+            shelf.release(vehicle, self.command.kind);
+        }
+    }
+
+    /// Notes what the vehicle holds, and says how the order has ended.
+    fn finish(
+        &self,
+        outcome: Outcome,
+        shelf: Option<&dyn PlanShelf>,
+        desk: &mut Desk<'_>,
+    ) -> Ending {
+        let kind = self.command.kind;
+        let is_unknown = outcome == Outcome::Unknown;
+        let (held, ending) = self.ended(outcome, shelf, desk.vehicle);
+        if let Some(items) = held {
+            desk.plans.learn(desk.vehicle, kind, items, desk.now);
+        } else {
+            if is_unknown {
+                desk.plans.forget_acknowledged(kind);
+            }
+            desk.plans.read_again(kind, desk.now);
+        }
+        ending
+    }
+
+    /// The list that the vehicle holds, if known, and how the order has ended.
+    fn ended(
+        &self,
+        outcome: Outcome,
+        shelf: Option<&dyn PlanShelf>,
+        vehicle: &Vehicle,
+    ) -> (Option<Vec<Item>>, Ending) {
+        let kind = self.command.kind;
+        let done = |message, items: Vec<Item>| {
+            let text = self.warned(counted(message, kind, &items));
+            (Some(items), (RowState::Done, text))
+        };
+        let refused = |message, items: Vec<Item>| {
+            let text = counted(message, kind, &items);
+            (Some(items), (RowState::Refused, text))
+        };
+        match outcome {
+            Outcome::Read(items) => {
+                let ending = self.was_read(&items, shelf, vehicle);
+                (Some(items), ending)
+            }
+            Outcome::Written(items) => done("outcome-plan-written", items),
+            Outcome::Same(items) => done("outcome-plan-same", items),
+            Outcome::Changed(items) => refused("refused-plan-changed", items),
+            Outcome::Unfamiliar(items) => refused("refused-plan-unfamiliar", items),
+            Outcome::Kept(items, reason) => {
+                let text = text!("outcome-plan-kept", reason = reason);
+                (Some(items), (RowState::Refused, text))
+            }
+            Outcome::Restored(items, reason) => {
+                let text = text!("outcome-plan-restored", reason = reason);
+                (Some(items), (RowState::Refused, text))
+            }
+            Outcome::Unsupported => (None, (RowState::Refused, text!("refused-plan-no-list"))),
+            Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
+            Outcome::Unknown => (None, (RowState::TimedOut, text!("outcome-plan-unknown"))),
+        }
+    }
+
+    /// An outcome with the warnings about the list.
+    fn warned(&self, outcome: Text) -> Text {
+        let Some(warned) = judging::warned(&self.warnings) else {
+            return outcome;
+        };
+        Text::joined("; ", vec![outcome, warned])
+    }
+
+    fn was_read(&self, items: &[Item], shelf: Option<&dyn PlanShelf>, vehicle: &Vehicle) -> Ending {
+        let kind = self.command.kind;
+        let (PlanDeed::Download { file }, Some(shelf)) = (&self.command.deed, shelf) else {
+            return (RowState::Done, counted("outcome-plan-read", kind, items));
+        };
+        match shelf.write(&named(file, vehicle), kind, &document_of(kind, items)) {
+            Ok(path) => {
+                let count = compare::own(kind, items).len();
+                let text = text!("outcome-plan-saved", count = count, file = path);
+                (RowState::Done, text)
+            }
+            Err(reason) => (RowState::Refused, reason),
+        }
+    }
+}
+
+/// A message about a list with its length and its fingerprint.
+fn counted(message: &'static str, kind: ListKind, items: &[Item]) -> Text {
+    let own = compare::own(kind, items);
+    let mark = compare::mark(own);
+    Text::new(
+        message,
+        vec![("count", own.len().into()), ("mark", mark.into())],
+    )
+}

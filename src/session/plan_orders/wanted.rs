@@ -1,0 +1,69 @@
+//! What an order is to bring about: the list to send, or why it cannot be sent.
+
+use mavlink::dialects::ardupilotmega::MavAutopilot;
+
+use super::list::Wanted;
+use super::{Desk, PlanOnFile, PlanShelf, judging};
+use crate::commands::{PlanCommand, PlanDeed, PlanSource};
+use crate::plan::{Document, ListKind};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// HEARTBEAT's autopilot of `ArduPilot`.
+const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+
+/// The list that an order is to put on board of a vehicle.
+///
+/// # Errors
+/// Why the order cannot be carried out.
+pub(super) fn wanted(
+    command: &PlanCommand,
+    shelf: Option<&dyn PlanShelf>,
+    desk: &Desk<'_>,
+) -> Result<Wanted, Text> {
+    let vehicle = &*desk.vehicle;
+    let writes = match &command.deed {
+        PlanDeed::Upload { .. } | PlanDeed::Clear => true,
+        PlanDeed::Download { .. } | PlanDeed::Show => false,
+    };
+    let is_ardupilot = vehicle
+        .heartbeat
+        .is_some_and(|it| it.autopilot == ARDUPILOT);
+    if writes && !is_ardupilot {
+        return Err(text!("refused-plan-autopilot"));
+    }
+    match &command.deed {
+        PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
+        PlanDeed::Download { .. } | PlanDeed::Show => Ok(Wanted::default()),
+        PlanDeed::Clear if command.kind == ListKind::Plan && vehicle.flies_plan() => {
+            Err(text!("refused-plan-clear-auto"))
+        }
+        PlanDeed::Clear => Ok(Wanted {
+            items: Some(Vec::new()),
+            ..Wanted::default()
+        }),
+        PlanDeed::Upload { source } => {
+            let content = match source {
+                PlanSource::Document(document) => PlanOnFile {
+                    document: Document::clone(document),
+                    notes: Vec::new(),
+                },
+                PlanSource::Remarked(document, remark) => PlanOnFile {
+                    document: Document::clone(document),
+                    notes: vec![(command.kind, remark.clone())],
+                },
+                PlanSource::File(file) => {
+                    let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
+                    shelf.read(&named(file, vehicle))?
+                }
+            };
+            judging::checked(content, command.kind, desk)
+        }
+    }
+}
+
+/// A file's name for a vehicle: `{id}` stands for its number.
+pub(super) fn named(file: &str, vehicle: &Vehicle) -> String {
+    file.replace("{id}", &vehicle.id.to_string())
+}
