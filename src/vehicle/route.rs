@@ -269,12 +269,15 @@ impl<'a> Route<'a> {
 
     fn return_s(&self, at: &Waystate, is_current: bool) -> Option<f64> {
         let home = self.vehicle.home.filter(|_| self.is_copter)?;
-        let sinks = self
-            .vehicle
-            .global
-            .is_some_and(|global| global.down_m_s > SINKING_M_S);
-        if is_current && sinks && at.place.distance_m(home.at_point) < ARRIVED_M {
-            return Some(Pace::default().touchdown(at.height_m.max(0.0)).time_s);
+        if is_current && at.place.distance_m(home.at_point) < ARRIVED_M {
+            let (pace, height_m) = (Pace::default(), at.height_m.max(0.0));
+            let down_m_s = self.vehicle.global.map_or(0.0, |global| global.down_m_s);
+            // A vehicle that rises is at the beginning of its return.
+            if down_m_s > SINKING_M_S {
+                return Some(pace.touchdown(height_m).time_s);
+            } else if down_m_s >= -SINKING_M_S {
+                return Some(pace.above_home(height_m).time_s);
+            }
         }
         let wind = self.vehicle.wind;
         Some(return_s(at.place, home.at_point, at.height_m, wind))

@@ -21,8 +21,10 @@ const CIRCLE_RATE_DEG_S: f64 = 20.0;
 const RETURN_HEIGHT_M: f64 = 15.0;
 /// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
 const CONE_SLOPE: f64 = 3.0;
-/// The time of a return for acceleration and braking, and `RTL_LOIT_TIME`.
-const RETURN_PAUSES_S: f64 = 10.0;
+/// The time of a return for acceleration and braking.
+const RETURN_CHANGES_S: f64 = 5.0;
+/// `RTL_LOIT_TIME`.
+const RETURN_WAIT_S: f64 = 5.0;
 /// The time from the touchdown until the motors stop.
 const STOP_S: f64 = 2.0;
 /// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
@@ -133,6 +135,11 @@ impl Pace {
         self.landing(height_m) + Effort::hover(STOP_S)
     }
 
+    /// The effort of a return that has reached home: the wait above it, and the way to the ground.
+    pub fn above_home(&self, height_m: f64) -> Effort {
+        Effort::hover(RETURN_WAIT_S) + self.touchdown(height_m)
+    }
+
     /// The effort of a return from a distance and a height above home against a headwind, until the motors have stopped.
     pub fn homeward(&self, distance_m: f64, height_m: f64, headwind_m_s: f64) -> Effort {
         let cone_m = (distance_m * CONE_SLOPE).max(height_m);
@@ -142,8 +149,8 @@ impl Pace {
             fastest_m_s.clamp(SLOWEST_RETURN_M_S, self.speed_m_s.max(SLOWEST_RETURN_M_S));
         self.rise(top_m - height_m)
             + Effort::level(distance_m / speed_m_s, speed_m_s + headwind_m_s)
-            + Effort::hover(RETURN_PAUSES_S)
-            + self.touchdown(top_m)
+            + Effort::hover(RETURN_CHANGES_S)
+            + self.above_home(top_m)
     }
 
     /// The seconds lost by braking and gathering speed where the way turns by an angle: a copter comes nearly to rest at
