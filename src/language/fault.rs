@@ -167,15 +167,19 @@ fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Conte
     }
 }
 
+/// The most words of plan commands that a fault names.
+const MOST_WORDS: usize = 12;
+
 /// The names near to a word in place of a command of a plan, and where to find them all.
 fn near_commands(word: &str, names: &[String]) -> Text {
     let names = near(word, names.iter().map(String::as_str)).into_iter();
     let quoted: Vec<Text> = names.map(|name| format!("`{name}`").into()).collect();
     let meant =
         (!quoted.is_empty()).then(|| text!("grammar-did-you-mean-any", names = either(quoted)));
-    let words = field::short_plan_words().collect::<Vec<_>>().join(", ");
+    let words: Vec<&str> = field::short_plan_words().take(MOST_WORDS).collect();
+    let words = words.join(", ");
     let list = text!("grammar-plan-commands", words = words);
-    Text::joined("; ", meant.into_iter().chain([list]).collect())
+    Text::joined(" ", meant.into_iter().chain([list]).collect())
 }
 
 /// A list of the valid names, if only a name from a list was possible.

@@ -171,9 +171,14 @@ impl Form {
         }
     }
 
-    /// The words that it begins with, before its values: `fence circle` in `draft fence circle 150`.
+    /// The words that it begins with, before its values: `fence circle` in `draft fence circle 150`, `open` in
+    /// `draft open FILE`.
     pub(super) fn beginning(&self) -> impl Iterator<Item = &'static str> {
-        let is_said = |argument: &&Argument| argument.kind == Kind::Flag && !argument.optional;
+        let is_only = self.arguments.len() == 1;
+        let is_said = move |argument: &&Argument| {
+            let is_word = argument.kind == Kind::Flag || is_only && !argument.keyword.is_empty();
+            is_word && !argument.optional
+        };
         let said = self.arguments.iter().take_while(is_said);
         said.map(|argument| argument.keyword)
     }

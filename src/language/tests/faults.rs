@@ -187,6 +187,12 @@ fn a_fault_shows_the_usage_of_the_form_that_was_meant() {
             "example `plan goto 7`",
         ),
         (
+            "plan upload",
+            "",
+            "plan upload needs FILE",
+            "example `plan upload survey.waypoints`",
+        ),
+        (
             "plan survey",
             "",
             "plan survey needs `n`",
@@ -251,13 +257,13 @@ fn a_fault_in_a_draft_names_its_own_word() {
             "draft add wrongcommand",
             "wrongcommand",
             "unknown plan command `wrongcommand`",
-            "completion lists the commands: waypoint, loiter",
+            "completion lists all commands, such as waypoint, loiter",
         ),
         (
             "draft command 4 trns",
             "trns",
             "unknown plan command",
-            "did you mean `turns`?; completion lists",
+            "did you mean `turns`? completion lists",
         ),
     ];
     check_with(|line| parse(line, &context), cases);
