@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::app::effect::ReplayEffect;
-use crate::app::event::{Event, LinkEvent, ReplayEvent, SessionEvent, Started};
+use crate::app::event::{Event, LinkEvent, ReplayEvent, Started};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::ReplayView;
 use crate::config::Config;
@@ -349,8 +349,11 @@ fn warning(text: Text) -> Event {
 /// The events at the start of a replay.
 fn begin(view: ReplayView, started: Started) -> Vec<Event> {
     vec![
-        ReplayEvent::Opened(Box::new(view)).into(),
-        SessionEvent::Started(Box::new(started)).into(),
+        ReplayEvent::Opened {
+            view: Box::new(view),
+            started: Box::new(started),
+        }
+        .into(),
         LinkEvent::Findings(vec![LinkFinding {
             link: LINK.into(),
             way: Way::File,

@@ -167,8 +167,10 @@ pub enum ProcessEvent {
 /// The course of a session.
 #[derive(Debug, Clone)]
 pub enum SessionEvent {
-    /// A session has begun; it replaces the one before.
+    /// A session has begun; it replaces the one before, or a replay.
     Started(Box<Started>),
+    /// The session or the replay before has ended, and the next one could not be started.
+    Ended,
     /// Simulated time stopped or resumed.
     Paused(bool),
     /// The speed-up has changed.
@@ -184,8 +186,11 @@ pub enum SessionEvent {
 /// The course of a replay. Recorded telemetry and occurrences arrive as their original events.
 #[derive(Debug, Clone)]
 pub enum ReplayEvent {
-    /// A recording was opened; its session follows as a started one.
-    Opened(Box<ReplayView>),
+    /// A recording was opened; its session replaces the one before.
+    Opened {
+        view: Box<ReplayView>,
+        started: Box<Started>,
+    },
     /// The recording has been read to its end: its length and content.
     Known {
         length: Duration,

@@ -82,6 +82,8 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 pub struct State<R> {
     /// Flight time: since the start of the program, or of the recording in a replay.
     pub(in crate::app) now: Duration,
+    /// The program's clock, without the pauses of a session; it also runs during a replay.
+    pub(in crate::app) clock: Duration,
     /// The replay, if there is one.
     pub(in crate::app) replay: Option<ReplayView>,
     /// Another flight of the mission, shown beside this one.
@@ -133,6 +135,7 @@ impl<R: Default> State<R> {
     pub(in crate::app) fn new(setup: Setup) -> Self {
         Self {
             now: Duration::ZERO,
+            clock: Duration::ZERO,
             wall: Duration::ZERO,
             replay: None,
             ghost: None,
@@ -174,6 +177,12 @@ impl<R> State<R> {
     /// Marks the screen as changed.
     pub fn touch(&mut self) {
         self.revision += 1;
+    }
+
+    /// Ends the replay, if there is one: time is the program's again.
+    pub(in crate::app) fn leave_replay(&mut self) {
+        self.replay = None;
+        self.now = self.clock;
     }
 
     /// The number of a log's entries.

@@ -38,6 +38,7 @@ mod replay;
 mod review;
 mod selection;
 mod show;
+mod start;
 mod telemetry;
 mod typing;
 
@@ -207,7 +208,8 @@ fn processes(state: &mut State, event: ProcessEvent) {
 fn session(state: &mut State, event: SessionEvent) {
     state.touch();
     match event {
-        SessionEvent::Started(started) => telemetry::started(state, *started),
+        SessionEvent::Started(started) => start::started(state, *started),
+        SessionEvent::Ended => consequence::go_home(state),
         SessionEvent::Paused(paused) => mission::paused(state, paused),
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),

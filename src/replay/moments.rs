@@ -89,6 +89,7 @@ impl Lookout {
                 )
                 | Event::Session(
                     SessionEvent::Started(_)
+                    | SessionEvent::Ended
                     | SessionEvent::Paused(_)
                     | SessionEvent::Speedup(_)
                     | SessionEvent::Ghost(_),

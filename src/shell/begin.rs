@@ -160,6 +160,7 @@ impl Console {
     }
 
     async fn start(&mut self, plan: SessionPlan) -> Result<(), Text> {
+        let is_something_open = self.running.is_some() || self.replaying.is_some();
         // The old session ends first: the new one may need its ports.
         self.end_session();
         self.store_flights();
@@ -182,7 +183,11 @@ impl Console {
             forwards: self.options.forwards.clone(),
         };
         let before = std::mem::take(&mut self.ending);
-        let (running, started) = RunningSession::start(plan, &backend, before).await?;
+        let begun = RunningSession::start(plan, &backend, before).await;
+        if begun.is_err() && is_something_open {
+            self.post(SessionEvent::Ended);
+        }
+        let (running, started) = begun?;
         self.running = Some(running);
         self.post(SessionEvent::Started(Box::new(started)));
         Ok(())

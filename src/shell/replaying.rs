@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::Console;
 use super::career::Careers;
 use crate::app::effect::ReplayEffect;
-use crate::app::event::{CareerEvent, Event, LinkEvent};
+use crate::app::event::{CareerEvent, Event, LinkEvent, SessionEvent};
 use crate::app::room::messages;
 use crate::record::Happening;
 use crate::replay::Replay;
@@ -32,12 +32,19 @@ impl Console {
         };
         let current = newest.ok_or_else(|| text!("records-none"))?;
         // A recording under way ends first; an empty one is removed.
-        self.end_session();
+        let was_running = self.running.is_some();
+        if was_running {
+            self.end_session();
+        }
         let left = Some(current).filter(|path| path.is_file());
-        let path = left
-            .or_else(|| self.newest_record())
-            .ok_or_else(|| text!("records-none"))?;
-        self.open_replay(&path, review)
+        let opened = match left.or_else(|| self.newest_record()) {
+            Some(path) => self.open_replay(&path, review),
+            None => Err(text!("records-none")),
+        };
+        if opened.is_err() && was_running {
+            self.post(SessionEvent::Ended);
+        }
+        opened
     }
 
     fn newest_record(&self) -> Option<PathBuf> {
@@ -122,6 +129,7 @@ mod tests {
     use super::*;
     use crate::app::State;
     use crate::app::event::TerminalEvent;
+    use crate::app::room::Room;
     use crate::language::SeekTarget;
     use crate::mission::Mission;
     use crate::record::{Head, Subject};
@@ -165,12 +173,19 @@ mod tests {
 
     /// A console that flies the first mission and keeps its records in a folder.
     async fn flying(data: &Path) -> Console {
+        Box::pin(flying_in(data, false)).await
+    }
+
+    /// The same, with rooms or without.
+    async fn flying_in(data: &Path, has_rooms: bool) -> Console {
         let mission = Mission::parse(FIRST).expect("it is good");
         let mut options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
         let limits = RecordLimits::default();
         options.preferences.records = Some(Records::within(data, limits));
         options.preferences.runs = Some(Runs::within(data));
-        let mut console = Console::new(options, false);
+        let mut console = Console::new(options, has_rooms);
+        let (columns, rows) = (120, 40);
+        console.feed(TerminalEvent::Resize { columns, rows }).await;
         console.begin().await;
         console
     }
@@ -302,6 +317,52 @@ mod tests {
                 assert!(is_shown, "at {at:?}: {live:#?}\n{:#?}", near[1][part]);
             }
         }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_session_that_starts_in_a_replay_is_live_and_begins_with_its_brief() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = Box::pin(flying_in(data.path(), true)).await;
+        run(&mut console, 3).await;
+        let begun = crate::shell::key(crossterm::event::KeyCode::Enter);
+        console.feed(begun).await;
+        run(&mut console, 5).await;
+        abandon(&mut console).await;
+        for (opened, line) in [
+            ("replay", "fly 00"),
+            ("review", "fly 00"),
+            ("replay", "fly"),
+            ("replay", "connect udpin:127.0.0.1:0"),
+        ] {
+            say(&mut console, opened).await;
+            run(&mut console, 2).await;
+            assert!(console.app.state().replay().is_some(), "{opened}");
+            say(&mut console, line).await;
+            run(&mut console, 5).await;
+            let state = console.app.state();
+            assert!(console.replaying.is_none() && state.replay().is_none());
+            let is_mission = line == "fly 00";
+            assert_eq!(state.session().is_reading(), is_mission, "{opened} {line}");
+            assert_eq!(state.room() == Room::Mission, is_mission, "{opened} {line}");
+            assert!(!state.session().has_flight_begun(), "{opened} {line}");
+            say(&mut console, "leave").await;
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_session_that_cannot_start_ends_the_replay_too() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = Box::pin(flying(data.path())).await;
+        run(&mut console, 5).await;
+        abandon(&mut console).await;
+        say(&mut console, "replay").await;
+        run(&mut console, 1).await;
+        let taken = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+        let port = taken.local_addr().expect("a port").port();
+        say(&mut console, &format!("connect udpin:127.0.0.1:{port}")).await;
+        run(&mut console, 1).await;
+        let state = console.app.state();
+        assert!(state.replay().is_none() || console.replaying.is_some());
     }
 
     #[tokio::test(start_paused = true)]

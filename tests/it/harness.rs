@@ -10,8 +10,8 @@ use ratatui::backend::TestBackend;
 use sortie::alert::AlertKind;
 use sortie::app::State;
 use sortie::app::effect::Effect;
-use sortie::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
-use sortie::app::state::Activity;
+use sortie::app::event::{Event, ReplayEvent, SessionEvent, Started, TerminalEvent, VehicleEvent};
+use sortie::app::state::{Activity, ReplayView};
 use sortie::app::{App, Setup};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::notice::{Notice, NoticeSource};
@@ -75,7 +75,19 @@ impl Console {
     }
 
     pub fn start(&mut self, activity: Activity) {
-        self.hear(SessionEvent::Started(Box::new(Started {
+        self.hear(SessionEvent::Started(Box::new(Self::started(activity))));
+    }
+
+    /// Opens a recording of a session.
+    pub fn replay(&mut self, view: ReplayView, activity: Activity) -> &mut Self {
+        self.hear(ReplayEvent::Opened {
+            view: Box::new(view),
+            started: Box::new(Self::started(activity)),
+        })
+    }
+
+    fn started(activity: Activity) -> Started {
+        Started {
             mission: matches!(activity, Activity::Mission { .. })
                 .then(|| Box::new(fixtures::listing())),
             activity,
@@ -83,7 +95,7 @@ impl Console {
             areas: Vec::new(),
             processes: None,
             speedup: 1.0,
-        })));
+        }
     }
 
     pub fn hear(&mut self, event: impl Into<Event>) -> &mut Self {

@@ -25,6 +25,7 @@ mod map;
 mod mission;
 mod parameters;
 mod plans;
+mod replay;
 mod review;
 mod rooms;
 mod vehicle;

@@ -57,9 +57,9 @@ fn announce(state: &mut State, effect: &SessionEffect) {
 }
 
 /// Drops the session and shows the home screen. The debrief stays until another session starts.
-fn go_home(state: &mut State) {
+pub fn go_home(state: &mut State) {
     state.session = FlightView::default();
-    state.replay = None;
+    state.leave_replay();
     state.ghost = None;
     let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();

@@ -1,7 +1,7 @@
 //! The course of a replay, and its control.
 
 use super::show::{look_back, show};
-use super::{ending, telemetry};
+use super::{ending, start, telemetry};
 use crate::app::action::ReplayAction;
 use crate::app::effect::{Effect, Effects, ReplayEffect, SessionEffect};
 use crate::app::event::ReplayEvent;
@@ -24,10 +24,7 @@ const KEY_FACTOR: f64 = 2.0;
 /// Handles an event of a replay.
 pub fn happened(state: &mut State, event: ReplayEvent) {
     match event {
-        ReplayEvent::Opened(view) => {
-            state.replay = Some(*view);
-            state.now = Duration::ZERO;
-        }
+        ReplayEvent::Opened { view, started } => start::opened(state, *view, *started),
         ReplayEvent::Known {
             length,
             moments,

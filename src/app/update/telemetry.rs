@@ -6,24 +6,19 @@ use std::time::Duration;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, TerminalEffect};
-use crate::app::event::Started;
 use crate::app::lesson;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{
-    Activity, BellCall, FlightView, Hangar, NoticeLog, Overlay, SeparationLimits, SessionPace,
-    TimeFlow, too_close,
-};
+use crate::app::state::{Activity, BellCall, FlightView, Overlay, SeparationLimits, too_close};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
-use crate::vehicle_id::VehicleIds;
 
 /// How long ago a message may have announced an alert that begins now.
 const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
@@ -34,7 +29,7 @@ const SEPARATION_MS: u128 = 500;
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
     // Messages live for whole seconds, and the debrief shows when it accepts keys.
     let before = (state.wall.as_secs(), state.is_deaf());
-    state.wall = wall;
+    (state.wall, state.clock) = (wall, now);
     if before != (wall.as_secs(), state.is_deaf()) {
         state.touch();
     }
@@ -139,55 +134,6 @@ pub fn signals(state: &mut State) -> Effects {
         .filter(|_| alerts.notify)
         .map(TerminalEffect::Notify);
     ring.into_iter().chain(note).map(Effect::Terminal).collect()
-}
-
-pub fn started(state: &mut State, started: Started) {
-    let mut session = FlightView::new(started.activity, started.places);
-    session.task.listing = started.mission;
-    session.task.areas = started.areas;
-    session.timing.pace = SessionPace::new(started.speedup);
-    session.begin(state.now);
-    if let Some(Activity::Connected { .. }) = session.activity {
-        let expected = state.config.connect.expect.iter();
-        session.expected = expected.flat_map(VehicleIds::iter).collect();
-    }
-    let starting = |expected| Hangar {
-        expected,
-        ..Hangar::default()
-    };
-    session.hangar = started.processes.map(starting);
-    // Earlier notices and drops belong to the previous session.
-    state.notices = NoticeLog::default();
-    state.training.reward = None;
-    let is_again = session.activity == state.session.activity || state.replay.is_some();
-    // A first attempt begins with the brief; a repeat begins in flight.
-    session.first_room = if state.replay.as_ref().is_some_and(|it| it.is_review) {
-        Room::Review
-    } else if session.task.listing.is_some() && !is_again {
-        Room::Mission
-    } else {
-        Room::Fly
-    };
-    if session.first_room == Room::Mission {
-        session.timing.flow = TimeFlow::AwaitsReader;
-    }
-    if is_again {
-        session.choice.groups = std::mem::take(&mut state.session.choice.groups);
-    }
-    state.session = session;
-    state.ghost = None;
-    state.rooms.forget_session();
-    map::began(state);
-    state.typing.targets.clear();
-    // Until the vehicles are there, the hangar shows their start.
-    state.room = if state.session.is_starting() {
-        Room::Hangar
-    } else {
-        state.session.first_room
-    };
-    state.overlay = None;
-    state.hush();
-    state.session.alarms.mute(&state.config.alerts.mute);
 }
 
 pub fn notice(state: &mut State, notice: &Notice) {

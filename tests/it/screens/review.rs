@@ -35,12 +35,12 @@ fn reviewing() -> Console {
     let mut view = ReplayView::new("2026-11-20_m01".to_owned(), 1_763_647_402_000_000, length);
     view.is_review = true;
     view.position.is_playing = false;
-    console.hear(ReplayEvent::Opened(Box::new(view)));
-    console.start(Activity::Mission {
+    let activity = Activity::Mission {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),
         stake: Stake::Graded,
-    });
+    };
+    console.replay(view, activity);
     console.hear(ReplayEvent::Known {
         length,
         moments: Arc::new(vec![

@@ -6,7 +6,6 @@ use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::event::ReplayEvent;
 use sortie::app::state::{Activity, ReplayView, Room};
 use sortie::config::Symbols;
 use sortie::dataflash::JoinedLog;
@@ -216,10 +215,8 @@ fn the_log_of_a_vehicle_gives_curves_in_a_replay() {
     assert_eq!(JoinedLog::read(&log.to_json()), Ok(log.clone()));
     view.log_curves = Arc::new(BTreeMap::from([(log.vehicle, log.curves)]));
     let mut console = Console::new();
-    console.hear(ReplayEvent::Opened(Box::new(view)));
-    console.start(Activity::Connected {
-        addresses: vec!["2026-11-20".to_owned()],
-    });
+    let addresses = vec!["2026-11-20".to_owned()];
+    console.replay(view, Activity::Connected { addresses });
     for id in 1..=4 {
         console.vehicle(fixtures::airborne(id, 60.0, 20.0));
     }

@@ -1,0 +1,90 @@
+//! The start of a session, flown or recorded.
+
+use std::time::Duration;
+
+use crate::app::State;
+use crate::app::event::Started;
+use crate::app::room::Room;
+use crate::app::room::map;
+use crate::app::state::{
+    Activity, FlightView, Hangar, NoticeLog, ReplayView, SessionPace, TimeFlow,
+};
+use crate::vehicle_id::VehicleIds;
+
+/// Begins a session. It replaces the one before, and ends a replay.
+pub fn started(state: &mut State, started: Started) {
+    begin(state, started, None);
+}
+
+/// Begins the session of a recording.
+pub fn opened(state: &mut State, view: ReplayView, started: Started) {
+    begin(state, started, Some(view));
+}
+
+/// Begins a session, of a recording if `replay` is given. Every session begins here, so that neither the one before nor
+/// its replay stays on the screen.
+fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
+    let before = state.session.activity.take();
+    let is_repeat = state.replay.is_none() && before.as_ref() == Some(&started.activity);
+    let is_again = is_repeat || replay.is_some();
+    state.now = match replay {
+        Some(_) => Duration::ZERO,
+        None => state.clock,
+    };
+    let mut session = session(state, started);
+    session.first_room = first_room(&session, is_again, replay.as_ref());
+    if session.first_room == Room::Mission {
+        session.timing.flow = TimeFlow::AwaitsReader;
+    }
+    if is_again {
+        session.choice.groups = std::mem::take(&mut state.session.choice.groups);
+    }
+    state.replay = replay;
+    state.session = session;
+    // Earlier notices and drops belong to the previous session.
+    state.notices = NoticeLog::default();
+    state.training.reward = None;
+    state.ghost = None;
+    state.rooms.forget_session();
+    map::began(state);
+    state.typing.targets.clear();
+    // Until the vehicles are there, the hangar shows their start.
+    state.room = if state.session.is_starting() {
+        Room::Hangar
+    } else {
+        state.session.first_room
+    };
+    state.overlay = None;
+    state.hush();
+    state.session.alarms.mute(&state.config.alerts.mute);
+}
+
+/// The session before anything is known of its vehicles.
+fn session(state: &State, started: Started) -> FlightView {
+    let mut session = FlightView::new(started.activity, started.places);
+    session.task.listing = started.mission;
+    session.task.areas = started.areas;
+    session.timing.pace = SessionPace::new(started.speedup);
+    session.begin(state.now);
+    if let Some(Activity::Connected { .. }) = session.activity {
+        let expected = state.config.connect.expect.iter();
+        session.expected = expected.flat_map(VehicleIds::iter).collect();
+    }
+    let starting = |expected| Hangar {
+        expected,
+        ..Hangar::default()
+    };
+    session.hangar = started.processes.map(starting);
+    session
+}
+
+/// The first room of a session. A first attempt begins with the brief; a repeat begins in flight.
+fn first_room(session: &FlightView, is_again: bool, replay: Option<&ReplayView>) -> Room {
+    if replay.is_some_and(|it| it.is_review) {
+        Room::Review
+    } else if session.task.listing.is_some() && !is_again {
+        Room::Mission
+    } else {
+        Room::Fly
+    }
+}

@@ -1,0 +1,125 @@
+//! The console during a replay: its time line, its keys, its answers, and how it ends.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use sortie::app::effect::{Effect, ReplayEffect};
+use sortie::app::event::{ReplayEvent, SessionEvent};
+use sortie::app::room::Room;
+use sortie::app::state::{Activity, ReplayPosition, ReplayView};
+use sortie::campaign::Stake;
+use sortie::mission::Progress;
+use sortie::moment::{Moment, MomentKind};
+use sortie::text::Text;
+
+use crate::fixtures;
+use crate::harness::Console;
+
+const LENGTH: Duration = Duration::from_secs(312);
+
+fn mission() -> Activity {
+    Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
+    }
+}
+
+fn view() -> ReplayView {
+    ReplayView::new("2026-11-20_m01".to_owned(), 1_763_647_402_000_000, LENGTH)
+}
+
+fn moment(at_s: u64, kind: MomentKind, text: &str) -> Moment {
+    Moment {
+        at: Duration::from_secs(at_s),
+        vehicles: std::iter::empty().collect(),
+        kind,
+        text: Text::verbatim(text),
+    }
+}
+
+/// A replayed mission with three moments.
+fn replaying() -> Console {
+    let mut console = Console::new();
+    console.at(100);
+    console.replay(view(), mission());
+    console.hear(ReplayEvent::Known {
+        length: LENGTH,
+        moments: Arc::new(vec![
+            moment(10, MomentKind::Bookmark, "into the wind"),
+            moment(70, MomentKind::Refusal, "outside the fence"),
+            moment(290, MomentKind::Objective, "the air is measured"),
+        ]),
+        report: Some(Arc::new(fixtures::report())),
+    });
+    console.vehicle(fixtures::airborne(1, 30.0, 20.0));
+    shows(&mut console, ReplayPosition::default());
+    console
+}
+
+/// Shows a position of the recording.
+fn shows(console: &mut Console, position: ReplayPosition) {
+    console.hear(ReplayEvent::At(ReplayPosition {
+        indexed: LENGTH,
+        ..position
+    }));
+}
+
+fn stopped_at(seconds: f64) -> ReplayPosition {
+    ReplayPosition {
+        at: Duration::from_secs_f64(seconds),
+        is_playing: false,
+        ..ReplayPosition::default()
+    }
+}
+
+/// The last line of the screen, which has the time line.
+fn last_line(console: &Console) -> String {
+    let screen = console.screen(80, 24);
+    screen.lines().last().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn a_session_that_starts_in_a_replay_ends_it() {
+    for is_review in [false, true] {
+        let mut console = Console::new();
+        console.at(100);
+        let view = ReplayView {
+            is_review,
+            ..view()
+        };
+        console.replay(view, mission());
+        shows(&mut console, stopped_at(40.0));
+        console.start(mission());
+        console.at(101);
+        assert!(console.state().replay().is_none());
+        assert_eq!(console.state().room(), Room::Mission, "the brief is shown");
+        assert!(console.state().session().is_reading(), "its clock waits");
+        let screen = console.screen(80, 24);
+        assert!(!screen.contains("REPLAY"), "{screen}");
+        console.press("F");
+        console.vehicle(fixtures::parked(1)).give("all arm");
+        assert!(
+            matches!(console.effects.as_slice(), [Effect::Order { .. }]),
+            "it accepts commands: {:?}",
+            console.effects
+        );
+        console.replay(
+            ReplayView {
+                is_review,
+                ..self::view()
+            },
+            mission(),
+        );
+        assert!(console.state().replay().is_some(), "another one opens");
+    }
+}
+
+#[test]
+fn a_session_after_a_replay_begins_at_the_time_of_the_console() {
+    let mut console = replaying();
+    shows(&mut console, stopped_at(40.0));
+    console.at(150);
+    console.start(Activity::Free);
+    assert_eq!(console.state().now(), Duration::from_secs(150));
+}
