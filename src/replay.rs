@@ -64,8 +64,9 @@ pub struct Replay {
     index: Index,
     player: Player,
     contents: Contents,
-    /// The length last reported to the console.
+    /// The length last reported to the console, and the number of gaps.
     known_length: Duration,
+    known_gaps: usize,
     /// Whether the damage of the frames was reported.
     has_told_damage: bool,
 }
@@ -111,6 +112,7 @@ impl Replay {
             contents: Contents::new(&film),
             known_length: Duration::ZERO,
             has_told_damage: false,
+            known_gaps: 0,
             film,
         };
         Ok((replay, events))
@@ -136,6 +138,7 @@ impl Replay {
         if self.index.length().is_some() && !std::mem::replace(&mut self.has_told_damage, true) {
             events.extend(self.index.damage().into_iter().map(warning));
         }
+        events.extend(self.new_gaps());
         events
     }
 
@@ -324,6 +327,13 @@ impl Replay {
     fn at(&self) -> Event {
         let position = self.player.shown(self.stage.now(), self.stage.gap());
         ReplayEvent::At(position).into()
+    }
+
+    /// The gaps found since the last call, together with all before.
+    fn new_gaps(&mut self) -> Option<Event> {
+        let gaps = self.index.gaps();
+        let known = std::mem::replace(&mut self.known_gaps, gaps.len());
+        (gaps.len() > known).then(|| ReplayEvent::Gaps(gaps).into())
     }
 
     /// The index's news since the last call.

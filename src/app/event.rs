@@ -1,6 +1,7 @@
 //! Events, grouped by origin.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -199,6 +200,8 @@ pub enum ReplayEvent {
         /// The mission's report, once it is known.
         report: Option<Arc<Report>>,
     },
+    /// The gaps of the recording found so far, earliest first.
+    Gaps(Arc<Vec<Range<Duration>>>),
     /// The console must return to an earlier or later state.
     Restored(Box<FlightSnapshot>),
     At(ReplayPosition),

@@ -1,5 +1,6 @@
 //! The index of a recording: its moments, and snapshots at many times, from one pass through it.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -64,6 +65,8 @@ struct Found {
     /// The moments, earliest first, without bookmarks.
     moments: Arc<Vec<Moment>>,
     report: Option<Arc<Report>>,
+    /// The gaps of the recording, earliest first.
+    gaps: Arc<Vec<Range<Duration>>>,
     reached: Duration,
     /// Whether the recording has been read to its end.
     is_over: bool,
@@ -123,6 +126,11 @@ impl Index {
         Arc::clone(&self.shared.found().moments)
     }
 
+    /// The gaps found so far, earliest first.
+    pub fn gaps(&self) -> Arc<Vec<Range<Duration>>> {
+        Arc::clone(&self.shared.found().gaps)
+    }
+
     /// The result of the mission, once the recording has been indexed to its end.
     pub fn report(&self) -> Option<Arc<Report>> {
         self.shared.found().report.clone()
@@ -177,6 +185,7 @@ impl IndexReader {
             self.observer.watch(position, &events);
             self.lookout
                 .watch(now, &events, self.observer.app().state());
+            self.note_gap();
             if now >= next_key {
                 self.keep();
                 next_key = now + self.key_every;
@@ -187,6 +196,17 @@ impl IndexReader {
         let mut found = self.shared.found();
         found.damage = self.stage.damage();
         found.is_over = true;
+    }
+
+    /// Adds the current gap, if it is a new one.
+    fn note_gap(&mut self) {
+        let Some(gap) = self.stage.gap_section() else {
+            return;
+        };
+        let mut found = self.shared.found();
+        if found.gaps.last().is_none_or(|last| last.start < gap.start) {
+            Arc::make_mut(&mut found.gaps).push(gap);
+        }
     }
 
     /// Adds a key frame.

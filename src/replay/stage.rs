@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -124,6 +125,12 @@ impl Stage {
     /// The length of the current gap, if any.
     pub fn gap(&self) -> Option<Duration> {
         self.cast.gap
+    }
+
+    /// The current gap, from the last record before it to the first one after it.
+    pub fn gap_section(&self) -> Option<Range<Duration>> {
+        let from = self.cast.last_heard;
+        self.cast.gap.map(|lasts| from..from + lasts)
     }
 
     /// The number of MAVLink frames so far.

@@ -167,6 +167,12 @@ fn a_gap_is_a_gap_and_no_lost_link() {
     assert!(state.session().vehicles().values().all(|it| !it.link.lost));
     seek(&mut replay, &mut observer, s(40));
     assert_eq!(replay.stage.gap(), None);
+    replay.wait_for_index();
+    let gaps = replay.index.gaps();
+    let [gap] = gaps.as_slice() else {
+        panic!("one gap: {gaps:?}");
+    };
+    assert!(gap.end >= gap.start + s(14), "{gap:?}");
     let state = observer.app().state();
     assert!(state.session().vehicles().values().all(|it| !it.link.lost));
     let mut notices = state.notices().lines();

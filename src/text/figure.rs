@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use chrono::DateTime;
 
+/// The longest duration that is written in seconds.
+const LONGEST_IN_SECONDS: u64 = 120;
 /// From these values on, numbers are written with an exponent: numbers with decimals, and whole numbers.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
@@ -65,9 +67,27 @@ pub fn clock(time: Duration) -> String {
     }
 }
 
+/// A duration in words: `90 s`, beyond 120 s `2:05`.
+pub fn lasting(time: Duration) -> String {
+    let seconds = time.as_secs();
+    if seconds <= LONGEST_IN_SECONDS {
+        format!("{seconds} s")
+    } else {
+        format!("{}:{:02}", seconds / 60, seconds % 60)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn durations_are_in_seconds_up_to_two_minutes() {
+        let known = [(5, "5 s"), (120, "120 s"), (121, "2:01"), (3725, "62:05")];
+        for (seconds, words) in known {
+            assert_eq!(lasting(Duration::from_secs(seconds)), words);
+        }
+    }
 
     #[test]
     fn clocks_grow_hours_when_needed() {

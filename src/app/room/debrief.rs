@@ -163,6 +163,8 @@ impl RoomModel for Option<Debrief> {
         does(key('s'), Action::AgainAlike),
         does(key('n'), Action::Debrief(DebriefAction::NextMission)),
         does(key('t'), Action::Start(StartAction::Drill)),
+        // In a replay, `m` lists the moments.
+        does(key('g'), Action::Debrief(DebriefAction::TruthMap)),
         does(key('m'), Action::Debrief(DebriefAction::TruthMap)),
         does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
         does(key('a'), Action::Replay(ReplayAction::ReviewNewest)),

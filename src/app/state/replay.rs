@@ -1,6 +1,7 @@
 //! The console's view of a replay.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -28,6 +29,8 @@ pub struct ReplayView {
     pub position: ReplayPosition,
     /// The moments found so far, earliest first.
     pub moments: Arc<Vec<Moment>>,
+    /// The gaps of the recording found so far, earliest first.
+    pub gaps: Arc<Vec<Range<Duration>>>,
     /// The curves of the vehicles' logs that were joined to it. Their seconds count from the start of the recording.
     pub log_curves: Arc<BTreeMap<VehicleId, LogCurves>>,
     /// The mission's report, once it is known.
@@ -83,6 +86,7 @@ impl ReplayView {
             clock: Arc::default(),
             position: ReplayPosition::default(),
             moments: Arc::default(),
+            gaps: Arc::default(),
             log_curves: Arc::default(),
             report: None,
             review: Review::default(),

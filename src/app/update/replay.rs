@@ -34,6 +34,11 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
                 (view.length, view.moments, view.report) = (length, moments, report);
             }
         }
+        ReplayEvent::Gaps(gaps) => {
+            if let Some(view) = &mut state.replay {
+                view.gaps = gaps;
+            }
+        }
         ReplayEvent::Restored(flight) => snapshot::restore(state, *flight),
         ReplayEvent::At(position) => {
             telemetry::pass(state, position.at);

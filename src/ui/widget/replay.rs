@@ -6,11 +6,14 @@ use chrono::DateTime;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::{Action, ReplayAction};
+use crate::app::action::{Action, DebriefAction, ReplayAction};
 use crate::app::keymap::Place;
+use crate::app::room::Room;
 use crate::app::state::{ReplayView, rate};
 use crate::moment::{Moment, MomentKind};
+use crate::scoring::TruthReport;
 use crate::text;
+use crate::text::{Text, lasting};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -19,12 +22,15 @@ use crate::vehicle_id::ranges;
 
 /// The minimum number of cells for the time line; with fewer, it is left out.
 const SHORTEST: usize = 10;
-/// The minimum number of cells for the time line beside a message; with fewer, the message is above it.
+/// The minimum number of cells for the time line beside keys or a message; with fewer, the keys are left out, and the
+/// message is above it.
 const SHORTEST_BESIDE: usize = 20;
 /// The keys beside the time line get one column in this many, on a screen of at least this width and on a narrower one.
 const WIDE_BAR: usize = 120;
 const WIDE_HINTS: usize = 2;
 const NARROW_HINTS: usize = 4;
+/// The sign of a gap in the recording on the time line.
+const GAP: (&str, Role) = (" ", Role::Muted);
 /// Columns of a moment's kind in the list.
 const KIND_WIDTH: usize = 10;
 /// Below this width, a line shows the kind by its sign alone.
@@ -36,8 +42,8 @@ pub fn badge(view: &ReplayView, look: &Look) -> String {
     let name = look.say("replay-badge");
     if position.is_playing {
         let rate = rate(position.rate);
-        let way = if position.is_backwards { "-" } else { "" };
-        format!(" {name} x{way}{rate} ")
+        let way = if position.is_backwards { "◀ " } else { "" };
+        format!(" {name} {way}x{rate} ")
     } else {
         format!(" {name} {} ", look.say("replay-stopped"))
     }
@@ -61,16 +67,30 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
 
 /// The last line of the screen: the position in the recording, its moments, and the keys.
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
-    let share = if panel.width() < WIDE_BAR {
+    let share = if panel.width() < WIDE_BAR && own_key(state, panel.area.width).is_none() {
         NARROW_HINTS
     } else {
         WIDE_HINTS
     };
-    let line = TimeLine::of(state, view, panel.look);
-    let hints = hints(state, panel.width() / share, panel.look);
-    let cells = line.room_beside(&hints, panel);
-    let cells = cells.filter(|it| *it >= SHORTEST).unwrap_or_default();
-    line.draw(cells, hints, panel.look)
+    let hints = hints(state, panel.width() / share, panel);
+    // On a narrow screen, the keys are left out first, then the remarks; a key that is shown nowhere else stays longer.
+    let mut ways = vec![
+        (Remarks::All, hints.clone(), SHORTEST_BESIDE),
+        (Remarks::All, Vec::new(), SHORTEST),
+        (Remarks::None, Vec::new(), SHORTEST),
+    ];
+    if own_key(state, panel.area.width).is_some() {
+        ways.insert(1, (Remarks::None, hints, SHORTEST));
+    }
+    let fitting = ways.into_iter().find_map(|(remarks, words, least)| {
+        let line = TimeLine::of(state, view, remarks, panel.look);
+        let cells = line.room_beside(&words, panel)?;
+        (cells >= least).then(|| line.draw(cells, words, panel.look))
+    });
+    fitting.unwrap_or_else(|| {
+        let line = TimeLine::of(state, view, Remarks::None, panel.look);
+        line.draw(0, Vec::new(), panel.look)
+    })
 }
 
 /// The last line with a message in place of the keys, if both fit.
@@ -80,11 +100,22 @@ pub fn bar_beside<'a>(
     message: &Line<'a>,
     panel: Panel<'_>,
 ) -> Option<Line<'a>> {
-    let line = TimeLine::of(state, view, panel.look);
     let spans = message.spans.iter().cloned();
     let spans: Vec<Span<'a>> = spans.map(|it| it.patch_style(message.style)).collect();
-    let cells = line.room_beside(&spans, panel)?;
-    (cells >= SHORTEST_BESIDE).then(|| line.draw(cells, spans, panel.look))
+    [Remarks::All, Remarks::None]
+        .into_iter()
+        .find_map(|remarks| {
+            let line = TimeLine::of(state, view, remarks, panel.look);
+            let cells = line.room_beside(&spans, panel)?;
+            (cells >= SHORTEST_BESIDE).then(|| line.draw(cells, spans.clone(), panel.look))
+        })
+}
+
+/// The remarks after the position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Remarks {
+    All,
+    None,
 }
 
 /// The time line of a replay, and the times at its ends.
@@ -95,10 +126,14 @@ struct TimeLine<'a> {
 }
 
 impl<'a> TimeLine<'a> {
-    fn of(state: &State, view: &'a ReplayView, look: &Look) -> Self {
+    fn of(state: &State, view: &'a ReplayView, remarks: Remarks, look: &Look) -> Self {
+        let remarks = match remarks {
+            Remarks::All => self::remarks(state, view, look),
+            Remarks::None => String::new(),
+        };
         Self {
             view,
-            position: position(state, view, look),
+            position: format!("{}{remarks}", position(view)),
             end: format!(" {}  ", clock(view.length)),
         }
     }
@@ -121,15 +156,20 @@ impl<'a> TimeLine<'a> {
     }
 }
 
-/// The position in the recording: ` ■ 01:23 `, with the mission's time, the goal and the gap if there are any.
-fn position(state: &State, view: &ReplayView, look: &Look) -> String {
+/// The position in the recording: ` ▶ 01:23 `, or ` ■ 01:23.4 ` while it is stopped, so that single frames differ.
+fn position(view: &ReplayView) -> String {
     let position = &view.position;
-    let sign = match (position.is_playing, position.is_backwards) {
-        (true, false) => "▶",
-        (true, true) => "◀",
-        (false, _) => "■",
-    };
     let at = clock(position.at);
+    match (position.is_playing, position.is_backwards) {
+        (true, false) => format!(" ▶ {at} "),
+        (true, true) => format!(" ◀ {at} "),
+        (false, _) => format!(" ■ {at}.{} ", position.at.subsec_millis() / 100),
+    }
+}
+
+/// The mission's time, the goal, the gap and the stops, if there are any.
+fn remarks(state: &State, view: &ReplayView, look: &Look) -> String {
+    let position = &view.position;
     // The time that the other panes show.
     let shown_elapsed = state.session().mission().map(|it| it.elapsed);
     let elapsed = shown_elapsed.or_else(|| view.clock.mission_time(position.at));
@@ -138,18 +178,55 @@ fn position(state: &State, view: &ReplayView, look: &Look) -> String {
         position
             .goal
             .map(|it| text!("replay-going-to", time = clock(it))),
-        position.gap.map(|it| text!("replay-gap", time = clock(it))),
+        position
+            .gap
+            .map(|it| text!("replay-gap", time = lasting(it))),
+        stops(&position.stops),
     ];
-    let mut shown = format!(" {sign} {at} ");
+    let mut words = String::new();
     for remark in remarks.iter().flatten() {
-        shown.push_str(&look.text(remark));
-        shown.push(' ');
+        words.push_str(&look.text(remark));
+        words.push(' ');
     }
-    shown
+    words
 }
 
-/// The keys, as many as fit.
-fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
+/// The kinds of moments at which the replay stops, by their signs on the time line.
+fn stops(kinds: &[MomentKind]) -> Option<Text> {
+    let signs: Vec<&str> = kinds.iter().map(|&kind| sign(kind).0).collect();
+    (!signs.is_empty()).then(|| text!("replay-stops", signs = signs.join(" ")))
+}
+
+/// The keys, as many as fit; first the one that the room offers only here.
+fn hints<'a>(state: &State, room: usize, panel: Panel<'_>) -> Vec<Span<'a>> {
+    let look = panel.look;
+    let own = own_key(state, panel.area.width);
+    let mut spans = Vec::new();
+    let mut used = 0;
+    for (keys, about) in own.into_iter().chain(keys(state)) {
+        let (keys, about) = (look.text(&keys), look.say(about));
+        used += width(&keys) + width(&about) + 3;
+        if used > room {
+            break;
+        }
+        spans.push(Span::styled(keys, look.style(Role::Key)));
+        spans.push(Span::styled(format!(" {about}  "), look.style(Role::Muted)));
+    }
+    spans
+}
+
+/// The key of the truth, in a debrief that does not show it beside the text.
+fn own_key(state: &State, columns: u16) -> Option<(Text, &'static str)> {
+    let debrief = state.rooms().debrief().as_ref()?;
+    let has_truth = debrief.report().truth != TruthReport::default();
+    let is_behind_key = has_truth && !debrief.is_beside(columns);
+    let truth = Action::Debrief(DebriefAction::TruthMap);
+    let is_here = state.room() == Room::Debrief && is_behind_key;
+    is_here.then(|| (state.key(truth), "hint-truth"))
+}
+
+/// The keys that control the replay, with their meaning.
+fn keys(state: &State) -> impl Iterator<Item = (Text, &'static str)> {
     use ReplayAction::{
         NextMoment, PlayReplay, PreviousMoment, ReplayBack, ReplayForward, ShowMoments,
     };
@@ -162,25 +239,15 @@ fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
         (&[PreviousMoment, NextMoment], "hint-moments"),
         (&[ShowMoments], "hint-moment-list"),
     ];
-    let mut spans = Vec::new();
-    let mut used = 0;
-    for (actions, about) in rows {
-        let keys = actions.iter().map(|&action| {
-            let key = state.keymap().key(Action::Replay(action), Place::Replay);
-            look.text(&key)
-        });
-        let (keys, about) = (keys.collect::<Vec<_>>().join(" "), look.say(about));
-        used += width(&keys) + width(&about) + 3;
-        if used > room {
-            break;
-        }
-        spans.push(Span::styled(keys, look.style(Role::Key)));
-        spans.push(Span::styled(format!(" {about}  "), look.style(Role::Muted)));
-    }
-    spans
+    rows.into_iter().map(|(actions, about)| {
+        let keys = actions
+            .iter()
+            .map(|&action| state.keymap().key(Action::Replay(action), Place::Replay));
+        (Text::joined(" ", keys.collect()), about)
+    })
 }
 
-/// The time line: the played part, the indexed part, the moments, and the repeated stretch.
+/// The time line: the played part, the indexed part, the gaps (blank), the moments, and the repeated stretch.
 fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
     let cell = |at: Duration| {
         let share = at.as_secs_f64() / view.length.as_secs_f64().max(0.001);
@@ -194,6 +261,11 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
             _ => ("·", Role::Muted),
         })
         .collect();
+    for gap in view.gaps.iter() {
+        for sign in &mut line[cell(gap.start)..=cell(gap.end)] {
+            *sign = GAP;
+        }
+    }
     // In one cell, the most important moment is shown.
     let mut moments: Vec<&Moment> = view.moments.iter().collect();
     moments.sort_by_key(|moment| moment.kind.weight());

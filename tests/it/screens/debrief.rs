@@ -18,7 +18,7 @@ use crate::harness::Console;
 
 const MINE: ObjectKind = ObjectKind::Find(FindKind::Mine);
 
-fn truth() -> TruthReport {
+pub(super) fn truth() -> TruthReport {
     let object = |at, kind: ObjectKind, found| ObjectReport {
         at,
         kind,

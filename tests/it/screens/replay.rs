@@ -10,8 +10,10 @@ use sortie::app::state::{Activity, ReplayPosition, ReplayView};
 use sortie::campaign::Stake;
 use sortie::mission::Progress;
 use sortie::moment::{Moment, MomentKind};
+use sortie::scoring::Report;
 use sortie::text::Text;
 
+use super::{check, debrief};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -43,6 +45,8 @@ fn replaying() -> Console {
     let mut console = Console::new();
     console.at(100);
     console.replay(view(), mission());
+    let gap = Duration::from_secs(140)..Duration::from_secs(180);
+    console.hear(ReplayEvent::Gaps(Arc::new(vec![gap])));
     console.hear(ReplayEvent::Known {
         length: LENGTH,
         moments: Arc::new(vec![
@@ -122,4 +126,79 @@ fn a_session_after_a_replay_begins_at_the_time_of_the_console() {
     console.at(150);
     console.start(Activity::Free);
     assert_eq!(console.state().now(), Duration::from_secs(150));
+}
+
+#[test]
+fn the_truth_is_reached_in_the_debrief_of_a_replay() {
+    let mut console = replaying();
+    console.hear(SessionEvent::MissionEnded(Box::new(Report {
+        truth: debrief::truth(),
+        ..fixtures::report()
+    })));
+    console.press("D").at(120);
+    let footer = last_line(&console);
+    assert!(footer.contains("g truth"), "{footer}");
+    let stops = vec![MomentKind::Refusal, MomentKind::Alert];
+    shows(
+        &mut console,
+        ReplayPosition {
+            stops,
+            ..stopped_at(40.0)
+        },
+    );
+    let footer = last_line(&console);
+    assert!(
+        footer.contains("g truth") && footer.contains('●'),
+        "{footer}"
+    );
+    console.press("g");
+    let debrief = console.state().rooms().debrief().as_ref();
+    assert!(debrief.expect("a debrief").shows_map());
+    console.press("m");
+    assert!(console.screen(80, 24).contains("Moments"));
+}
+
+#[test]
+fn tenths_of_a_second_are_shown_while_it_is_stopped() {
+    let mut console = replaying();
+    shows(&mut console, stopped_at(83.4));
+    assert!(last_line(&console).contains("01:23.4"));
+    let playing = ReplayPosition {
+        is_playing: true,
+        ..stopped_at(83.4)
+    };
+    shows(&mut console, playing);
+    assert!(!last_line(&console).contains("01:23.4"));
+}
+
+#[test]
+fn a_gap_leaves_the_time_line_in_sight() {
+    let mut console = replaying();
+    let position = ReplayPosition {
+        gap: Some(Duration::from_secs(5)),
+        ..stopped_at(100.0)
+    };
+    shows(&mut console, position);
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+    let line = last_line(&console);
+    assert!(line.contains('●') && line.contains("05:12"), "{line}");
+    console.give("bookmark here");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("bookmark set"), "{screen}");
+    assert!(last_line(&console).contains('●'), "{screen}");
+    let wide = console.screen(200, 50);
+    assert!(wide.contains("nothing recorded for 5 s"), "{wide}");
+}
+
+#[test]
+fn the_time_line_with_its_gaps_and_stops() {
+    let mut console = replaying();
+    let position = ReplayPosition {
+        gap: Some(Duration::from_secs(40)),
+        stops: vec![MomentKind::Refusal],
+        looped: Some((Duration::from_secs(60), Duration::from_secs(200))),
+        ..stopped_at(150.2)
+    };
+    shows(&mut console, position);
+    check("replay_gap", &console);
 }

@@ -361,7 +361,7 @@ fn the_time_line_is_long_enough_on_a_small_screen() {
     let screen = console.screen(80, 24);
     let last = screen.trim_end().lines().last().unwrap_or_default();
     let cells = last
-        .split_once("00:00 ")
+        .split_once("00:00.0 ")
         .and_then(|(_, rest)| rest.split_once(" 05:12"));
     let (cells, keys) = cells.expect("a time line");
     assert!(cells.chars().count() >= 30, "{last}");
