@@ -23,7 +23,7 @@ use crate::notice::Notice;
 use crate::review::Review;
 use crate::scoring::Report;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, clock};
 use crate::vehicle::Severity;
 
 mod contents;
@@ -145,12 +145,17 @@ impl Replay {
     /// Applies a control of the replay, such as play or seek; returns its events.
     pub fn steer(&mut self, effect: ReplayEffect) -> Vec<Event> {
         match self.control(effect) {
-            Ok(()) => self.approach(),
+            Ok(said) => {
+                let mut events = self.approach();
+                events.extend(said.map(Event::Answer));
+                events
+            }
             Err(fault) => vec![Event::Failed(fault)],
         }
     }
 
-    fn control(&mut self, effect: ReplayEffect) -> Result<(), Text> {
+    /// Returns a remark if the control did something else than its words say.
+    fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
         let now = self.stage.now();
         match effect {
             ReplayEffect::Play(plays) => {
@@ -163,21 +168,21 @@ impl Replay {
             ReplayEffect::Rate(rate) => self.player.set_rate(rate),
             ReplayEffect::Seek(target) => {
                 let goal = self.target(target);
-                self.go_to(goal.ok_or_else(|| self.no_target(target))?);
+                return Ok(self.jump(goal.ok_or_else(|| self.no_target(target))?));
             }
             ReplayEffect::Step { forward } => {
                 self.player.pause();
-                self.go_to(if forward {
-                    now + FRAME
+                return Ok(self.jump(if forward {
+                    (now + FRAME).min(self.length())
                 } else {
                     now.saturating_sub(FRAME)
-                });
+                }));
             }
             ReplayEffect::Moment { forward } => {
                 let goal = self.contents.near(now, forward, None);
-                self.go_to(goal.ok_or_else(|| self.no_moment(forward))?);
+                return Ok(self.jump(goal.ok_or_else(|| self.no_moment(forward))?));
             }
-            ReplayEffect::Show(at) => self.go_to(showing(at)),
+            ReplayEffect::Show(at) => return Ok(self.jump(showing(at).min(self.length()))),
             ReplayEffect::Loop(None) => self.player.repeat(None),
             ReplayEffect::Loop(Some(target)) => {
                 let stretch = self.stretch(target).ok_or_else(|| text!("loop-none"))?;
@@ -186,12 +191,20 @@ impl Replay {
             ReplayEffect::StopAt(kinds) => self.player.stop_at(kinds),
             ReplayEffect::Keep(review) => self.contents.keep(*review)?,
         }
-        Ok(())
+        Ok(None)
     }
 
-    /// Sets the time to go to, up to the end.
-    fn go_to(&mut self, goal: Duration) {
-        self.player.go_to(goal.min(self.length()));
+    /// Goes to a time, up to the end, and leaves the section that is repeated if the time lies outside. Returns a remark
+    /// if either makes a difference.
+    fn jump(&mut self, goal: Duration) -> Option<Text> {
+        let length = self.length();
+        let looped = self.player.repeated();
+        self.player.go_to(goal.min(length));
+        if looped.is_some_and(|(from, to)| !(from..=to).contains(&goal.min(length))) {
+            self.player.repeat(None);
+            return Some(text!("loop-left"));
+        }
+        (goal > length).then(|| text!("seek-beyond", length = clock(length)))
     }
 
     /// The time of a target; `None` if no moment matches.

@@ -48,7 +48,6 @@ impl Player {
     }
 
     /// The stretch that is repeated.
-    #[cfg(test)]
     pub fn repeated(&self) -> Option<(Duration, Duration)> {
         self.position.looped
     }

@@ -1,6 +1,8 @@
 //! The review of a recorded flight: the plan, the course, the reasons and the next steps. The score is explained once
 //! the pilot has answered the last two.
 
+use std::time::Duration;
+
 use crossterm::event::KeyCode;
 
 use super::mission::positions;
@@ -169,6 +171,7 @@ impl RoomModel for Review {
             Press::Plain(KeyCode::Tab),
             Action::View(ViewAction::NextPage),
         ),
+        does(Press::Plain(KeyCode::BackTab), Action::Move(Step::Left)),
         does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
         does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
         writes('+', "review sustain "),
@@ -239,21 +242,27 @@ impl RoomModel for Review {
     }
 }
 
-/// Shows another page; on the moments' page the replay goes to the one under the cursor.
+/// Shows another page. The replay stays where it is; the cursor of the moments is on the one shown.
 fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
     let room = &mut state.rooms.review;
     if room.page == page {
         return Vec::new();
     }
     (room.page, room.scroll) = (page, 0);
-    match page {
-        ReviewPage::Happened => show_moment(state),
-        ReviewPage::Planned
-        | ReviewPage::Why
-        | ReviewPage::Next
-        | ReviewPage::Explained
-        | ReviewPage::Compared => Vec::new(),
+    if page == ReviewPage::Happened {
+        state.rooms.review.cursor = moment_shown(state);
     }
+    Vec::new()
+}
+
+/// The index among the reviewed moments of the last one that has passed; the first if none has.
+fn moment_shown(state: &State) -> usize {
+    let now = state
+        .replay
+        .as_ref()
+        .map_or(Duration::ZERO, |it| it.position.at);
+    let passed = moments(state).partition_point(|it| it.at <= now);
+    passed.saturating_sub(1)
 }
 
 fn walk(state: &mut State, step: Step) -> Vec<RoomRequest> {

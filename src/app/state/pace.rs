@@ -28,8 +28,11 @@ impl Default for SessionPace {
     }
 }
 
-/// A rate without trailing zeros: `4`, `0.5`.
+/// A rate without trailing zeros: `4`, `0.5`, `0.25`.
 pub fn rate(speedup: f64) -> String {
-    let is_broken = speedup.fract() != 0.0;
-    figure(speedup, usize::from(is_broken))
+    let exact = figure(speedup, 2);
+    match exact.split_once('.') {
+        Some(_) => exact.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        None => exact,
+    }
 }

@@ -124,9 +124,15 @@ impl ReplayView {
         here.map(|it| it.at)
     }
 
+    /// The index of the moment at the current position, or of the last one before; the first if none has passed.
+    pub fn current_index(&self) -> Option<usize> {
+        let passed = self.moments.partition_point(|it| it.at <= self.position.at);
+        (!self.moments.is_empty()).then(|| passed.saturating_sub(1))
+    }
+
     /// The moment at the current position, or the last one before.
     pub fn current(&self) -> Option<&Moment> {
-        let passed = self.moments.partition_point(|it| it.at <= self.position.at);
-        self.moments.get(passed.checked_sub(1)?)
+        let shown = self.moments.get(self.current_index()?)?;
+        (shown.at <= self.position.at).then_some(shown)
     }
 }

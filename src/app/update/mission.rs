@@ -133,6 +133,10 @@ pub fn start_exam(state: &mut State, mission: &str) -> Effects {
 
 /// Flies the same mission again, `alike` with the same seed; asks first if something would be lost.
 pub fn restart(state: &mut State, alike: bool) -> Effects {
+    if state.replay.is_some() {
+        state.say(Severity::Notice, text!("restart-not-replay"));
+        return Effects::none();
+    }
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();

@@ -15,11 +15,10 @@ use std::time::Duration;
 
 /// How far a key press jumps.
 const KEY_STEP: Duration = Duration::from_secs(10);
-/// The lowest and the highest rate of a replay.
-const SLOWEST: f64 = 0.1;
-const FASTEST: f64 = 64.0;
-/// The factor per key press.
-const KEY_FACTOR: f64 = 2.0;
+/// The rates that the keys set, from the lowest to the highest rate of a replay.
+const RATES: [f64; 10] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
+const SLOWEST: f64 = RATES[0];
+const FASTEST: f64 = RATES[RATES.len() - 1];
 
 /// Handles an event of a replay.
 pub fn happened(state: &mut State, event: ReplayEvent) {
@@ -93,7 +92,7 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
 /// Replays a file, or the newest record; asks first if something would be lost.
 pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
     let effect = Effect::Session(SessionEffect::Replay { path, review });
-    ending::guarded(state, text!("ask-start"), effect)
+    ending::guarded(state, question, effect)
 }
 
 /// Goes to a moment of the list; `None` for the last.
@@ -121,7 +120,31 @@ pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     if state.replay.is_none() {
         return refuse(state);
     }
+    if let Some(text) = confirmation(&effect) {
+        state.say(Severity::Notice, text);
+    }
     Effects::from(Effect::Replay(effect))
+}
+
+/// The answer to a control whose effect is not visible at once.
+fn confirmation(effect: &ReplayEffect) -> Option<Text> {
+    match effect {
+        ReplayEffect::StopAt(kinds) if kinds.is_empty() => Some(text!("stopat-off")),
+        ReplayEffect::StopAt(kinds) => {
+            let kinds = kinds.iter().map(|kind| kind.text()).collect();
+            Some(text!("stopat-on", kinds = Text::joined(", ", kinds)))
+        }
+        ReplayEffect::Loop(None) => Some(text!("loop-off")),
+        ReplayEffect::Loop(Some(_))
+        | ReplayEffect::Play(_)
+        | ReplayEffect::Rewind
+        | ReplayEffect::Rate(_)
+        | ReplayEffect::Seek(_)
+        | ReplayEffect::Step { .. }
+        | ReplayEffect::Moment { .. }
+        | ReplayEffect::Show(_)
+        | ReplayEffect::Keep(_) => None,
+    }
 }
 
 pub fn play(plays: bool) -> Effects {
@@ -145,11 +168,15 @@ pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
     Effects::from(Effect::Replay(ReplayEffect::Rate(possible)))
 }
 
-/// Changes the rate with a key.
+/// Changes the rate with a key, to the next one in the table.
 pub fn change_rate(state: &mut State, faster: bool) -> Effects {
     let now = state.replay.as_ref().map_or(1.0, |it| it.position.rate);
-    let factor = if faster { KEY_FACTOR } else { 1.0 / KEY_FACTOR };
-    set_rate(state, now * factor)
+    let next = if faster {
+        RATES.into_iter().find(|rate| *rate > now)
+    } else {
+        RATES.into_iter().rfind(|rate| *rate < now)
+    };
+    set_rate(state, next.unwrap_or(now))
 }
 
 /// Sets a bookmark at this moment. In a replay it is stored beside the record; an existing one gets the new text.

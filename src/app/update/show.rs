@@ -2,7 +2,7 @@
 
 use crate::app::State;
 use crate::app::room::{self, Room};
-use crate::app::state::{Log, Overlay};
+use crate::app::state::{Log, Overlay, ReplayView};
 
 pub fn show(state: &mut State, room: Room) {
     state.hush();
@@ -10,9 +10,13 @@ pub fn show(state: &mut State, room: Room) {
     room::entered(state, room);
 }
 
-/// Opens a log at its newest entry.
+/// Opens a log: notices at the newest entry, moments at the one shown.
 pub fn look_back(state: &mut State, log: Log) {
-    state.overlay = Some(Overlay::Log { log, cursor: None });
+    let cursor = match log {
+        Log::Notices => None,
+        Log::Moments => state.replay.as_ref().and_then(ReplayView::current_index),
+    };
+    state.overlay = Some(Overlay::Log { log, cursor });
 }
 
 /// Shows the mission's brief.

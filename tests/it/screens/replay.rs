@@ -159,6 +159,22 @@ fn the_truth_is_reached_in_the_debrief_of_a_replay() {
 }
 
 #[test]
+fn the_list_of_moments_opens_at_the_moment_shown() {
+    let mut console = replaying();
+    shows(&mut console, stopped_at(80.0));
+    console.press("m").press("enter");
+    let shown = |at_s| {
+        [Effect::Replay(ReplayEffect::Show(Duration::from_secs(
+            at_s,
+        )))]
+    };
+    assert_eq!(console.effects, shown(70));
+    shows(&mut console, stopped_at(5.0));
+    console.press("m").press("enter");
+    assert_eq!(console.effects, shown(10));
+}
+
+#[test]
 fn tenths_of_a_second_are_shown_while_it_is_stopped() {
     let mut console = replaying();
     shows(&mut console, stopped_at(83.4));
@@ -169,6 +185,72 @@ fn tenths_of_a_second_are_shown_while_it_is_stopped() {
     };
     shows(&mut console, playing);
     assert!(!last_line(&console).contains("01:23.4"));
+}
+
+#[test]
+fn the_keys_for_the_rate_meet_real_time() {
+    let mut console = replaying();
+    let mut rate = 0.1;
+    let mut press = |key: &str| {
+        let position = ReplayPosition {
+            rate,
+            ..ReplayPosition::default()
+        };
+        shows(&mut console, position);
+        console.press(key);
+        if let [Effect::Replay(ReplayEffect::Rate(set))] = console.effects.as_slice() {
+            rate = *set;
+        }
+        rate
+    };
+    let up: Vec<f64> = (0..10).map(|_| press(">")).collect();
+    let steps = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 64.0];
+    assert_eq!(up, steps);
+    assert_eq!([press("<")], [32.0]);
+}
+
+#[test]
+fn what_a_replay_is_told_is_confirmed() {
+    let mut console = replaying();
+    for (line, said) in [
+        (
+            "stopat refusal alert",
+            "the replay stops at: refusal, alert",
+        ),
+        ("stopat off", "the replay stops at no moments"),
+        ("loop off", "nothing is repeated"),
+        ("restart", "a replay cannot be flown again"),
+    ] {
+        console.give(line);
+        let screen = console.screen(80, 24);
+        assert!(screen.contains(said), "{line}: {screen}");
+    }
+    let position = ReplayPosition {
+        stops: vec![MomentKind::Refusal, MomentKind::Alert],
+        ..ReplayPosition::default()
+    };
+    shows(&mut console, position);
+    console.at(130);
+    let line = last_line(&console);
+    assert!(line.contains("stops at r !"), "{line}");
+}
+
+#[test]
+fn the_pages_of_the_review_leave_the_replay_where_it_is() {
+    let mut console = replaying();
+    let playing = ReplayPosition {
+        at: Duration::from_secs(80),
+        ..ReplayPosition::default()
+    };
+    shows(&mut console, playing);
+    console.press("A").press("tab");
+    assert!(console.effects.is_empty(), "{:?}", console.effects);
+    console.press("up");
+    let first = ReplayEffect::Show(Duration::from_secs(10));
+    assert_eq!(console.effects.last(), Some(&Effect::Replay(first)));
+    assert!(console.screen(80, 24).contains("+ sustain"));
+    console.press("shift-tab");
+    assert!(console.screen(80, 24).contains("objectives"), "a page back");
 }
 
 #[test]
