@@ -18,6 +18,7 @@ home-free-deed = starts
 home-connect-deed = asks for the address
 home-quit-deed = leaves
 home-over = { $session } is over: { $key } shows its debrief
+home-replay = Replay of { $session }: { $key } returns to it
 home-running = { $session } is still running: { $key } returns to it
 home-connect-empty = write an address, such as tcp:127.0.0.1:5760
 home-starting-mission = starting the mission ...

@@ -18,6 +18,7 @@ home-free-deed = почати
 home-connect-deed = ввести адресу
 home-quit-deed = вийти
 home-over = { $session } завершено: { $key } показує розбір
+home-replay = Перегляд: { $session }; { $key } повертає до нього
 home-running = { $session } триває: { $key } повертає туди
 home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
 home-starting-mission = завдання починається ...

@@ -126,6 +126,51 @@ impl ConsoleLine {
     }
 }
 
+impl ConsoleLine {
+    /// Whether it controls a replay, so that it has no effect without one.
+    pub fn needs_replay(&self) -> bool {
+        match self {
+            Self::Unbookmark => true,
+            Self::Replay(line) => match line {
+                ReplayLine::Open(_) => false,
+                ReplayLine::Seek(_)
+                | ReplayLine::Loop(_)
+                | ReplayLine::StopAt(_)
+                | ReplayLine::Rewind => true,
+            },
+            Self::Review(line) => *line != ReviewLine::Open,
+            Self::Forget(_)
+            | Self::Forward(_)
+            | Self::Inject(_)
+            | Self::Process { .. }
+            | Self::Abandon
+            | Self::Restart
+            | Self::Report(_)
+            | Self::Select(_)
+            | Self::Carried { .. }
+            | Self::Group { .. }
+            | Self::Ungroup(_)
+            | Self::Show(_)
+            | Self::Fly(_)
+            | Self::FlyFree
+            | Self::Connect(_)
+            | Self::Macro(_)
+            | Self::Set(_)
+            | Self::Parameters(_)
+            | Self::Table(_)
+            | Self::Alerts(_)
+            | Self::Pause
+            | Self::Continue
+            | Self::Speedup(_)
+            | Self::Bookmark(_)
+            | Self::Draft(_)
+            | Self::Ghost(_)
+            | Self::Leave
+            | Self::Quit => false,
+        }
+    }
+}
+
 /// A command about forwards.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ForwardLine {

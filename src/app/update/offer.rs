@@ -56,6 +56,9 @@ impl Nearness {
 /// Scattered letters count only if there is no better match, and never for the verbs of vehicles.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
+    if state.replay.is_none() {
+        all.retain(|(line, _)| !needs_replay(state, line));
+    }
     let verbs = state.with_context(language::vehicle_verbs);
     all.extend(verbs.clone());
     all.extend(vehicles(state, written));
@@ -97,6 +100,15 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
             replaces: 0..written.len(),
         })
         .collect()
+}
+
+/// Whether a line has an effect only in a replay.
+fn needs_replay(state: &State, line: &str) -> bool {
+    let read = state.with_context(|context| language::parse(line, context));
+    read.is_ok_and(|statement| match statement.meaning {
+        language::Meaning::Console(own) => own.needs_replay(),
+        language::Meaning::Act(_) | language::Meaning::Wait(_) => false,
+    })
 }
 
 /// Synonyms of a line's verb, or the name of the room it leads to, in the screen's language.

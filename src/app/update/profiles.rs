@@ -15,7 +15,7 @@ use crate::vehicle::Severity;
 /// Opens the list. A mission must end first: its result belongs to its trainee.
 pub fn open(state: &mut State) {
     let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
-    if is_mission && !state.session.task.over {
+    if is_mission && !state.session.task.over && state.replay.is_none() {
         state.say(Severity::Notice, text!("profiles-in-flight"));
         return;
     }

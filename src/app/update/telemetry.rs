@@ -160,9 +160,9 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if let (Some(career), Some(mission)) = (&state.training.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
-        // In a replay, past advice is not advice now.
+        // In a replay, past advice is not advice now. Hints that the pilot asked for are part of the flight.
         if state.replay.is_some() {
-            progress.lesson = None;
+            (progress.lesson, progress.hint) = (None, None);
         }
         lesson::name_key(state, &mut progress);
         // The mission's clock runs, so it has begun.

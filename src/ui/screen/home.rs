@@ -83,7 +83,10 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         return panel.area;
     };
     let session = activity.title();
-    let running = if state.session().is_over() {
+    let running = if state.replay().is_some() {
+        let key = state.key(Action::Show(Room::Fly));
+        text!("home-replay", session = session, key = key)
+    } else if state.session().is_over() {
         let key = state.key(Action::Show(Room::Debrief));
         text!("home-over", session = session, key = key)
     } else {

@@ -273,6 +273,48 @@ fn a_gap_leaves_the_time_line_in_sight() {
 }
 
 #[test]
+fn a_replay_offers_no_hint() {
+    let mut console = replaying();
+    let mut progress = Progress {
+        hint: Some("fly higher".into()),
+        ..fixtures::progress()
+    };
+    progress.clues.next = Some((1, 0.1));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    for room in ["F", "B"] {
+        console.press(room);
+        let screen = console.screen(200, 50);
+        for unwanted in ["fly higher", "costs"] {
+            assert!(!screen.contains(unwanted), "{room}: {unwanted}: {screen}");
+        }
+    }
+}
+
+#[test]
+fn a_replay_is_no_flight_under_way() {
+    let mut console = replaying();
+    console.press("H");
+    let screen = console.screen(200, 50);
+    assert!(!screen.contains("still running"), "{screen}");
+    assert!(screen.contains("Replay of Air sample"), "{screen}");
+    console.press("u");
+    let screen = console.screen(200, 50);
+    assert!(!screen.contains("under way"), "{screen}");
+}
+
+#[test]
+fn lines_for_a_replay_are_offered_only_in_one() {
+    let offers = |console: &mut Console| {
+        console.press(":").write("stopat");
+        let screen = console.screen(120, 40);
+        console.press("esc");
+        screen.contains("stopat arming")
+    };
+    assert!(offers(&mut replaying()));
+    assert!(!offers(&mut Console::flying(1)));
+}
+
+#[test]
 fn the_time_line_with_its_gaps_and_stops() {
     let mut console = replaying();
     let position = ReplayPosition {

@@ -204,7 +204,7 @@ impl MissionPage<'_> {
         let given = clues.map_or(&[][..], |clues| &clues.given);
         let next = clues
             .and_then(|clues| clues.price(self.words_key("hint")))
-            .filter(|_| !self.state.session.task.over);
+            .filter(|_| !self.state.session.task.over && self.state.replay.is_none());
         // Before launch, the next step is shown with the questions.
         let more = !hints.is_empty() || next.is_some();
         if given.is_empty() && (self.awaits_launch() || !more) {
