@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::ComparedFlight;
-use crate::language::words;
+use crate::language::{self, words};
 use crate::ledger::RowState;
 use crate::scoring::{EventKind, LedgerReport, Report};
 use crate::text;
@@ -97,14 +97,19 @@ fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
 
 /// The first command that differs.
 fn commands(own: &Report, other: &Report) -> Option<Difference> {
-    let (mine, theirs) = (&own.ledger, &other.ledger);
+    let [mine, theirs] = [own, other].map(|report| {
+        let entries = report.ledger.iter();
+        entries
+            .filter(|it| is_flight_command(it))
+            .collect::<Vec<_>>()
+    });
     let is_same = |at: &usize| match (mine.get(*at), theirs.get(*at)) {
         (Some(mine), Some(theirs)) => is_same_command(mine, theirs),
         (Some(_), None) | (None, Some(_) | None) => false,
     };
     let longest = mine.len().max(theirs.len());
     let first = (0..longest).find(|at| !is_same(at))?;
-    let (mine, theirs) = (mine.get(first), theirs.get(first));
+    let (mine, theirs) = (mine.get(first).copied(), theirs.get(first).copied());
     let line = |entry: Option<&LedgerReport>| match entry {
         Some(entry) => Text::verbatim(entry.line.clone()),
         None => text!("compare-nothing"),
@@ -118,6 +123,15 @@ fn commands(own: &Report, other: &Report) -> Option<Difference> {
         other: line(theirs),
         points: None,
     })
+}
+
+/// Whether an entry is a command, not a message to the mission such as a prediction or a goal.
+fn is_flight_command(entry: &LedgerReport) -> bool {
+    let words = words(&entry.line);
+    let mut verbs = words.iter().skip_while(|word| word.is_targets());
+    let named = verbs.next().and_then(|verb| language::row(verb.text));
+    // Words without a row are modes.
+    named.is_none_or(|row| !row.verb.counts_as.is_said_to_mission())
 }
 
 /// Whether two lines gave the same command to the same vehicles: `1 guided` is `all guided` if 1 is the only vehicle.

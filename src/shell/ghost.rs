@@ -160,9 +160,12 @@ impl GhostPlan {
                     text!("transport-no-file", path = path, error = error)
                 };
                 let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
-                let whose = stored.head.profile.clone();
-                let name = whose.unwrap_or_else(|| minute(&stored.head.when));
-                let flight = ComparedFlight::of_record(&stored, Text::verbatim(name))?;
+                let when = minute(&stored.head.when);
+                let name = match stored.head.profile.clone() {
+                    Some(name) => text!("ghost-name", name = name, when = when),
+                    None => when.into(),
+                };
+                let flight = ComparedFlight::of_record(&stored, name)?;
                 Ok(flight.with_bookmarks(bookmarks_beside(&path)))
             }
             Self::Reference(shown) => {

@@ -74,6 +74,8 @@ fn the_same_command_differs_neither_by_its_targets_nor_by_blanks() {
     let [own, other] = first_command(lines).expect("one of them disarms");
     assert_eq!([own.as_str(), other.as_str()], ["all disarm", "none"]);
     assert_eq!(first_command("wait 5s\nall  guided\n1 arm\n"), None);
+    let with_words = "1 predict 800\n1 goal score 850\nwait 5s\nall guided\n1 arm\n";
+    assert_eq!(first_command(with_words), None, "those are no commands");
 }
 
 #[test]

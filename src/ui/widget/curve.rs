@@ -8,6 +8,8 @@ use crate::config::Symbols;
 
 /// The dots of a braille cell by column and row, from the top left.
 const DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
+/// The braille cell without dots.
+const BLANK: u32 = 0x2800;
 /// Bars of one to eight eighths of a cell.
 const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 
@@ -58,8 +60,41 @@ impl Curve<'_> {
     }
 }
 
+/// The thickness of a line, which tells two of them apart without colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineWeight {
+    Light,
+    Heavy,
+}
+
+/// Draws a curve as a line that leaves other lines in sight.
+pub fn draw_line(
+    curve: &Curve<'_>,
+    weight: LineWeight,
+    symbols: Symbols,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let sign = match (symbols, weight) {
+        (Symbols::Braille, _) => return draw_strokes(curve, weight, area, buffer),
+        (Symbols::Block | Symbols::Ascii, LineWeight::Light) => '─',
+        (Symbols::Block | Symbols::Ascii, LineWeight::Heavy) => '━',
+    };
+    let values = curve.values.iter().enumerate().take(area.width.into());
+    for (at, value) in values.filter_map(|(at, value)| Some((at, (*value)?))) {
+        let row = area.height.saturating_sub(1) - curve.level(value, area.height.saturating_sub(1));
+        if let Some(cell) = buffer.cell_mut((area.x + at as u16, area.y + row)) {
+            cell.set_char(sign).set_style(curve.style);
+        }
+    }
+}
+
 /// Draws the curve as dots, joining neighbours by vertical strokes, so that a steep curve is one line.
 fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
+    draw_strokes(curve, LineWeight::Light, area, buffer);
+}
+
+fn draw_strokes(curve: &Curve<'_>, weight: LineWeight, area: Rect, buffer: &mut Buffer) {
     let rows = area.height * 4;
     let mut before: Option<u16> = None;
     let mut cells = vec![0u32; usize::from(area.width) * usize::from(area.height)];
@@ -74,7 +109,12 @@ fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
             higher if higher > level => higher - 1,
             same => same,
         });
-        for level in from.min(level)..=from.max(level) {
+        let (low, high) = (from.min(level), from.max(level));
+        let high = match weight {
+            LineWeight::Light => high,
+            LineWeight::Heavy => (high + 1).min(rows.saturating_sub(1)),
+        };
+        for level in low..=high {
             let row = usize::from(rows - 1 - level);
             let cell = row / 4 * usize::from(area.width) + at / 2;
             if let Some(cell) = cells.get_mut(cell) {
@@ -86,7 +126,13 @@ fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
     for (at, dots) in cells.into_iter().enumerate().filter(|(_, dots)| *dots > 0) {
         let x = area.x + (at % usize::from(area.width)) as u16;
         let y = area.y + (at / usize::from(area.width)) as u16;
-        if let (Some(c), Some(cell)) = (char::from_u32(0x2800 + dots), buffer.cell_mut((x, y))) {
+        let Some(cell) = buffer.cell_mut((x, y)) else {
+            continue;
+        };
+        // The dots of another curve in the cell stay.
+        let first = cell.symbol().chars().next().map_or(0, u32::from);
+        let known = first.checked_sub(BLANK).filter(|dots| *dots < 0x100);
+        if let Some(c) = char::from_u32(BLANK + (dots | known.unwrap_or(0))) {
             cell.set_char(c).set_style(curve.style);
         }
     }
@@ -141,6 +187,22 @@ mod tests {
         assert_eq!(drawn(&ramp, Symbols::Braille, 4, 2), ["  ⡠⠊", "⡠⠊  "]);
         assert_eq!(drawn(&ramp, Symbols::Block, 8, 1), ["▁▁▂▃▅▆▇█"]);
         assert_eq!(drawn(&ramp, Symbols::Ascii, 8, 1), ["...::###"]);
+    }
+
+    #[test]
+    fn two_lines_in_a_cell_are_both_in_sight_and_differ_in_weight() {
+        let area = Rect::new(0, 0, 2, 1);
+        let mut buffer = Buffer::empty(area);
+        for (value, weight) in [(0.0, LineWeight::Light), (2.0, LineWeight::Heavy)] {
+            let curve = Curve {
+                values: &[Some(value); 4],
+                low: 0.0,
+                high: 3.0,
+                style: Style::new(),
+            };
+            draw_line(&curve, weight, Symbols::Braille, area, &mut buffer);
+        }
+        assert_eq!(buffer.cell((0, 0)).expect("inside").symbol(), "⣛");
     }
 
     #[test]

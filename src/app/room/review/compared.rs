@@ -40,7 +40,8 @@ impl Page<'_> {
     /// The pilots of the flights, and their results.
     fn heads(&mut self, own: &ComparedFlight, other: &ComparedFlight) {
         let [mine, theirs] = [own, other].map(|it| self.text.locale.text(&it.name));
-        self.row(Tone::Hint, ["", "", &mine, &theirs, ""]);
+        let [time, points] = ["compare-time", "compare-points"].map(|id| self.text.locale.say(id));
+        self.row(Tone::Hint, [&time, "", &mine, &theirs, &points]);
         let (score, their_score) = (own.report.score, other.report.score);
         let gain = i32::from(score) - i32::from(their_score);
         let cells = [

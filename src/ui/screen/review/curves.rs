@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Line;
 
 use crate::app::state::Ghost;
 use crate::comparison::ComparedFlight;
@@ -12,39 +12,80 @@ use crate::text;
 use crate::text::{clock, figure};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::curve::{self, Curve};
-use crate::ui::widget::put;
+use crate::ui::widget::curve::{self, Curve, LineWeight};
+use crate::ui::widget::{put, width};
 
 /// A reading of a flight at a time of its mission.
 type Reading = fn(&ComparedFlight, Duration) -> Option<f64>;
 
-/// The curves: name, reading, and the minimum value at the top of the scale.
-const CURVES: [(&str, Reading, f64); 2] = [
-    ("compare-height", ComparedFlight::height_m, 1.0),
-    ("compare-battery", ComparedFlight::battery_percent, 100.0),
+/// The curves: name, reading, and the scale.
+const CURVES: [(&str, Reading, CurveScale); 2] = [
+    ("compare-height", ComparedFlight::height_m, HEIGHTS),
+    (
+        "compare-battery",
+        ComparedFlight::battery_percent,
+        BATTERIES,
+    ),
 ];
+
+/// Heights are drawn from the ground, or from the lowest value below it.
+const HEIGHTS: CurveScale = CurveScale {
+    includes: Some(0.0),
+    step: 10.0,
+    limits: (f64::NEG_INFINITY, f64::INFINITY),
+};
+/// Charges are drawn over the part that was used, so that small differences are visible.
+const BATTERIES: CurveScale = CurveScale {
+    includes: None,
+    step: 10.0,
+    limits: (0.0, 100.0),
+};
+
+/// How a chart is scaled to its values.
+#[derive(Debug, Clone, Copy)]
+struct CurveScale {
+    /// A value that the scale always includes.
+    includes: Option<f64>,
+    /// Both ends are multiples of this step, and at least one step apart.
+    step: f64,
+    limits: (f64, f64),
+}
+
+impl CurveScale {
+    /// The lowest and the highest value of the chart.
+    fn bounds(self, values: impl Iterator<Item = f64>) -> (f64, f64) {
+        let ends = values.chain(self.includes).fold(None, |ends, value| {
+            let (low, high) = ends.unwrap_or((value, value));
+            Some((value.min(low), value.max(high)))
+        });
+        let (low, high): (f64, f64) = ends.unwrap_or_default();
+        let from = (low / self.step).floor() * self.step;
+        let to = (high / self.step).ceil() * self.step;
+        let room = if to > from { to } else { from + self.step };
+        let top = room.min(self.limits.1);
+        (from.min(top - self.step).max(self.limits.0), top)
+    }
+}
 
 /// The colours of both flights' curves and names.
 const OWN: Role = Role::Accent;
-const OTHER: Role = Role::Muted;
+const OTHER: Role = Role::Text;
 
-/// Steps of a dash of the other flight's curve, with the gap after it.
-const DASH: usize = 4;
-/// The signs of both curves in the legend.
-const LINES: [&str; 2] = ["--", "- -"];
+/// Columns of both lines in the legend.
+const SAMPLE: u16 = 3;
 
 /// Draws the curves beside each other, that of this flight over that of the other one.
 pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
-    put(buffer, panel.area, 0, &legend(ghost, panel));
+    draw_legend(ghost, own, panel, buffer);
     let panel = panel.below(1);
-    let width = panel.area.width / CURVES.len() as u16;
-    for (at, (name, reading, least_top)) in (0..).zip(CURVES) {
-        let here = panel.columns(at * width, width.saturating_sub(2));
+    let share = panel.area.width / CURVES.len() as u16;
+    for (at, (name, reading, scale)) in (0..).zip(CURVES) {
+        let here = panel.columns(at * share, share.saturating_sub(2));
         let plot = FlightCurves {
             ghost,
             own,
             reading,
-            least_top,
+            scale,
         };
         let title = here.say(name);
         let inner = here.at(here.titled(&title, buffer));
@@ -52,26 +93,39 @@ pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer
     }
 }
 
-/// The lines of both flights, and their names.
-fn legend(ghost: &Ghost, panel: Panel<'_>) -> Line<'static> {
-    let [own, other] = LINES;
-    Line::from(vec![
-        Span::styled(
-            format!(" {own} {}   ", panel.say("compare-own")),
-            panel.style(OWN),
-        ),
-        Span::styled(
-            format!("{other} {}", panel.text(&ghost.other.name)),
-            panel.style(OTHER),
-        ),
-    ])
+/// Draws the names of both flights, each after a piece of its line.
+fn draw_legend(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
+    let names = [&own.name, &ghost.other.name].map(|name| format!(" {}   ", panel.text(name)));
+    let mut column = 1;
+    for ((name, role), weight) in names
+        .iter()
+        .zip([OWN, OTHER])
+        .zip([LineWeight::Heavy, LineWeight::Light])
+    {
+        let sample = panel.columns(column, SAMPLE).upper(1);
+        let values = vec![Some(0.5); curve::steps(SAMPLE, panel.look.symbols)];
+        let piece = Curve {
+            values: &values,
+            low: 0.0,
+            high: 1.0,
+            style: panel.style(role),
+        };
+        curve::draw_line(&piece, weight, panel.look.symbols, sample.area, buffer);
+        let line = Line::styled(name.as_str(), panel.style(role));
+        let rest = panel.columns(
+            column + SAMPLE,
+            panel.area.width.saturating_sub(column + SAMPLE),
+        );
+        put(buffer, rest.area, 0, &line);
+        column += SAMPLE + width(name) as u16;
+    }
 }
 
 struct FlightCurves<'a> {
     ghost: &'a Ghost,
     own: &'a ComparedFlight,
     reading: Reading,
-    least_top: f64,
+    scale: CurveScale,
 }
 
 impl FlightCurves<'_> {
@@ -94,25 +148,47 @@ impl FlightCurves<'_> {
             .iter()
             .map(|&time| (self.reading)(&self.ghost.other, self.ghost.time(time)?))
             .collect();
-        let values = own.iter().chain(&other).flatten().copied();
-        let high = values.fold(self.least_top, f64::max);
-        // Dashed, so that the curves differ without colours.
-        let dashed: Vec<Option<f64>> = (0..)
-            .zip(&other)
-            .map(|(step, value)| value.filter(|_| step % DASH < DASH / 2))
-            .collect();
-        for (values, role) in [(&dashed, OTHER), (&own, OWN)] {
+        let (low, high) = self
+            .scale
+            .bounds(own.iter().chain(&other).flatten().copied());
+        // The lines differ in weight, so that they can be told apart without colours.
+        for (values, role, weight) in [
+            (&other, OTHER, LineWeight::Light),
+            (&own, OWN, LineWeight::Heavy),
+        ] {
             let curve = Curve {
                 values,
-                low: 0.0,
+                low,
                 high,
                 style: panel.style(role),
             };
-            curve::draw(&curve, symbols, plot, buffer);
+            curve::draw_line(&curve, weight, symbols, plot, buffer);
         }
         let last = panel.area.height.saturating_sub(1);
-        let scale = text!("compare-scale", high = figure(high, 0), end = clock(length));
+        let scale = text!(
+            "compare-scale",
+            low = figure(low, 0),
+            high = figure(high, 0),
+            end = clock(length)
+        );
         let line = Line::styled(panel.text(&scale), panel.style(Role::Muted));
         put(buffer, panel.area, last, &line);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BATTERIES, HEIGHTS};
+
+    #[test]
+    fn a_chart_is_scaled_to_its_values() {
+        let bounds =
+            |scale: super::CurveScale, values: &[f64]| scale.bounds(values.iter().copied());
+        assert_eq!(bounds(HEIGHTS, &[0.0, 43.0]), (0.0, 50.0));
+        assert_eq!(bounds(HEIGHTS, &[-12.0, 3.0]), (-20.0, 10.0));
+        assert_eq!(bounds(HEIGHTS, &[]), (0.0, 10.0));
+        assert_eq!(bounds(BATTERIES, &[98.0, 83.5]), (80.0, 100.0));
+        assert_eq!(bounds(BATTERIES, &[100.0]), (90.0, 100.0));
+        assert_eq!(bounds(BATTERIES, &[0.0]), (0.0, 10.0));
     }
 }
