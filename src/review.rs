@@ -90,6 +90,14 @@ impl PointKind {
         }
     }
 
+    /// The heading of the kind in documents.
+    pub fn heading(self) -> Text {
+        match self {
+            Self::Sustain => text!("review-sustain-heading"),
+            Self::Improve => text!("review-improve-heading"),
+        }
+    }
+
     /// The sign of the kind in lists.
     pub fn sign(self) -> char {
         match self {

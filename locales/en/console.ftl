@@ -3,6 +3,8 @@
 ask-quit = QUIT
 ask-leave = LEAVE the session
 ask-start = START another session
+ask-replay = START a replay
+ask-review = OPEN a review
 ask-restart = RESTART the mission
 ask-abandon = ABANDON the mission
 ask-abandon-reason = giving up earns no points; the debrief shows what you have reached

@@ -25,7 +25,7 @@ debrief-sum = score
 gold-without-commands = no hint that gives the commands
 debrief-gold-needs = gold needs { $gates }
 
-debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r rejected)
+debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r refused)
 # One row for a refusal by several drones.
 debrief-to-many = { $what } ({ $count } drones)
 debrief-drone = drone { $vehicle }: { $what }
@@ -42,7 +42,7 @@ debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
 debrief-other-revision = This flight used another revision of the mission (the course has r{ $revision } of { $mission }): the scores cannot be compared.
 debrief-altered-mission = The mission file differs from { $mission } r{ $revision } of the course: the scores cannot be compared.
-debrief-try = Try { $attempt }   Hints { $count } (x{ $factor })
+debrief-try = Try { $attempt }, hints: { $count } (x{ $factor })
 debrief-predicted-right = You predicted { $predicted }: exactly right.
 debrief-predicted-less = You predicted { $predicted }: { $by } less than you got.
 debrief-predicted-more = You predicted { $predicted }: { $by } more than you got.

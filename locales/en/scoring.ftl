@@ -30,8 +30,8 @@ scoring-no-rule-broken = no rule broken
 scoring-rules-broken = { $worst }; other rules broken: { $more }
 scoring-no-commands = no commands
 scoring-commands-clean = { $count ->
-    [one] { $count } command, not rejected
-   *[other] { $count } commands, none rejected
+    [one] { $count } command, not refused
+   *[other] { $count } commands, none refused
 }
 scoring-commands-forgiven = { $count ->
     [one] 1 command

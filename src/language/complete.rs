@@ -107,6 +107,9 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
                 .iter()
                 .filter_map(|(_, next)| next.map(Argument::usage))
                 .collect();
+            if next.is_empty() {
+                return Some(described(name.into(), row.summary()));
+            }
             Some(format!("{name} ‹{}›", next.join(" | ")).into())
         }
     }

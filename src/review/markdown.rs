@@ -194,7 +194,7 @@ impl MarkdownPage<'_> {
             if points.is_empty() {
                 continue;
             }
-            self.heading(3, &self.locale.text(&kind.text()));
+            self.heading(3, &self.locale.text(&kind.heading()));
             for point in points {
                 self.item(&point);
             }

@@ -91,6 +91,11 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
 
 /// Replays a file, or the newest record; asks first if something would be lost.
 pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
+    let question = if review {
+        text!("ask-review")
+    } else {
+        text!("ask-replay")
+    };
     let effect = Effect::Session(SessionEffect::Replay { path, review });
     ending::guarded(state, question, effect)
 }

@@ -232,14 +232,13 @@ fn draw_carets(
     buffer: &mut Buffer,
 ) {
     let (before, wrong, _) = parts(line, Some(fault));
-    let start = Span::raw(before).width().saturating_sub(scroll);
-    let carets = format!(
-        "{}{}",
-        " ".repeat(start),
-        "^".repeat(Span::raw(wrong).width().max(1))
-    );
+    let start = Span::raw(before).width().saturating_sub(scroll) as u16;
+    let carets = "^".repeat(Span::raw(wrong).width().max(1));
     let line = Line::styled(carets, panel.style(Role::Danger));
-    put(buffer, indented(panel.area), 0, &line);
+    // The frame before them stays.
+    let inner = panel.at(indented(panel.area));
+    let here = inner.columns(start, inner.area.width.saturating_sub(start));
+    put(buffer, here.area, 0, &line);
 }
 
 /// A row of the list of completions.

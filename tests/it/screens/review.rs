@@ -266,7 +266,7 @@ fn the_next_brief_repeats_the_points_of_the_last_review() {
         stake: Stake::Graded,
     });
     let screen = console.screen(80, 24);
-    assert!(screen.contains("From your last review"), "{screen}");
+    assert!(screen.contains("from your last review"), "{screen}");
     assert!(screen.contains("- stay below the limit"), "{screen}");
 }
 

@@ -136,20 +136,20 @@ impl Page<'_> {
     /// The counts of each kind of moment.
     fn counts(&mut self) {
         let counted = [
-            MomentKind::Refusal,
-            MomentKind::Alert,
-            MomentKind::Rule,
-            MomentKind::Separation,
+            (MomentKind::Refusal, "review-count-refusals"),
+            (MomentKind::Alert, "review-count-alerts"),
+            (MomentKind::Rule, "review-count-rules"),
+            (MomentKind::Separation, "review-count-separations"),
         ];
         let counts: Vec<String> = counted
             .into_iter()
-            .map(|kind| {
+            .map(|(kind, name)| {
                 let moments = self.view.moments.iter();
                 let count = moments.filter(|it| it.kind == kind).count();
-                format!("{}: {count}", self.text.locale.text(&kind.text()))
+                format!("{}: {count}", self.text.locale.say(name))
             })
             .collect();
-        self.text.add(Tone::Muted, counts.join("   "));
+        self.text.add(Tone::Muted, counts.join(", "));
     }
 
     /// The pilot's workload in words; its curves are below the moments.
@@ -219,10 +219,10 @@ impl Page<'_> {
         };
         for line in explanation(&report, self.text.locale, self.text.width) {
             let tone = match line.tone {
-                DebriefTone::Heading | DebriefTone::Head => Tone::Title,
+                // Headings stand over columns, so they are no titles with a rule.
+                DebriefTone::Heading | DebriefTone::Head | DebriefTone::Gain => Tone::Hint,
                 DebriefTone::Good => Tone::Met,
                 DebriefTone::Bad => Tone::Missed,
-                DebriefTone::Gain => Tone::Hint,
                 DebriefTone::Plain | DebriefTone::Event(_) => Tone::Plain,
             };
             self.text.add(tone, line.text.trim_end());

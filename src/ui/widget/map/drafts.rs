@@ -11,6 +11,7 @@ use crate::app::room::map::{SketchKind, sketches};
 use crate::app::room::plans::{Drawing, pace};
 use crate::draft::{Draft, areas, place, profile};
 use crate::geo::{GridSize, LatLon, Outline, Viewport};
+use crate::mission::NEXT_PLACE;
 use crate::plan::{Document, Item, ListKind, command};
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
@@ -85,7 +86,9 @@ impl Board<'_> {
                 }
             }
         }
-        for (name, place) in state.session().places() {
+        // The next place of a mission has a name of its own.
+        let places = state.session().places().iter();
+        for (name, place) in places.filter(|(name, _)| *name != NEXT_PLACE) {
             self.label(*place, format!("+{name}"), Role::Info);
         }
         let vehicles = state.session().vehicles().values();

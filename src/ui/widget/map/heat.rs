@@ -38,22 +38,39 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
     let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
-    let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
-    // With nine digits, only some get a number.
-    let step = if shades.len() > SHADES.len() { 4 } else { 1 };
-    let shown: Vec<(char, f64)> = (1..=shades.len())
+    // With nine digits, only some get a number; on a narrow map, even fewer.
+    let least = if shades.len() > SHADES.len() { 4 } else { 1 };
+    let steps = (least..=shades.len()).map(|step| {
+        let mut spans = vec![Span::styled(name.clone(), panel.style(Role::Muted))];
+        spans.extend(scale_spans(shades, step, top, panel));
+        Line::from(spans)
+    });
+    let mut fitting = steps.filter(|line| line.width() <= panel.width());
+    let whole = || Line::styled(name.clone(), panel.style(Role::Muted));
+    let line = fitting.next().unwrap_or_else(whole);
+    labels::stamp_right(&line, panel, buffer);
+}
+
+/// Every so many shades from the densest one down, each with its value.
+fn scale_spans(shades: &[char], step: usize, top: f64, panel: Panel<'_>) -> Vec<Span<'static>> {
+    let mut shown: Vec<(char, f64)> = (1..=shades.len())
+        .rev()
         .step_by(step)
         .map(|at| (shades[at - 1], top * at as f64 / shades.len() as f64))
         .collect();
+    shown.reverse();
     let values: Vec<f64> = shown.iter().map(|(_, value)| *value).collect();
-    for ((shade, _), figure) in shown.iter().zip(figures(&values)) {
-        spans.push(Span::styled(shade.to_string(), panel.style(Role::Hazard)));
-        spans.push(Span::styled(
-            format!("{}{figure}  ", between(panel.look.symbols)),
-            panel.style(Role::Muted),
-        ));
-    }
-    labels::stamp_right(&Line::from(spans), panel, buffer);
+    let both = shown.iter().zip(figures(&values));
+    both.flat_map(|((shade, _), figure)| {
+        [
+            Span::styled(shade.to_string(), panel.style(Role::Hazard)),
+            Span::styled(
+                format!("{}{figure}  ", between(panel.look.symbols)),
+                panel.style(Role::Muted),
+            ),
+        ]
+    })
+    .collect()
 }
 
 /// The shade for a share of the maximum; none for zero.
