@@ -135,8 +135,11 @@ impl MarkdownPage<'_> {
     fn planned(&mut self, report: &Report, brief: Option<&Text>) {
         self.heading(2, &self.say("review-planned"));
         if let Some(brief) = brief {
-            self.paragraph(&self.locale.text(brief));
-            self.words.push('\n');
+            let brief = self.locale.text(brief);
+            for line in brief.lines().filter(|line| !line.trim().is_empty()) {
+                self.paragraph(line);
+                self.words.push('\n');
+            }
         }
         for objective in &report.objectives {
             let line = text!(

@@ -192,11 +192,10 @@ fn a_mission_that_was_suspended_and_stopped_stood_still_and_can_be_verified() {
     terminal.press("fg\r").see("suspended for");
     let contents = terminal.contents();
     assert!(!contents.contains("link lost"), "{contents}");
-    terminal
-        .command("quit")
-        .see("press y")
-        .press("y")
-        .see("shell>");
+    terminal.command("quit").see("press y").press("y");
+    terminal.wait("the prompt again", |screen| {
+        screen.trim_end().ends_with("shell>")
+    });
     terminal
         .press(&format!("clear; {sortie} verify; echo \"code \"$?\r"))
         .see("code 0")
