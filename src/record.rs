@@ -8,7 +8,8 @@
 //! [`InputLine`]). The console writes the journal with `shell::session::recorder`, and the run record with its
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
 //!
-//! Times count from the beginning of the record, without the pauses in which everything was stopped.
+//! Times count from the beginning of the record, without the pauses in which everything was stopped; the journal lists
+//! the pauses, from which [`DayClock`] tells the time of day.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -20,11 +21,13 @@ use crate::moment::{Moment, MomentKind};
 use crate::text;
 use crate::text::{Text, utc_of};
 
+mod day_clock;
 mod flight_log;
 mod inputs;
 mod line;
 mod mission_clock;
 
+pub use day_clock::DayClock;
 pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{
     Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
@@ -244,6 +247,7 @@ impl Journal {
             | Happening::Loss(_)
             | Happening::Paths(_)
             | Happening::Speedup { .. }
+            | Happening::Paused { .. }
             | Happening::Mission { .. }
             | Happening::End => None,
         })

@@ -59,6 +59,7 @@ impl JournalLine {
             | Happening::Loss(_)
             | Happening::Paths(_)
             | Happening::Speedup { .. }
+            | Happening::Paused { .. }
             | Happening::Bookmark { .. }
             | Happening::End => true,
         };
@@ -92,6 +93,8 @@ pub enum Happening {
     Paths(Vec<PathLine>),
     /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
+    /// Everything was stopped for this long by the wall clock, and goes on now.
+    Paused { ms: u64 },
     /// The mission was advanced to this time of its own clock.
     Mission { ms: u64 },
     /// The operator set a bookmark.

@@ -3,6 +3,7 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::Film;
 use crate::link::{TlogPiece, TlogRecord};
@@ -91,11 +92,18 @@ fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<(
     written
 }
 
-/// The records of a recording; damaged ones are skipped.
+/// The records of a recording by the time of day; damaged ones are skipped.
 pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
     let pieces = film.reader(0, None)?.map_while(Result::ok);
-    Ok(pieces.filter_map(|piece| match piece {
-        TlogPiece::Record(record) => Some(record),
+    let began = film.began_unix_us();
+    Ok(pieces.filter_map(move |piece| match piece {
+        // A tlog of another program may begin before its journal does.
+        TlogPiece::Record(record) if record.unix_us < began => Some(record),
+        TlogPiece::Record(record) => {
+            let at = Duration::from_micros(record.unix_us - began);
+            let unix_us = film.unix_us(at);
+            Some(TlogRecord { unix_us, ..record })
+        }
         TlogPiece::Damage { .. } => None,
     }))
 }

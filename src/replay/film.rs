@@ -12,7 +12,7 @@ use crate::dataflash::JoinedLog;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::{Journal, JournalLine, MissionClock, Subject};
+use crate::record::{DayClock, Journal, JournalLine, MissionClock, Subject};
 use crate::review::Review;
 use crate::store::{RecordFiles, read_run};
 use crate::text;
@@ -39,6 +39,7 @@ pub struct Film {
     /// The faults of the journal, of the run and of those logs, which leave them out.
     faults: Vec<Text>,
     began_unix_us: u64,
+    day: Arc<DayClock>,
     length: Duration,
 }
 
@@ -80,6 +81,7 @@ impl Film {
         let (logs, log_faults) = files.read_joined();
         faults.extend(log_faults);
         let clock = Arc::new(journal.as_ref().map(MissionClock::of).unwrap_or_default());
+        let day = Arc::new(journal.as_ref().map(DayClock::of).unwrap_or_default());
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
         Ok(Self {
@@ -93,6 +95,7 @@ impl Film {
             logs,
             faults,
             began_unix_us,
+            day,
             length: span.length_from(began_unix_us).max(told),
         })
     }
@@ -110,6 +113,11 @@ impl Film {
         self.began_unix_us
     }
 
+    /// The time of day of a time of the recording: microseconds since 1970 (UTC).
+    pub fn unix_us(&self, at: Duration) -> u64 {
+        self.day.unix_us(self.began_unix_us, at)
+    }
+
     /// The length of the recording.
     pub fn length(&self) -> Duration {
         self.length
@@ -124,6 +132,7 @@ impl Film {
     pub fn view(&self) -> ReplayView {
         let mut view = ReplayView::new(self.name(), self.began_unix_us, self.length);
         view.clock = Arc::clone(&self.clock);
+        view.day = Arc::clone(&self.day);
         view
     }
 

@@ -308,7 +308,10 @@ impl Stage {
                 }
                 // No frame follows it in this step.
                 Happening::Loss(loss) => self.cast.change_radio(loss),
-                Happening::Speedup { .. } | Happening::Bookmark { .. } | Happening::End => {}
+                Happening::Speedup { .. }
+                | Happening::Paused { .. }
+                | Happening::Bookmark { .. }
+                | Happening::End => {}
             }
         }
         events

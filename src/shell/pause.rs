@@ -1,5 +1,7 @@
 //! Pauses and resumes a session.
 
+use std::time::Duration;
+
 use super::{Console, RunningSession};
 use crate::app::effect::PaceChange;
 use crate::app::event::{Event, SessionEvent};
@@ -34,6 +36,7 @@ impl Console {
         };
         running.hold(false);
         running.rest(now);
+        running.note_down(now, paused_for(lasted));
         // Reading the brief is not a pause.
         if !was_read && let Some(notice) = running.note_pause(lasted, now) {
             self.post(notice);
@@ -50,6 +53,7 @@ impl Console {
             return;
         };
         running.rest(now);
+        running.note_down(now, paused_for(lasted));
         // The general notice says it also outside of missions.
         let _ = running.note_pause(lasted, now);
         let text = text!("session-stopped", seconds = lasted.as_secs());
@@ -117,10 +121,15 @@ impl Console {
     }
 }
 
+/// The journal's entry of a pause.
+fn paused_for(lasted: Duration) -> Happening {
+    let ms = u64::try_from(lasted.as_millis()).unwrap_or(u64::MAX);
+    Happening::Paused { ms }
+}
+
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
-    use std::time::Duration;
 
     use crossterm::event::KeyCode;
 

@@ -251,6 +251,28 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
+    async fn a_pause_moves_the_time_of_day_of_what_follows() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut console = Box::pin(flying(data.path())).await;
+        run(&mut console, 5).await;
+        say(&mut console, "pause").await;
+        run(&mut console, 30).await;
+        say(&mut console, "continue").await;
+        run(&mut console, 5).await;
+        abandon(&mut console).await;
+        say(&mut console, "replay").await;
+        console.take_in().await;
+        let view = console.app.state().replay().expect("a replay");
+        let day = |at_s| {
+            let since = view.day.unix_us(0, Duration::from_secs(at_s));
+            since / 1_000_000
+        };
+        assert_eq!((day(4), day(8)), (4, 38));
+        let length = view.length.as_secs();
+        assert!((9..16).contains(&length), "{length} s");
+    }
+
+    #[tokio::test(start_paused = true)]
     async fn a_brief_that_was_only_read_leaves_no_record() {
         let data = tempfile::tempdir().expect("a folder");
         let mission = Mission::parse(FIRST).expect("it is good");

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use crate::dataflash::LogCurves;
 use crate::moment::{Moment, MomentKind};
-use crate::record::MissionClock;
+use crate::record::{DayClock, MissionClock};
 use crate::review::Review;
 use crate::scoring::Report;
 use crate::vehicle::VehicleId;
@@ -23,6 +23,8 @@ pub struct ReplayView {
     /// Its start: microseconds since 1970 (UTC).
     pub began_unix_us: u64,
     pub length: Duration,
+    /// Its pauses, for the time of day.
+    pub day: Arc<DayClock>,
     /// The mission's clock; empty without a mission.
     pub clock: Arc<MissionClock>,
     /// The position in the recording, and the rate.
@@ -83,6 +85,7 @@ impl ReplayView {
             name,
             began_unix_us,
             length,
+            day: Arc::default(),
             clock: Arc::default(),
             position: ReplayPosition::default(),
             moments: Arc::default(),

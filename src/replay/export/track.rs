@@ -120,8 +120,7 @@ pub(super) fn tracks(film: &Film) -> Result<Tracks, Text> {
 
 /// A vehicle's position at a time of the recording, if known.
 pub(super) fn place(film: &Film, track: &[TrackPoint], at: Duration) -> Option<TrackPoint> {
-    let at_us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
-    let unix_us = film.began_unix_us().saturating_add(at_us);
+    let unix_us = film.unix_us(at);
     let passed = track.partition_point(|point| point.unix_us <= unix_us);
     let point = *track.get(passed.saturating_sub(1))?;
     Some(TrackPoint { unix_us, ..point })

@@ -51,8 +51,7 @@ pub fn badge(view: &ReplayView, look: &Look) -> String {
 
 /// The time of day of the recording: `2026-11-20 14:03:22 UTC`.
 pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
-    let at = u64::try_from(view.position.at.as_micros()).unwrap_or(u64::MAX);
-    let unix_us = view.began_unix_us.saturating_add(at);
+    let unix_us = view.day.unix_us(view.began_unix_us, view.position.at);
     let time = i64::try_from(unix_us)
         .ok()
         .and_then(DateTime::from_timestamp_micros)
