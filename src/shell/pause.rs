@@ -205,6 +205,16 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
+    async fn a_brief_left_for_another_room_says_that_the_clock_runs() {
+        let mut console = Box::pin(reading()).await;
+        run(&mut console, 5).await;
+        console.feed(key(KeyCode::Char('L'))).await;
+        assert!(!console.app.state().session().is_reading());
+        let expected = text!("mission-brief-left", key = Text::verbatim("p"));
+        assert_eq!(said(&console), Some(expected));
+    }
+
+    #[tokio::test(start_paused = true)]
     async fn a_stop_of_the_whole_program_is_a_pause_and_loses_no_link() {
         let mut console = Box::pin(reading()).await;
         run(&mut console, 5).await;

@@ -203,9 +203,8 @@ impl<'a> LeftRun<'a> {
                 stored.end()?;
                 stored.rescore().ok()?.report
             }
-            Some(LeftFlight::Exam) => stored.rescore_left().ok()?,
             Some(LeftFlight::Attempt) if stored.damaged_line().is_some() => return None,
-            Some(LeftFlight::Attempt) => stored.rescore_left().ok()?,
+            Some(LeftFlight::Attempt | LeftFlight::Exam) => stored.rescore_left().ok()?,
         };
         // A flight has not begun if only its brief was read.
         if left.is_some() && report.sim_time_s <= 0.0 {
