@@ -182,8 +182,7 @@ fn a_mission_that_was_suspended_and_stopped_stood_still_and_can_be_verified() {
     );
     let sortie = program().join(" ");
     terminal.see("shell>").press(&format!("{sortie} fly 00\r"));
-    terminal.see("MISSION").press("\r").see("FLY");
-    terminal.command("1 guided").see("mode done");
+    terminal.see("MISSION").press("\r").see("STABILIZE");
     // Longer than a vehicle may be silent.
     terminal.press("\u{1a}").see("Stopped");
     terminal
