@@ -97,8 +97,7 @@ records-in-use = { $name } is still being recorded
 records-confirm = { $count ->
     [one] 1 record would be deleted: add --yes
    *[other] { $count } records would be deleted: add --yes
-}:
-  { $names }
+}
 records-reversed = the range { $range } is reversed: write the lower number first
 records-result = result
 records-seed = seed

@@ -99,8 +99,7 @@ records-confirm = { $count ->
     [one] буде видалено { $count } запис: додайте --yes
     [few] буде видалено { $count } записи: додайте --yes
    *[other] буде видалено { $count } записів: додайте --yes
-}:
-  { $names }
+}
 records-reversed = діапазон { $range } записано навпаки: спершу вкажіть менший номер
 records-result = результат
 records-seed = варіант

@@ -308,9 +308,10 @@ impl RecordsCommands {
             }
         }
         if !yes {
-            let names: Vec<&str> = found.iter().map(|it| it.stem.as_str()).collect();
-            let (count, names) = (names.len(), names.join("\n  "));
-            return Err(self.invalid(&text!("records-confirm", count = count, names = names)));
+            let question = text!("records-confirm", count = found.len());
+            let names = found.iter().map(|it| format!("  {}", it.stem).into());
+            let lines = std::iter::once(question).chain(names).collect();
+            return Err(self.invalid(&Text::joined("\n", lines)));
         }
         for files in &found {
             files.delete()?;

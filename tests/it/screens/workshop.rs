@@ -125,7 +125,9 @@ fn parts_that_do_not_fit_look_so() {
         .lines()
         .find(|line| line.contains("×LiPo 6S 5"))
         .unwrap_or_else(|| panic!("{narrow}"));
-    assert!(!row.contains(['▲', '▼', '+']), "{narrow}");
+    // The pane beside the list shows the part under the cursor.
+    let listed: String = row.chars().take(36).collect();
+    assert!(!listed.contains(['▲', '▼', '+']), "{narrow}");
 }
 
 #[test]
