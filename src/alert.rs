@@ -76,8 +76,8 @@ impl AlertKind {
         })
     }
 
-    /// Whether the console adds a notice when such an alert begins, because no message has to announce it. The others
-    /// come with a text of the vehicle or with a notice, or stand in the vehicle's own figures.
+    /// Whether the console adds a notice when such an alert begins: no message announces it. The others come with a
+    /// text of the vehicle or with a notice, or show in the vehicle's values.
     pub const fn needs_notice(self) -> bool {
         match self {
             Self::Crash | Self::Separation => true,

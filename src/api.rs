@@ -60,7 +60,7 @@ pub enum Request {
     Watch {
         what: Vec<Topic>,
         /// The shortest time between two states of the same subject, in seconds; 0.5 by default. Notices and rows are
-        /// sent at the same times, but all of them are sent.
+        /// sent at the same times; none is left out.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         every_s: Option<f64>,
     },

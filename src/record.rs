@@ -195,7 +195,10 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Adds a line of the file; an error is why it ends the journal.
+    /// Adds a line of the file.
+    ///
+    /// # Errors
+    /// Why the line ends the journal.
     fn add(&mut self, line: &str, number: usize) -> Result<(), Text> {
         let since = self.lines.last().map_or(Duration::ZERO, JournalLine::at);
         match serde_json::from_str::<JournalLine>(line) {
@@ -217,7 +220,7 @@ impl Journal {
         Ok(())
     }
 
-    /// What is wrong with the lines: damage, and lines that this program does not know.
+    /// The faults of the lines: damage, and lines that this program does not know.
     pub fn faults(&self) -> impl Iterator<Item = Text> {
         let first = self.unknown.first();
         let unknown = first.map(|&line| {

@@ -150,9 +150,9 @@ mission-goal-attention-result = { $count } of { $all } late
 mission-goal-score = { $points } points or more
 mission-goal-score-result = { $points } points
 # A pause.
-mission-paused = paused { $seconds } s
+mission-paused = paused for { $time }
 # The whole program was stopped (Ctrl-Z) while the embedded simulator flew.
-session-stopped = the console was suspended for { $seconds } s: the flight stood still
+session-stopped = the console was suspended for { $time }: the flight stood still
 pause-begins = PAUSED: `continue` or { $key } resumes
 pause-ends = resumed
 pause-is-one = already paused

@@ -158,9 +158,9 @@ mission-goal-attention-result = запізно { $count } з { $all }
 mission-goal-score = щонайменше балів: { $points }
 mission-goal-score-result = балів: { $points }
 # Пауза.
-mission-paused = пауза { $seconds } s
+mission-paused = пауза { $time }
 # Усю програму було зупинено (Ctrl-Z), поки літав вбудований симулятор.
-session-stopped = консоль було призупинено на { $seconds } s: політ стояв на місці
+session-stopped = консоль було призупинено на { $time }: політ стояв на місці
 pause-begins = ПАУЗА: `continue` або { $key } — далі
 pause-ends = симуляцію продовжено
 pause-is-one = пауза вже триває

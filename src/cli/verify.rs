@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clap::Args;
 
-use self::document::{FlyingHand, Standing, Verdict, VerifyDocument};
+use self::document::{FlyingHand, Reliance, Verdict, VerifyDocument};
 use super::Failure;
 use super::settings::CliSettings;
 use crate::mission::Mission;
@@ -80,9 +80,9 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     let mission = head.flown()?;
     let judged = judge_run(&stored, &mission, inputs.as_ref(), journal.as_ref())?;
     // A flight without an end has no score.
-    let score = match judged.standing {
-        Standing::Unfinished => None,
-        Standing::Good | Standing::Bad => Some(stored.rescore()?.report.score),
+    let score = match judged.reliance {
+        Reliance::Unfinished => None,
+        Reliance::Good | Reliance::Bad => Some(stored.rescore()?.report.score),
     };
     let document = VerifyDocument {
         mission: Some(mission.id),
@@ -108,7 +108,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     Ok(document.stating(unproved).with_faults(faults))
 }
 
-/// The journal of a record if it can be read, and what is wrong with it.
+/// The journal of a record if it can be read, and its faults.
 fn read_journal(files: &RecordFiles) -> (Option<Journal>, Vec<Text>) {
     let journal = match files.read_journal() {
         Ok(journal) => journal,
@@ -152,7 +152,7 @@ fn judge_free(
     let document = match difference.or_else(|| contradiction(journal?, inputs)) {
         None => VerifyDocument {
             words,
-            standing: Standing::Good,
+            reliance: Reliance::Good,
             ..VerifyDocument::new(verdict, program)
         },
         Some(difference) => VerifyDocument::differing(difference, program),
@@ -217,7 +217,7 @@ fn judge_run(
         (None, Some(verification)) => match verification.extent {
             RecordExtent::Whole => VerifyDocument {
                 words: verified(stored, mission, verification.rescored.report.score),
-                standing: Standing::Good,
+                reliance: Reliance::Good,
                 ..VerifyDocument::new(Verdict::Verified, program)
             },
             RecordExtent::Part { to, went_on } => {
@@ -250,7 +250,7 @@ fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
         // The end would state the checksum.
         words: Text::joined("\n", vec![words, text!("verify-no-checksum")]),
         to_s: Some(to.as_secs_f64()),
-        standing: Standing::Unfinished,
+        reliance: Reliance::Unfinished,
         ..VerifyDocument::new(verdict, head.program.clone())
     }
 }
@@ -288,9 +288,9 @@ fn rescored(stored: &Stored, program: String) -> Result<VerifyDocument, Text> {
     }
     Ok(VerifyDocument {
         words: Text::joined("\n", words),
-        standing: match backend {
-            FlightBackend::ArduPilot if is_same => Standing::Good,
-            FlightBackend::ArduPilot | FlightBackend::Embedded => Standing::Bad,
+        reliance: match backend {
+            FlightBackend::ArduPilot if is_same => Reliance::Good,
+            FlightBackend::ArduPilot | FlightBackend::Embedded => Reliance::Bad,
         },
         ..VerifyDocument::new(Verdict::Rescored, program)
     })

@@ -22,7 +22,7 @@ pub enum PlanSource {
     File(String),
     /// This document: a draft, or a plan that the console has made.
     Document(Arc<Document>),
-    /// The same, with a remark for the row.
+    /// A document that the console has made, with a remark for the row.
     Remarked(Arc<Document>, Text),
 }
 
@@ -37,6 +37,16 @@ pub enum PlanDeed {
     Clear,
     /// Read the list on board again.
     Show,
+}
+
+impl PlanDeed {
+    /// Whether it changes the list on board.
+    pub const fn writes(&self) -> bool {
+        match self {
+            Self::Upload { .. } | Self::Clear => true,
+            Self::Download { .. } | Self::Show => false,
+        }
+    }
 }
 
 impl PlanCommand {
@@ -64,20 +74,12 @@ impl PlanCommand {
             ListKind::Fence | ListKind::Rally => true,
             ListKind::Plan => false,
         };
-        let writes = match self.deed {
-            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
-            PlanDeed::Download { .. } | PlanDeed::Show => false,
-        };
-        is_limit && writes
+        is_limit && self.deed.writes()
     }
 
     /// Whether it changes the plan on board.
     pub fn changes_plan(&self) -> bool {
-        let writes = match self.deed {
-            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
-            PlanDeed::Download { .. } | PlanDeed::Show => false,
-        };
-        self.kind == ListKind::Plan && writes
+        self.kind == ListKind::Plan && self.deed.writes()
     }
 
     /// Why it needs a confirmation for this vehicle now; `None` if it does not.

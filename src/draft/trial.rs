@@ -15,7 +15,7 @@ use crate::vehicle_id::VehicleId;
 
 /// Metres between separate heights.
 const LAYER_M: f32 = 6.0;
-/// The most pairs in conflict that one text names.
+/// The maximum number of pairs in conflict that one text names.
 const MOST_PAIRS: usize = 6;
 
 /// Drafts to fly together.
@@ -48,7 +48,8 @@ pub struct Tried {
     pub details: Vec<Text>,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
     pub is_sound: bool,
-    /// The drafts to change, with their new content. If one of a shared draft changes, all of them are here.
+    /// The drafts to change, with their new content. If the draft of one sharer changes, those of all
+    /// sharers are here.
     pub changed: Vec<TrialDraft>,
     /// The plans that were flown as they are.
     pub verdicts: Vec<PlanVerdict>,

@@ -167,7 +167,7 @@ fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Conte
     }
 }
 
-/// The most words of plan commands that a fault names.
+/// The maximum number of words of plan commands that a fault names.
 const MOST_WORDS: usize = 12;
 
 /// The names near to a word in place of a command of a plan, and where to find them all.

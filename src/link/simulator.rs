@@ -168,7 +168,7 @@ pub struct StartedSimulator {
     pub further_addresses: Vec<[SocketAddr; 2]>,
     /// The number of connected ground stations (a pipe or a UDP target counts once per vehicle).
     pub connections: watch::Receiver<usize>,
-    /// The number of steps whose output the vehicles have sent. It stands still while the program is stopped.
+    /// The number of steps whose output was sent. It stands still while the program is stopped.
     pub steps: watch::Receiver<u64>,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,

@@ -21,7 +21,7 @@ use crate::ledger::Ledger;
 use crate::notice::Notice;
 use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, lasting};
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 
 mod clues;
@@ -229,7 +229,7 @@ impl Flight {
         if let Some(recorder) = &mut self.recorder {
             recorder.pause(lasted);
         }
-        let text = text!("mission-paused", seconds = lasted.as_secs());
+        let text = text!("mission-paused", time = lasting(lasted));
         self.journal
             .say(JournalEntry::new(EventKind::Pause, Severity::Notice, text));
         self.journal.take().pop()

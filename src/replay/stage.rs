@@ -328,7 +328,8 @@ impl Stage {
         let mut events: Vec<Event> = said
             .map(|notice| Event::Notice(Notice { at: now, ..notice }))
             .collect();
-        // Steps without a change have no line, so the run of a flight that was left may stop before its clock does.
+        // Steps without a change have a line only once a second, so the run of a flight that was left may stop before
+        // its clock does.
         let progress = Progress {
             elapsed,
             ..mission.flight.flight().progress()

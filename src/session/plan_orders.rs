@@ -41,6 +41,7 @@ pub use shelf::{GuardedShelf, PlanOnFile, PlanShelf};
 
 /// The maximum number of orders that wait for one vehicle.
 const MOST_WAITING: usize = 8;
+
 /// The inputs and outputs of an order.
 pub(super) struct Desk<'a> {
     pub vehicle: &'a mut Vehicle,

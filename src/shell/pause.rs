@@ -8,6 +8,7 @@ use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
 use crate::record::{Happening, NoticeLine};
 use crate::text;
+use crate::text::lasting;
 use crate::vehicle::Severity;
 
 impl Console {
@@ -56,7 +57,7 @@ impl Console {
         running.note_down(now, paused_for(lasted));
         // The general notice says it also outside of missions.
         let _ = running.note_pause(lasted, now);
-        let text = text!("session-stopped", seconds = lasted.as_secs());
+        let text = text!("session-stopped", time = lasting(lasted));
         let notice = Notice::general(now, Severity::Notice, text);
         running.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
         self.post(notice);

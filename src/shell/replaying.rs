@@ -176,7 +176,7 @@ mod tests {
         Box::pin(flying_in(data, false)).await
     }
 
-    /// The same, with rooms or without.
+    /// A console that flies the first mission, with rooms or as `--plain`.
     async fn flying_in(data: &Path, has_rooms: bool) -> Console {
         let mission = Mission::parse(FIRST).expect("it is good");
         let mut options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));

@@ -203,7 +203,7 @@ impl<'a> LeftRun<'a> {
                 stored.end()?;
                 stored.rescore().ok()?.report
             }
-            Some(LeftFlight::Attempt) if stored.damaged_line().is_some() => return None,
+            Some(LeftFlight::Attempt) if !stored.is_open() => return None,
             Some(LeftFlight::Attempt | LeftFlight::Exam) => stored.rescore_left().ok()?,
         };
         // A flight has not begun if only its brief was read.

@@ -8,7 +8,7 @@ use crate::diagnostic::nearest;
 use crate::text;
 use crate::text::Text;
 
-/// The most names of one folder that are offered.
+/// The maximum number of names of one folder that are offered.
 const MOST_NAMES: usize = 1000;
 
 /// The names in a folder in order, without hidden ones; those of folders end with `/`. Empty if it cannot be read. An

@@ -181,7 +181,7 @@ impl RecordFiles {
         super::runs::outline(self.run.as_deref()?).ok()
     }
 
-    /// Whether the console that wrote it was killed: the journal lacks its end, and no console writes it.
+    /// Whether the console that wrote it was killed: the journal has no end, and no console is writing it.
     pub fn is_cut_off(&self) -> bool {
         let last = self.journal.as_deref().map(super::runs::last_line);
         let is_end = |line: &[u8]| {

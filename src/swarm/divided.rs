@@ -1,4 +1,4 @@
-//! Which vehicles have got their plans from the same work.
+//! Vehicles that got their plans from the same work.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,9 @@ use crate::vehicle::{VehicleId, Vehicles};
 /// The work that was last divided among vehicles, for each of them.
 #[derive(Debug, Clone, Default)]
 pub struct DividedWork {
+    /// The number of the work, from 1.
     last: BTreeMap<VehicleId, u32>,
+    /// The number of the newest work.
     count: u32,
 }
 
@@ -35,7 +37,7 @@ impl DividedWork {
     }
 }
 
-/// Those of some vehicles that are known to carry a plan.
+/// The vehicles among these that are known to carry a plan.
 pub fn carrying(ids: &[VehicleId], vehicles: &Vehicles) -> Vec<VehicleId> {
     let carries = |id: &VehicleId| {
         let plan = vehicles

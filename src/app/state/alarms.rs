@@ -47,7 +47,7 @@ pub struct Alarms {
     muted: Vec<AlertKind>,
     /// The vehicles that are too close to others.
     close: BTreeMap<VehicleId, CloseVehicle>,
-    /// Alerts that have begun, and of which no message tells.
+    /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,
 }
 
@@ -113,7 +113,7 @@ impl Alarms {
         self.bell.call(now, call);
     }
 
-    /// The alerts that have begun since the last call, and of which no message tells.
+    /// The alerts that have begun since the last call and need a notice.
     pub fn take_begun(&mut self) -> Vec<(VehicleId, Alert)> {
         std::mem::take(&mut self.begun)
     }
@@ -201,7 +201,8 @@ impl Alarms {
         }
     }
 
-    /// Whether the alert of another vehicle says the same: of two that are closest to each other, the first speaks.
+    /// Whether the alert of another vehicle says the same: of two vehicles that are closest to each other, only the
+    /// one with the lower number has a notice.
     fn is_told_of_other(&self, id: VehicleId, kind: AlertKind) -> bool {
         let closest = |id| self.close.get(&id).map(|close| close.vehicle);
         let other = closest(id).filter(|_| kind == AlertKind::Separation);

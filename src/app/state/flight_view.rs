@@ -145,7 +145,7 @@ impl FlightView {
         self.failed_trials.extend(failed);
     }
 
-    /// The plan on board of a vehicle, as far as it has been read.
+    /// The hash of the plan on board a vehicle, if it has been read.
     fn carried(&self, vehicle: VehicleId) -> Option<ContentHash> {
         let plan = self.vehicles.get(&vehicle)?.plans.plan.content.as_ref()?;
         Some(ContentHash::of(plan.flown()))

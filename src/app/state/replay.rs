@@ -23,7 +23,7 @@ pub struct ReplayView {
     /// Its start: microseconds since 1970 (UTC).
     pub began_unix_us: u64,
     pub length: Duration,
-    /// Its pauses, for the time of day.
+    /// Its clock for the time of day, with the pauses.
     pub day: Arc<DayClock>,
     /// The mission's clock; empty without a mission.
     pub clock: Arc<MissionClock>,

@@ -20,9 +20,9 @@ pub(super) enum Verdict {
     Verified,
     /// The repeated flight matches the record of a free flight as far as its input log goes, which has no end.
     VerifiedPart,
-    /// The same for a mission that was left, as far as its record goes: it has no score.
+    /// The repeated flight matches the record of a mission that was left, as far as the record goes: it has no score.
     VerifiedLeft,
-    /// The same for a mission whose record was cut off, or whose console was killed.
+    /// The repeated flight matches the record of a mission that was cut off, or whose console was killed.
     VerifiedCut,
     /// The repeated flight differs from the record.
     Differs,
@@ -36,11 +36,12 @@ pub(super) enum Verdict {
 
 /// How far a result can be relied on, which decides the exit code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Standing {
+pub(super) enum Reliance {
     /// The record is reliable.
     Good,
     /// It is reliable as far as it goes, but the end of the flight, which may have been bad, is missing.
     Unfinished,
+    /// It differs, or nothing confirms it.
     Bad,
 }
 
@@ -79,7 +80,7 @@ pub(super) struct VerifyDocument {
     /// The faults of the journal, in English.
     pub(super) faults: Vec<String>,
     #[serde(skip)]
-    pub(super) standing: Standing,
+    pub(super) reliance: Reliance,
 }
 
 /// Whether the files of a record are signed.
@@ -146,7 +147,7 @@ impl VerifyDocument {
             witnessed: None,
             words: Text::default(),
             faults: Vec::new(),
-            standing: Standing::Bad,
+            reliance: Reliance::Bad,
         }
     }
 
@@ -167,10 +168,10 @@ impl VerifyDocument {
     /// Success only for a flight that matches its record, or whose telemetry gives the recorded score. A mission
     /// without an end has a code of its own: whoever removes a bad end must not get a success.
     pub(super) fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self.standing {
-            Standing::Good => 0,
-            Standing::Bad => 1,
-            Standing::Unfinished => 3,
+        ExitCode::from(match self.reliance {
+            Reliance::Good => 0,
+            Reliance::Bad => 1,
+            Reliance::Unfinished => 3,
         })
     }
 
@@ -184,7 +185,7 @@ impl VerifyDocument {
 
     /// Names the fields that no comparison covers, if the record is good otherwise.
     pub(super) fn stating(mut self, unproved: &'static [&'static str]) -> Self {
-        if self.standing == Standing::Bad {
+        if self.reliance == Reliance::Bad {
             return self;
         }
         let program = sanitised(&self.program);
@@ -239,7 +240,7 @@ impl VerifyDocument {
         };
         self.words = Text::joined("\n", vec![std::mem::take(&mut self.words), text]);
         if !matches!(state, SignatureState::Valid | SignatureState::Unchecked) {
-            self.standing = Standing::Bad;
+            self.reliance = Reliance::Bad;
         }
         self.signature.signature = state;
         match found {

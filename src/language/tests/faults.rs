@@ -150,6 +150,12 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
             "NAV_TAKEOFF",
         ),
         ("long 70000", "70000", "65535", ""),
+    ]);
+}
+
+#[test]
+fn an_argument_of_the_wrong_kind_is_named() {
+    check(&[
         (
             "param set THIS_NAME_IS_TOO_LONG 1",
             "THIS_NAME_IS_TOO_LONG",

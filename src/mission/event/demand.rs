@@ -57,8 +57,8 @@ const USUAL_COMPASS_MGAUSS: f64 = 5.0;
 /// Standard deviation of gusts in m/s per unit of `SIM_WIND_TURB`, fitted to the motion of a hovering vehicle in
 /// ArduPilot's SITL; the embedded simulator has the same value.
 const GUST_PER_TURBULENCE: f64 = 0.35;
-/// In metres. Below this height the wind weakens towards the ground. Without that, an `ArduCopter` that has landed in 6 m/s keeps
-/// leaning against the wind, and with a lean of more than 15 degrees it never detects its landing.
+/// The height below which the wind weakens towards the ground, in metres. Without that, an `ArduCopter` that has landed
+/// in 6 m/s keeps leaning against the wind, and with a lean of more than 15 degrees it never detects its landing.
 pub const WIND_FULL_FROM_M: f64 = 5.0;
 /// The smallest change of wind that is sent.
 const WIND_STEP_M_S: f64 = 0.2;

@@ -16,7 +16,7 @@ const GROWING: f32 = 0.0;
 const CONSTANT: f32 = 1.0;
 /// The default of [`FULL_FROM`], in metres.
 const USUAL_FULL_FROM_M: f32 = 60.0;
-/// An estimate from near the ground says little about the wind above: at most so much is added to it, as a factor.
+/// The maximum factor by which an estimate is raised: one from near the ground says little about the wind above.
 const MOST_GROWTH: f32 = 3.0;
 
 /// The wind, from the best source.

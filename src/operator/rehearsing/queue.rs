@@ -40,7 +40,7 @@ enum WriteState {
     ShownFrom(Duration),
 }
 
-/// What begins or waits: changes of rows, and the rehearsal to fly now.
+/// The changes of rows when a rehearsal begins or waits, and the rehearsal to fly now.
 #[derive(Debug, Default)]
 pub(in crate::operator) struct Prepared {
     pub(in crate::operator) rows: Vec<RowUpdate>,

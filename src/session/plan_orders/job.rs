@@ -124,10 +124,7 @@ impl Job {
 
     /// Removes the stored old list, unless it may still be needed.
     fn put_away(&self, outcome: &Outcome, shelf: Option<&dyn PlanShelf>, vehicle: VehicleId) {
-        let writes = match self.command.deed {
-            PlanDeed::Upload { .. } | PlanDeed::Clear => true,
-            PlanDeed::Download { .. } | PlanDeed::Show => false,
-        };
+        let writes = self.command.deed.writes();
         let is_over = match outcome {
             Outcome::Written(_) | Outcome::Same(_) => writes,
             // The list before this transfer may itself be an incomplete one.

@@ -1,4 +1,4 @@
-//! What an order is to bring about: the list to send, or why it cannot be sent.
+//! The list that an order sends, or why it cannot be sent.
 
 use mavlink::dialects::ardupilotmega::MavAutopilot;
 
@@ -13,7 +13,7 @@ use crate::vehicle::Vehicle;
 /// HEARTBEAT's autopilot of `ArduPilot`.
 const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 
-/// The list that an order is to put on board of a vehicle.
+/// The list that an order is to put on board a vehicle.
 ///
 /// # Errors
 /// Why the order cannot be carried out.
@@ -23,14 +23,10 @@ pub(super) fn wanted(
     desk: &Desk<'_>,
 ) -> Result<Wanted, Text> {
     let vehicle = &*desk.vehicle;
-    let writes = match &command.deed {
-        PlanDeed::Upload { .. } | PlanDeed::Clear => true,
-        PlanDeed::Download { .. } | PlanDeed::Show => false,
-    };
     let is_ardupilot = vehicle
         .heartbeat
         .is_some_and(|it| it.autopilot == ARDUPILOT);
-    if writes && !is_ardupilot {
+    if command.deed.writes() && !is_ardupilot {
         return Err(text!("refused-plan-autopilot"));
     }
     match &command.deed {

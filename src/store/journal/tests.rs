@@ -293,6 +293,22 @@ fn a_graded_flight_that_was_killed_counts_as_left_once_and_is_told() {
     assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
 }
 
+/// A kill may come while a line is written.
+#[test]
+fn a_graded_flight_whose_last_line_is_torn_counts_as_left() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    profiles.create("Anna", BEGUN).expect("new");
+    let (id, ..) = recorded(&runs, Some("Anna"), false);
+    let path = runs.folder().join(format!("{id}{ENDING}"));
+    let whole = fs::read(&path).expect("just written");
+    fs::write(&path, &whole[..whole.len() - 3]).expect("writable");
+    let recovered = recover(&mut profiles, &runs).expect("writable");
+    assert_eq!(recovered.len(), 1, "{recovered:?}");
+    assert_eq!(recovered[0].left, Some(LeftFlight::Attempt));
+}
+
 #[test]
 fn a_record_counts_for_no_more_than_the_career_allows() {
     let data = tempfile::tempdir().expect("a folder");

@@ -191,7 +191,7 @@ fn a_hold_passes_at_its_place() {
 #[test]
 fn a_descent_at_home_counts_no_way() {
     let mut vehicle = flying(&[waypoint(100.0), item(20, [0.0; 3], 0.0)], 2);
-    assert_eq!(times(&vehicle).1, Some(5.0 + 6.7 + 20.0 + 2.0).map(round));
+    assert_eq!(times(&vehicle).1, Some(round(5.0 + 6.7 + 20.0 + 2.0)));
     if let Some(global) = &mut vehicle.global {
         (global.altitude_m, global.down_m_s) = (5.0, 0.5);
     }

@@ -204,9 +204,11 @@ fn the_keys_for_the_rate_meet_real_time() {
         rate
     };
     let up: Vec<f64> = (0..10).map(|_| press(">")).collect();
-    let steps = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 64.0];
-    assert_eq!(up, steps);
-    assert_eq!([press("<")], [32.0]);
+    assert_eq!(
+        up,
+        vec![0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 64.0]
+    );
+    assert_eq!(vec![press("<")], vec![32.0]);
 }
 
 #[test]

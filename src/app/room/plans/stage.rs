@@ -1,4 +1,4 @@
-//! What can be done next with a draft and the vehicles that it is for.
+//! The next step with a draft and the vehicles that it is for.
 
 use crate::app::State;
 use crate::app::action::{Action, PlansAction};
@@ -31,11 +31,13 @@ pub enum PlanStage {
     Flying,
 }
 
-/// The stage of the vehicle that is the farthest, with all vehicles in that stage and in any.
+/// The stage of the vehicle that is farthest, with the vehicles in that stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NextStep {
     pub stage: PlanStage,
+    /// The vehicles in that stage.
     vehicles: Vec<VehicleId>,
+    /// The number of vehicles concerned, in any stage.
     count: usize,
 }
 

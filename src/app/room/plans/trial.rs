@@ -13,7 +13,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Asks the shell to fly the drafts, with vehicles as those that would fly them.
+/// Asks the shell to fly the drafts in simulation; `vehicles` are those that would fly them.
 ///
 /// # Errors
 /// No draft has a plan, or a vehicle has no position.
@@ -76,7 +76,7 @@ fn alone(state: &State, draft: &Draft) -> TrialDraft {
     }
 }
 
-/// What each of some vehicles would fly: its own draft, otherwise the shared one from where it stands.
+/// The draft that each of these vehicles would fly: its own, otherwise the shared one from where it stands.
 fn flown_by(
     state: &State,
     vehicles: &[VehicleId],

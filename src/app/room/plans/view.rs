@@ -9,7 +9,7 @@ use crate::plan::{Document, ListKind};
 
 /// Rows of the screen for other things: the header, the keys, the footer.
 const OTHER_ROWS: u16 = 3;
-/// Rows of the details, on small screens and on large ones: the item, the cursor, and what has been found and done.
+/// Rows of the details, on small screens and on large ones: the item, the cursor, and the reports.
 const FEW_DETAILS: u16 = 5;
 const DETAILS: u16 = 9;
 /// Rows of the heights with their rule, on small screens and on large ones.

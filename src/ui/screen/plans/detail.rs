@@ -19,7 +19,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{clip, put};
 
-/// Draws them; without a draft, only what has been done.
+/// Draws them; without a draft, only the reports.
 pub(super) fn draw(
     state: &State,
     shown: Option<&Shown<'_>>,

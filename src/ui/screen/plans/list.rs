@@ -1,5 +1,7 @@
 //! The items of a list: a line for each.
 
+use std::time::Duration;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
@@ -9,7 +11,7 @@ use crate::geo::LatLon;
 use crate::language::Unit;
 use crate::plan::check::{Finding, Severity};
 use crate::plan::{Item, ListKind, command, field};
-use crate::text::figure;
+use crate::text::{figure, lasting};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
@@ -28,6 +30,8 @@ const WITH_LEG: usize = 58;
 const WITH_PARAMETERS: usize = 90;
 /// Columns used by everything but the parameters.
 const USED: usize = 67;
+/// The longest time shown, in seconds.
+const LONGEST_S: f64 = 359_999.0;
 
 /// Draws the heading and as many lines around the cursor as fit.
 pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -204,14 +208,10 @@ pub(super) fn percent(slope: f64) -> String {
     }
 }
 
-/// Seconds, as minutes and seconds where there are many.
+/// A time in seconds, for a narrow column; no number is none.
 pub(super) fn seconds(seconds: f64) -> String {
-    if seconds < 120.0 {
-        format!("{seconds:.0} s")
-    } else {
-        let whole = seconds as u64;
-        format!("{}:{:02}", whole / 60, whole % 60)
-    }
+    let known = if seconds.is_nan() { 0.0 } else { seconds };
+    lasting(Duration::from_secs_f64(known.clamp(0.0, LONGEST_S).round()))
 }
 
 /// The parameters of an item that are not 0, by their names.

@@ -1,5 +1,4 @@
-//! What has been found and done, as far as there is room: faults, the last trial, the last command to vehicles, and the
-//! next step.
+//! The reports, as far as there is room: faults, the last trial, the last command to vehicles, and the next step.
 
 use std::cmp::Reverse;
 

@@ -51,7 +51,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     labels::stamp_right(&line, panel, buffer);
 }
 
-/// Every so many shades from the densest one down, each with its value.
+/// Every `step`-th shade from the densest one down, each with its value.
 fn scale_spans(shades: &[char], step: usize, top: f64, panel: Panel<'_>) -> Vec<Span<'static>> {
     let mut shown: Vec<(char, f64)> = (1..=shades.len())
         .rev()

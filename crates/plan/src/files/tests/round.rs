@@ -127,14 +127,18 @@ fn home() -> impl Strategy<Value = Option<Home>> {
     prop::option::of(some)
 }
 
-/// A document that every format can hold.
+/// A document that every format can hold: with one list at least, since a file without any is a fault.
 pub(super) fn document() -> impl Strategy<Value = Document> {
-    (home(), plan_items(), whole_fence(), rally()).prop_map(|(home, plan, fence, rally)| Document {
+    let lists = (home(), plan_items(), whole_fence(), rally());
+    let document = lists.prop_map(|(home, plan, fence, rally)| Document {
         home,
         plan,
         fence,
         rally,
         origin: None,
+    });
+    document.prop_filter("a list", |it| {
+        !(it.plan.is_empty() && it.fence.is_empty() && it.rally.is_empty())
     })
 }
 

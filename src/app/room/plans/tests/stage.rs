@@ -93,14 +93,17 @@ fn a_step_that_concerns_some_of_the_vehicles_names_them() {
 #[test]
 fn a_fault_is_counted_once() {
     let mut desk = Desk::new();
-    let mut document = Document::default();
-    document.fence = vec![Item {
+    let circle = Item {
         command: command::FENCE_CIRCLE_INCLUSION,
         params: [50.0, 0.0, 0.0, 0.0],
         x: 2_000_000_000,
         y: 305_200_000,
         ..Item::default()
-    }];
+    };
+    let document = Document {
+        fence: vec![circle],
+        ..Document::default()
+    };
     let state = desk.app.state();
     let found = findings(state, &document);
     assert_eq!(found.len(), 1, "{found:?}");
