@@ -185,7 +185,9 @@ impl Replay {
             ReplayEffect::Show(at) => return Ok(self.jump(showing(at).min(self.length()))),
             ReplayEffect::Loop(None) => self.player.repeat(None),
             ReplayEffect::Loop(Some(target)) => {
-                let stretch = self.stretch(target).ok_or_else(|| text!("loop-none"))?;
+                let stretch = self
+                    .stretch(target)
+                    .ok_or_else(|| self.no_stretch(target))?;
                 self.player.repeat(Some(stretch));
             }
             ReplayEffect::StopAt(kinds) => self.player.stop_at(kinds),
@@ -251,10 +253,19 @@ impl Replay {
         }
     }
 
-    /// The start and the end of a stretch; `None` if it has no moment at one of them.
+    /// Why there is no stretch.
+    fn no_stretch(&self, target: LoopTarget) -> Text {
+        match target {
+            LoopTarget::Times { .. } => text!("loop-beyond", length = clock(self.length())),
+            LoopTarget::Moments(_) => text!("loop-none"),
+        }
+    }
+
+    /// The start and the end of a stretch; `None` if it has no moment at one of them, or begins after the end.
     fn stretch(&self, target: LoopTarget) -> Option<(Duration, Duration)> {
         let length = self.length();
         let (from, to) = match target {
+            LoopTarget::Times { from, .. } if from >= length => return None,
             LoopTarget::Times { from, to } => (from, to),
             LoopTarget::Moments(kind) => self.contents.around(self.stage.now(), kind)?,
         };

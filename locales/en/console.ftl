@@ -38,7 +38,7 @@ help-commands = commands: [targets] verb [arguments]
 help-console = commands of the console
 
 mission-none = no mission is being flown
-debrief-none = No debrief yet: it opens when a mission is over, also in a replay.
+debrief-none = No debrief yet: it opens when a mission is over; in a replay, `seek end` leads there.
 
 ask-sure = are you sure
 ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back

@@ -153,6 +153,7 @@ mission-goal-score-result = { $points } points
 mission-paused = paused for { $time }
 # The whole program was stopped (Ctrl-Z) while the embedded simulator flew.
 session-stopped = the console was suspended for { $time }: the flight stood still
+session-stopped-rules = the console was suspended for { $time }: the rules of this mission allow no pause, so `sortie verify` will reject its record
 pause-begins = PAUSED: `continue` or { $key } resumes
 pause-ends = resumed
 pause-is-one = already paused

@@ -30,6 +30,7 @@ bookmark-set = bookmark set
 bookmark-renamed = bookmark renamed
 seek-unreadable = expected a time such as 12:30, +30, -10, `end`, `mission 4:10` or `next refusal`
 loop-unreadable = expected two times, the earlier one first: 1:10 1:40, or a kind of moment: `bookmark`
+loop-beyond = no section to repeat: the record ends at { $length }
 loop-none = no section to repeat: no moment of this kind before the moment shown, or none after it
 argument-seek = 12:30, +30, -10, `end`, `mission 4:10`, `next refusal`
 argument-loop = start and end of the section; or a kind of moment, to repeat from the previous one to the next

@@ -161,6 +161,7 @@ mission-goal-score-result = балів: { $points }
 mission-paused = пауза { $time }
 # Усю програму було зупинено (Ctrl-Z), поки літав вбудований симулятор.
 session-stopped = консоль було призупинено на { $time }: політ стояв на місці
+session-stopped-rules = консоль було призупинено на { $time }: правила цього завдання не дозволяють пауз, тож `sortie verify` відхилить запис
 pause-begins = ПАУЗА: `continue` або { $key } — далі
 pause-ends = симуляцію продовжено
 pause-is-one = пауза вже триває

@@ -67,6 +67,9 @@ pub(super) fn verify(
 }
 
 fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
+    if files.is_written() {
+        return Err(text!("records-in-use", name = files.stem.as_str()));
+    }
     let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
     let text = files.inputs.as_deref().map(read).transpose()?;
     let inputs = text.as_deref().map(StoredInputs::read).transpose()?;

@@ -9,7 +9,7 @@ use crate::notice::sanitised;
 use crate::record::MissionClock;
 use crate::scoring::Report;
 use crate::text;
-use crate::text::{Locale, Text, clock};
+use crate::text::{Locale, Text, clock, reflow};
 use crate::vehicle_id::ranges;
 
 /// The flight that a review is about.
@@ -135,7 +135,7 @@ impl MarkdownPage<'_> {
     fn planned(&mut self, report: &Report, brief: Option<&Text>) {
         self.heading(2, &self.say("review-planned"));
         if let Some(brief) = brief {
-            let brief = self.locale.text(brief);
+            let brief = reflow(&self.locale.text(brief));
             for line in brief.lines().filter(|line| !line.trim().is_empty()) {
                 self.paragraph(line);
                 self.words.push('\n');

@@ -50,6 +50,7 @@ impl Console {
             return;
         };
         let now = self.clock.now();
+        let is_allowed = self.app.state().session().may_be_stopped();
         let Some(running) = &mut self.running else {
             return;
         };
@@ -57,8 +58,16 @@ impl Console {
         running.note_down(now, paused_for(lasted));
         // The general notice says it also outside of missions.
         let _ = running.note_pause(lasted, now);
-        let text = text!("session-stopped", time = lasting(lasted));
-        let notice = Notice::general(now, Severity::Notice, text);
+        let time = lasting(lasted);
+        let (severity, text) = if is_allowed {
+            (Severity::Notice, text!("session-stopped", time = time))
+        } else {
+            (
+                Severity::Warning,
+                text!("session-stopped-rules", time = time),
+            )
+        };
+        let notice = Notice::general(now, severity, text);
         running.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
         self.post(notice);
     }
@@ -146,7 +155,11 @@ mod tests {
 
     /// A console that shows the brief of a mission.
     async fn reading() -> Console {
-        let mission = Mission::parse(FIRST).expect("it is good");
+        Box::pin(reading_of(FIRST)).await
+    }
+
+    async fn reading_of(mission: &str) -> Console {
+        let mission = Mission::parse(mission).expect("it is good");
         let options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
@@ -238,6 +251,23 @@ mod tests {
             "{notices:?}"
         );
         assert!(!notices.iter().any(|it| it.contains("link")), "{notices:?}");
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_stop_where_pauses_are_not_allowed_is_a_warning() {
+        let strict = FIRST.replacen("[rules]\n", "[rules]\npause = false\n", 1);
+        assert_ne!(strict, FIRST);
+        let mut console = Box::pin(reading_of(&strict)).await;
+        run(&mut console, 5).await;
+        console.feed(key(KeyCode::Enter)).await;
+        run(&mut console, 5).await;
+        tokio::time::advance(Duration::from_secs(8)).await;
+        run(&mut console, 1).await;
+        let mut lines = console.app.state().notices().lines();
+        let warned = lines.find(|it| it.notice.severity == Severity::Warning);
+        let words = warned.map(|it| it.notice.text.to_string());
+        let words = words.unwrap_or_default();
+        assert!(words.contains("allow no pause"), "{words}");
     }
 
     async fn say(console: &mut Console, line: &str) {

@@ -175,11 +175,12 @@ impl Alarms {
 
     /// The serious alerts that are not acknowledged.
     pub fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
-        let vehicles = self.standing.keys();
-        let standing = vehicles.flat_map(|&id| self.of(id).map(move |one| (id, one)));
+        let vehicles = self.standing.iter();
+        let standing = vehicles.flat_map(|(&id, all)| all.iter().map(move |one| (id, one)));
         standing.filter(|(_, one)| {
             let minor = one.alert.severity > Severity::Warning;
-            !minor && one.alert.kind != AlertKind::Prearm && !self.is_calm(one)
+            let stands = one.ended.is_none();
+            stands && !minor && one.alert.kind != AlertKind::Prearm && !self.is_calm(one)
         })
     }
 

@@ -87,6 +87,13 @@ fn a_stretch_ends_with_the_recording() {
         to: s(9999),
     }))));
     assert_eq!(replay.player.repeated(), Some((s(10), length)));
+    let beyond = ReplayEffect::Loop(Some(LoopTarget::Times {
+        from: s(9000),
+        to: s(9999),
+    }));
+    let said = replay.steer(beyond);
+    assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
+    assert_eq!(replay.player.repeated(), Some((s(10), length)));
     let none = SeekTarget::Next(MomentKind::Rule);
     let said = replay.steer(ReplayEffect::Seek(none));
     assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");

@@ -30,10 +30,12 @@ const NOTICES_MOST: u16 = 10;
 const LEDGER_LEAST: u16 = 6;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    alerts::draw(state, panel.upper(alerts::height(state)), buffer);
-    let below_alerts = panel.below(alerts::height(state));
-    urgent::draw(state, below_alerts.upper(urgent::height(state)), buffer);
-    let body = below_alerts.below(urgent::height(state));
+    let alert_rows = alerts::height(state);
+    alerts::draw(state, panel.upper(alert_rows), buffer);
+    let below_alerts = panel.below(alert_rows);
+    let urgent_rows = urgent::height(state);
+    urgent::draw(state, below_alerts.upper(urgent_rows), buffer);
+    let body = below_alerts.below(urgent_rows);
     // The table gets at most half of the screen.
     let wanted = swarm::height(state, body.look, body.area.width);
     let rows = wanted.min(usize::from(body.area.height / 2)) as u16;

@@ -15,7 +15,7 @@ use crate::vehicle_id::ranges;
 
 /// The rows of the line; 0 without an alert.
 pub fn height(state: &State) -> u16 {
-    u16::from(state.session().alarms().pressing().is_some())
+    u16::from(state.session().alarms().open().next().is_some())
 }
 
 /// Draws the line if there is an alert.

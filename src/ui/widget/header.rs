@@ -108,10 +108,9 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
 /// The most urgent alert; the flight screen has a separate line for it.
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
-    let pressing = session.alarms().pressing()?;
-    let count = pressing.vehicles.len() + pressing.others;
     let is_shown = state.room() != Room::Fly && !session.is_over();
-    is_shown.then(|| text!("alert-header", count = count))
+    let count = session.alarms().open().filter(|_| is_shown).count();
+    (count > 0).then(|| text!("alert-header", count = count))
 }
 
 /// The remaining time for an answer to the mission's alert; two rooms show the alert itself.
