@@ -204,6 +204,7 @@ proptest! {
         let (slow, fast) = (speeds.0.min(speeds.1), speeds.0.max(speeds.1));
         let careful = chance(sensor, class, low, slow, Light::Dawn);
         let hasty = chance(sensor, class, high, fast, Light::Dawn);
-        prop_assert!(careful >= hasty, "{} {:?}: {} < {}", sensor, class, careful, hasty);
+        // The same chance may be rounded in two ways.
+        prop_assert!(careful >= hasty - 1e-12, "{} {:?}: {} < {}", sensor, class, careful, hasty);
     }
 }
