@@ -124,9 +124,7 @@ impl ConsoleLine {
             | Self::Quit => false,
         }
     }
-}
 
-impl ConsoleLine {
     /// Whether it controls a replay, so that it has no effect without one.
     pub fn needs_replay(&self) -> bool {
         match self {

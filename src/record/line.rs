@@ -93,7 +93,7 @@ pub enum Happening {
     Paths(Vec<PathLine>),
     /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
-    /// Everything was stopped for this long by the wall clock, and goes on now.
+    /// A pause has ended: simulator, links and mission stood still for this long by the wall clock.
     Paused { ms: u64 },
     /// The mission was advanced to this time of its own clock.
     Mission { ms: u64 },

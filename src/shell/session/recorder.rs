@@ -15,7 +15,7 @@ use crate::text::Text;
 /// How long the end of a session may wait for the last inputs of the simulated vehicles.
 const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 
-/// How long the record of a mission goes on after its end, so that the replay reaches the result.
+/// The time that a mission is still recorded after its end, so that a replay reaches the result.
 const AFTER_MISSION: Duration = Duration::from_secs(2);
 
 /// Records a session by the session's clock, which stops in a pause.
