@@ -1,15 +1,16 @@
 //! The socket of the interface for programs.
 //!
 //! Each connection has a task that reads requests and one that writes answers. A request takes a place in the queue of
-//! answers before it is passed to the console, so that a program that does not read cannot ask for more, and news wait
-//! while a program is behind. Neither the console nor another program is delayed.
+//! answers before it is passed to the console, so that a program that does not read cannot ask for more, and news is
+//! held back while a program is behind. Neither the console nor another program is delayed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::sync::mpsc;
+use tokio::sync::mpsc::error::TrySendError;
 use tokio_util::sync::CancellationToken;
 
 use super::Console;
@@ -35,7 +36,7 @@ mod tests;
 const MOST_PROGRAMS: usize = 64;
 /// The length of a program's queue of answers.
 const OUTBOX: usize = 256;
-/// News wait while a program's queue has less room than this.
+/// News is held back while a program's queue has less room than this.
 const ROOM_FOR_NEWS: usize = OUTBOX / 2;
 /// How long the console waits, when it ends, for programs to read their last news.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
@@ -67,7 +68,7 @@ struct Exchange {
     arrived: mpsc::Sender<Arrival>,
     /// Ends the connections once their queues are empty.
     ending: CancellationToken,
-    /// Held while a connection writes.
+    /// A copy is held by each connection until it has written everything.
     writing: mpsc::Sender<()>,
 }
 
@@ -105,8 +106,34 @@ impl LineFault {
 struct Program {
     client: Client,
     outbox: mpsc::Sender<String>,
+    /// News for which the queue had no room: the rest of one batch, as further news waits until it is sent.
+    held: VecDeque<String>,
     /// Whether a notice has told the user that the program gives commands.
     is_noticed: bool,
+}
+
+impl Program {
+    /// Sends the news in order, as far as the queue has room; the rest is held.
+    fn send(&mut self, news: Vec<Message>) {
+        self.held.extend(news.iter().map(Message::line));
+        while let Some(line) = self.held.pop_front() {
+            if let Err(TrySendError::Full(line)) = self.outbox.try_send(line) {
+                self.held.push_front(line);
+                return;
+            }
+        }
+    }
+
+    /// Ends the connection once everything has been sent, or after [`LAST_PATIENCE`].
+    fn end(self) {
+        tokio::spawn(tokio::time::timeout(LAST_PATIENCE, async move {
+            for line in self.held {
+                if self.outbox.send(line).await.is_err() {
+                    return;
+                }
+            }
+        }));
+    }
 }
 
 impl Programs {
@@ -154,25 +181,22 @@ impl Programs {
     /// Sends every program its news.
     pub fn tell(&mut self, state: &State) {
         for program in self.connected.values_mut() {
-            if program.outbox.capacity() < ROOM_FOR_NEWS {
-                continue;
-            }
-            for message in program.client.news(state, state.wall()) {
-                // A queue without room loses only news, and only if they come in a flood.
-                drop(program.outbox.try_send(message.line()));
+            program.send(Vec::new());
+            if program.held.is_empty() && program.outbox.capacity() >= ROOM_FOR_NEWS {
+                let news = program.client.news(state, state.wall());
+                program.send(news);
             }
         }
     }
 
     /// Sends every program its last news and closes the socket.
     pub async fn close(mut self, state: &State) {
-        for program in self.connected.values_mut() {
-            for message in program.client.last_news(state, state.wall()) {
-                drop(program.outbox.try_send(message.line()));
-            }
+        for (_, mut program) in std::mem::take(&mut self.connected) {
+            let news = program.client.last_news(state, state.wall());
+            program.send(news);
+            program.end();
         }
         self.listener = None;
-        self.connected.clear();
         self.arrivals = None;
         self.ending.cancel();
         // A program that does not read is not waited for.
@@ -189,6 +213,7 @@ impl Programs {
         let program = Program {
             client: Client::default(),
             outbox,
+            held: VecDeque::new(),
             is_noticed: false,
         };
         self.connected.insert(id, program);

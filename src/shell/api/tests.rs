@@ -1,6 +1,7 @@
 use tokio::io::{AsyncBufReadExt as _, AsyncWriteExt as _, BufReader, DuplexStream, duplex, split};
 
 use super::*;
+use crate::api::Ended;
 
 /// One end of a connection whose other end is served.
 fn connected() -> (DuplexStream, mpsc::Receiver<Arrival>) {
@@ -105,6 +106,28 @@ async fn a_program_that_does_not_read_is_asked_to_wait_and_holds_nobody_up() {
     assert!(answered <= OUTBOX + 3, "{answered}");
     assert_eq!(outbox.capacity(), 0);
     writing.abort();
+}
+
+#[test]
+fn a_flood_of_news_is_sent_in_order_and_in_full_as_it_is_read() {
+    let (outbox, mut lines) = mpsc::channel(OUTBOX);
+    let mut program = Program {
+        client: Client::default(),
+        outbox,
+        held: VecDeque::new(),
+        is_noticed: false,
+    };
+    let ended = |entry| Message::Ended(Ended { entry, done: true });
+    let flood: Vec<Message> = (0..3 * OUTBOX as u32).map(ended).collect();
+    let expected: Vec<String> = flood.iter().map(Message::line).collect();
+    program.send(flood);
+    assert_eq!(program.outbox.capacity(), 0);
+    let mut read = Vec::new();
+    while read.len() < expected.len() {
+        read.push(lines.try_recv().expect("held until there is room"));
+        program.send(Vec::new());
+    }
+    assert_eq!(read, expected);
 }
 
 mod sockets {
