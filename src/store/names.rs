@@ -20,12 +20,12 @@ pub fn names_in(folder: &Path) -> Vec<String> {
         folder
     };
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let named = entries.take(MOST_NAMES).filter_map(|entry| {
+    let named = entries.filter_map(|entry| {
         let name = entry.file_name().into_string().ok()?;
-        let is_folder = fs::metadata(entry.path()).is_ok_and(|it| it.is_dir());
-        (!name.starts_with('.')).then(|| if is_folder { name + "/" } else { name })
+        let is_folder = || fs::metadata(entry.path()).is_ok_and(|it| it.is_dir());
+        (!name.starts_with('.')).then(|| if is_folder() { name + "/" } else { name })
     });
-    let mut names: Vec<String> = named.collect();
+    let mut names: Vec<String> = named.take(MOST_NAMES).collect();
     names.sort();
     names
 }
@@ -36,7 +36,7 @@ pub fn user_path(written: &str) -> PathBuf {
     in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }
 
-/// Why a file cannot be read; of one that is not there, the nearest name or folder.
+/// Why a file cannot be read; for a missing one, with the nearest name or folder.
 pub(super) fn unread(path: &Path, error: &io::Error) -> Text {
     let shown = path.display().to_string();
     match error.kind() {
@@ -79,7 +79,7 @@ fn missing(path: &Path) -> Text {
     }
 }
 
-/// The first folder on the way to a missing one that is missing itself.
+/// The topmost missing folder on the path to a missing one.
 fn first_missing(folder: &Path) -> &Path {
     let above = folder
         .ancestors()

@@ -1,6 +1,6 @@
 //! Wraps text to a width.
 
-use unicode_width::UnicodeWidthStr as _;
+use unicode_width::{UnicodeWidthChar as _, UnicodeWidthStr as _};
 
 /// A text broken into lines of at most `width` columns, between words where possible. Line breaks in the text stay.
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
@@ -21,14 +21,7 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             }
             empty = false;
             line.push_str(word);
-            while line.width() > width {
-                let at = line
-                    .char_indices()
-                    .nth(width)
-                    .map_or(line.len(), |(at, _)| at);
-                if at == line.len() {
-                    break;
-                }
+            while let Some(at) = overflow(&line, width) {
                 let rest = line.split_off(at);
                 lines.push(std::mem::replace(&mut line, rest));
             }
@@ -36,6 +29,17 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
         lines.push(line);
     }
     lines
+}
+
+/// Where a line goes beyond a width, in bytes; `None` if it fits. At least one character counts as fitting.
+fn overflow(line: &str, width: usize) -> Option<usize> {
+    let mut columns = 0;
+    line.char_indices()
+        .find(|(at, character)| {
+            columns += character.width().unwrap_or(0);
+            columns > width && *at > 0
+        })
+        .map(|(at, _)| at)
 }
 
 /// A text whose lines were broken for another width, as paragraphs: only blank and indented lines stay apart.
@@ -64,6 +68,12 @@ mod tests {
             ["one two", "three", "", "four"]
         );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+    }
+
+    #[test]
+    fn wide_characters_take_two_columns_each() {
+        assert_eq!(wrap("無人機の群れ", 5), ["無人", "機の", "群れ"]);
+        assert_eq!(wrap("無人", 1), ["無", "人"]);
     }
 
     #[test]
