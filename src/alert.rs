@@ -51,7 +51,7 @@ pub enum AlertKind {
     Vibration,
     /// The vehicle would refuse to arm.
     Prearm,
-    /// A serious text that belongs to no other kind.
+    /// A serious status text of no other kind.
     Message,
 }
 
@@ -76,8 +76,8 @@ impl AlertKind {
         })
     }
 
-    /// Whether the console adds a notice when such an alert begins: no message announces it. The others come with a
-    /// text of the vehicle or with a notice, or show in the vehicle's values.
+    /// Whether the console adds a notice when such an alert begins, because no message announces it. Other alerts come
+    /// with a status text or a notice, or show in the vehicle's values.
     pub const fn needs_notice(self) -> bool {
         match self {
             Self::Crash | Self::Separation => true,

@@ -59,8 +59,8 @@ pub enum Request {
     /// before; an empty list ends watching.
     Watch {
         what: Vec<Topic>,
-        /// The shortest time between two states of the same subject, in seconds; 0.5 by default. Notices and rows are
-        /// sent at the same times; none is left out.
+        /// The shortest time between two states of the same subject, in seconds; 0.5 by default. Notices are sent at
+        /// the same times, and rows as soon as they change.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         every_s: Option<f64>,
     },

@@ -1,8 +1,8 @@
 //! Typed commands to a vehicle.
 //!
-//! Each command is a value with named fields in physical units. It can be encoded as a MAVLink request for a given
-//! vehicle ([`Command::request`]), what answer to wait for ([`Request::answer`]) and what telemetry will show once it
-//! works ([`Command::effect`]).
+//! Each command is a value with named fields in physical units. It provides the MAVLink request for a given vehicle
+//! ([`Command::request`]) with the answer to wait for ([`Request::answer`]), and the effect to expect in telemetry
+//! ([`Command::effect`]).
 
 use crate::ledger::Risk;
 use crate::text;
@@ -208,7 +208,7 @@ impl Command {
         }
     }
 
-    /// Its risk, in whatever form it was given.
+    /// Its risk, whether it was given by its own verb or as a raw command.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Arming(command) => command.risk(),

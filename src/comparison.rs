@@ -1,4 +1,4 @@
-//! Two flights of a mission side by side: the positions of the other flight's vehicles, the first difference, and its
+//! Two flights of a mission side by side: the positions of the other flight's vehicles, the differences, and their
 //! cost.
 //!
 //! Times are those of the mission's own clock, so that flights can be compared at any speed-up. The data of a flight
@@ -20,7 +20,7 @@ mod difference;
 
 pub use difference::{Difference, differences};
 
-/// The distance between the points of a track.
+/// The time between the points of a track.
 pub const SAMPLE_EVERY: Duration = Duration::from_secs(1);
 
 /// The data of a flight that are compared.
@@ -133,7 +133,8 @@ impl ComparedFlight {
         left.min_by(f64::total_cmp)
     }
 
-    /// The times at which both flights are aligned; `None` if one of them lacks the event.
+    /// The times at which both flights are aligned; `None` if one of them lacks the event. Bookmarks with the same text
+    /// take precedence over the first ones.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {
             own.bookmarks.iter().find_map(|mine| {

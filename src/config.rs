@@ -114,9 +114,9 @@ pub struct AlertsConfig {
     pub notify: bool,
     /// The kinds of alerts without a signal.
     pub mute: Vec<AlertKind>,
-    /// The distance across below which two vehicles in the air are too close to each other, in metres; 0 for none.
+    /// The horizontal distance below which two vehicles in the air are too close to each other, in metres; 0 for none.
     pub separation: u16,
-    /// The difference in height below which they are, in metres.
+    /// The vertical distance below which they are too close, in metres.
     pub separation_height: u16,
 }
 

@@ -141,11 +141,11 @@ pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> O
     nearest.map(|(_, name)| name)
 }
 
-/// The maximum number of names that are near to a word.
+/// The maximum number of similar names to suggest for a word.
 const MOST_NEAR: usize = 3;
 
-/// The names that the written word may mean: typing errors of them, closest first, then names that begin with it or
-/// contain it.
+/// The names that the written word may mean: those that it misspells, closest first, then those that contain it, then
+/// one that it begins with.
 pub fn near<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     const LETTERS: usize = 3;
     let names: Vec<&str> = names.into_iter().collect();

@@ -1,7 +1,7 @@
 //! Plans, fences and rally points that are being drawn: their content, every change to it, and how to undo it.
 //!
-//! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document of the old one, so the
-//! history of a draft is the list of its documents.
+//! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document from the old one, so
+//! the history of a draft is the list of its documents.
 
 use std::sync::Arc;
 

@@ -104,7 +104,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, keeping, clock, cancel)
     }
 
-    /// Starts an empty fleet that requests other telemetry than the console does.
+    /// Starts an empty fleet that requests different telemetry from the console's.
     pub fn start_wanting(
         streams: &'static [Stream],
         clock: FleetClock,
@@ -140,7 +140,8 @@ impl Fleet {
         self.ask(FleetRequest::Connect(transport))
     }
 
-    /// Shares the links with the ground stations at an address. It can be watched from [`FleetEvent::Forwarding`] on.
+    /// Shares the links with the ground stations at an address. It can be watched once [`FleetEvent::Forwarding`] has
+    /// arrived.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.

@@ -103,7 +103,7 @@ pub struct RowUpdate {
     pub entry: EntryId,
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often the command has been sent.
+    /// How many times the command has been sent.
     pub tries: u8,
     pub at: Duration,
     /// A text, if there is something to explain.
@@ -115,7 +115,7 @@ pub struct RowUpdate {
 pub struct LedgerRow {
     pub vehicle: VehicleId,
     pub state: RowState,
-    /// How often the command has been sent.
+    /// How many times the command has been sent.
     pub tries: u8,
     /// The time from the command to the vehicle's first answer.
     pub answered_after: Option<Duration>,

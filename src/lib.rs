@@ -1,9 +1,8 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
-//! # Code map
-//! Dependencies point down only, and the parts of a module depend on each other in one direction only, at every depth:
-//! `tests/it/layering.rs` reads the sources and enforces both. What other programs could use as well is in libraries of
-//! the workspace, below everything else.
+//! # Code map Dependencies point down only, and the parts of a module depend on each other in one direction only, at
+//! every depth: `tests/it/layering.rs` reads the sources and enforces both. Code that other programs could also use is
+//! in libraries of the workspace, below everything else.
 //!
 //! | layer | module | contents |
 //! | --- | --- | --- |
@@ -11,7 +10,7 @@
 //! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
 //! | | [`terminal`] | keys in, cells out: which features the terminal has, and its speed |
 //! | | [`api`] | the interface for programs: their requests, and states as JSON lines |
-//! | | [`replay`] | a recorded flight as the events that the console received then, from any moment on |
+//! | | [`replay`] | a recorded flight as the events that the console received then, starting at any moment |
 //! | | [`ui`] | screens and widgets: state in, cells out |
 //! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
@@ -19,7 +18,7 @@
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
 //! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
-//! | | [`operator`] | from a line to the vehicles, and back to the ledger |
+//! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
 //! | | [`campaign`] | a career: unlocks, earnings, possessions, the mastery of each skill, and what an attempt counts as |
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
 //! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
@@ -37,14 +36,14 @@
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and which telemetry shows its effect |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
-//! | | [`vehicle`] | the model of one vehicle, and the battery that its way home needs |
+//! | | [`vehicle`] | the model of one vehicle, and the battery needed to return home |
 //! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`inspector`] | messages, counted and decoded field by field |
 //! | | [`parameters`] | parameter lists, files, differences |
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
 //! | | [`config`] | settings and the source of each |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
-//! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights
+//! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights |
 //! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |

@@ -6,7 +6,7 @@ use clap::Parser as _;
 use sortie::hangar;
 
 fn main() -> ExitCode {
-    // Started by a hangar, this program becomes another; it is not a command for people.
+    // A hangar starts this program to turn it into another one; this is not a command for users.
     let words: Vec<_> = std::env::args_os().skip(1).collect();
     if let [first, order @ ..] = words.as_slice()
         && first == hangar::LAUNCH

@@ -52,7 +52,7 @@ pub struct Inbox {
     pack_heard_at: Option<Duration>,
     /// `GPS_GLOBAL_ORIGIN`: the origin of local coordinates.
     origin: Option<Place>,
-    /// The way through the plan on board.
+    /// The progress through the plan on board.
     plan: plan::PlanWatch,
 }
 
@@ -259,7 +259,7 @@ impl Inbox {
         for text in self.texts.drain() {
             self.take_text(vehicle, &text, report);
         }
-        // Reasons in half-received texts were of the old run as well.
+        // Reasons in half-received texts belong to the old run as well.
         vehicle.prearm.clear();
         self.reasons_at = None;
         self.pack_heard_at = None;

@@ -242,7 +242,7 @@ impl Mission {
     }
 
     /// The places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad, and `pad1`,
-    /// `pad2`\nand so on for each.
+    /// `pad2` and so on for each.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let named = self.site.places.iter();
         let mut places: BTreeMap<String, LatLon> = named

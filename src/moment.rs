@@ -51,7 +51,7 @@ pub enum MomentKind {
     Rule,
     /// An event of the mission, or an inject of the instructor, changed something.
     Event,
-    /// Two vehicles that fly were closest to each other.
+    /// Two flying vehicles were closest to each other.
     Separation,
     /// An event in a vehicle's log that was joined to the record.
     Log,
@@ -84,7 +84,7 @@ impl MomentKind {
         }
     }
 
-    /// Its importance compared with other kinds; the lowest comes first.
+    /// Its importance compared with that of other kinds: higher is more important.
     pub fn weight(self) -> u8 {
         match self {
             Self::Mode | Self::Arming => 0,

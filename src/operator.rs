@@ -176,7 +176,7 @@ impl Operator {
         }
     }
 
-    /// Gives each target its plan, to be put on board.
+    /// Gives each target its plan for upload.
     fn put_plans(
         &mut self,
         entry: EntryId,

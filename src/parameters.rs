@@ -44,7 +44,8 @@ pub struct ParameterSnapshot {
     pub list: Arc<ParameterList>,
     /// The state of the download.
     pub fetching: Fetching,
-    /// How often the vehicle has rebooted. After each reboot the list starts again, since settings may have been lost.
+    /// How many times the vehicle has rebooted. After each reboot the list starts again, since settings may have been
+    /// lost.
     pub reboots: u32,
 }
 

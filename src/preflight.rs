@@ -21,7 +21,7 @@ pub struct Remark {
     pub severity: Severity,
 }
 
-/// A fault because of which a file cannot be read.
+/// A fault that prevents a file from being read.
 pub fn fault(fault: &Fault) -> Diagnostic {
     Diagnostic::new(fault.span.clone(), faults::words(&fault.kind))
 }

@@ -9,7 +9,7 @@
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
 //!
 //! Times count from the beginning of the record, without the pauses in which everything was stopped; the journal lists
-//! the pauses, from which [`DayClock`] tells the time of day.
+//! the pauses, from which [`DayClock`] computes the time of day.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -157,7 +157,7 @@ pub struct Journal {
     pub unknown: Vec<usize>,
 }
 
-/// The time of any line of a journal, also of one from a later program.
+/// The time of any line of a journal, even of one from a later program.
 #[derive(Deserialize)]
 struct LineTime {
     us: u64,

@@ -1,9 +1,10 @@
-//! Replays recorded flights as the events that the console received during the flight, from any moment on.
+//! Replays recorded flights as the events that the console received during the flight, starting at any moment.
 //!
 //! A stage lets the vehicles' sessions receive the recorded frames again and returns their events and those of the
 //! journal, a tenth of a second at a time. An index reads the whole recording once, in its own thread, and keeps a key
-//! frame of the state every few seconds. To go to a moment, the console restores the last key frame before it and
-//! plays on from there. A moment therefore looks the same, however the user has reached it.
+//! frame of the state every ten seconds, or less often in a long recording. To go to a moment, the console restores the
+//! last key frame before it and plays on from there. A moment therefore looks the same, however the user has reached
+//! it.
 //!
 //! Nothing is ever sent: the sessions' messages to their vehicles are dropped.
 
@@ -154,7 +155,7 @@ impl Replay {
         }
     }
 
-    /// Returns a remark if the control did something else than its words say.
+    /// Returns a remark if the control did something other than its name says.
     fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
         let now = self.stage.now();
         match effect {
@@ -196,8 +197,8 @@ impl Replay {
         Ok(None)
     }
 
-    /// Goes to a time, up to the end, and leaves the section that is repeated if the time lies outside. Returns a remark
-    /// if either makes a difference.
+    /// Goes to a time, at most the end, and stops repeating a section if the time lies outside. Returns a remark if the
+    /// time was beyond the end or the repetition has stopped.
     fn jump(&mut self, goal: Duration) -> Option<Text> {
         let length = self.length();
         let looped = self.player.repeated();
@@ -353,7 +354,7 @@ impl Replay {
         ReplayEvent::At(position).into()
     }
 
-    /// The gaps found since the last call, together with all before.
+    /// All gaps found so far, if there are new ones since the last call.
     fn new_gaps(&mut self) -> Option<Event> {
         let gaps = self.index.gaps();
         let known = std::mem::replace(&mut self.known_gaps, gaps.len());

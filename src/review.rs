@@ -21,7 +21,7 @@ pub use markdown::{ReviewedFlight, markdown};
 
 /// The version of the format.
 const VERSION: u32 = 1;
-/// The maximum number of points of one kind, since more would not be remembered.
+/// The maximum number of points of one kind, because more would not be remembered.
 pub const MOST_POINTS: usize = 3;
 /// The maximum number of bookmarks of a review.
 const MOST_BOOKMARKS: usize = 1000;

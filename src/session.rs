@@ -194,7 +194,7 @@ impl Session {
         }
     }
 
-    /// Whether the radio link is cut, also for the console's heartbeats.
+    /// Whether the radio link is cut, even for the console's heartbeats.
     pub fn is_cut(&self) -> bool {
         self.surroundings.is_cut()
     }
@@ -254,7 +254,8 @@ impl Session {
             .clear(&newer, &self.vehicle, now, &mut self.output);
     }
 
-    /// Queues an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
+    /// Queues an order. An urgent one (kill, disarm, land, return, hold) cancels commands that wait or have not been
+    /// answered.
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);

@@ -179,7 +179,7 @@ struct Console {
     replaying: Option<Replay>,
     /// When to count the replay's messages again.
     next_traffic: Duration,
-    /// The number of the current attempt.
+    /// The stake and the seed of the current session.
     attempt: Attempt,
     /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,

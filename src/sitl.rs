@@ -120,7 +120,7 @@ const SYSTEMS: RangeInclusive<u8> = 1..=254;
 const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
 /// The valid altitudes, in metres above mean sea level.
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
-/// SITL treats a home nearer than this to latitude 0, longitude 0 as no home, and starts near Canberra.
+/// SITL treats a home closer than this to latitude 0, longitude 0 as no home, and starts near Canberra.
 const NOWHERE_DEG: f64 = 1e-7;
 /// The longest name of a parameter.
 const LONGEST_NAME: usize = 16;

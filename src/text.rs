@@ -58,7 +58,7 @@ impl TryFrom<String> for Language {
 impl Language {
     pub const ALL: [Self; 2] = [Self::English, Self::Ukrainian];
 
-    /// The code of each.
+    /// The codes of all languages.
     pub const CODES: &'static [&'static str] = <Self as VariantNames>::VARIANTS;
 
     pub fn code(self) -> &'static str {

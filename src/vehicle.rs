@@ -84,7 +84,7 @@ pub struct Vehicle {
     pub landed: LandedState,
     /// The progress of AUTO through its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
-    /// How often each jump of its plan has been taken, by the jump's number, as far as it has said.
+    /// How often each jump of its plan has been taken, by the jump's number, as far as it has reported them.
     pub plan_jumps: BTreeMap<u16, u16>,
     /// Its speed on the legs of its plan; `None` in other modes.
     pub cruise: Option<LegSpeed>,
@@ -175,7 +175,7 @@ impl Vehicle {
         self.boot_ms.map(|it| Duration::from_millis(it.into()))
     }
 
-    /// Its clock in milliseconds since boot, also while simulated radio hides it.
+    /// Its clock in milliseconds since boot, even while simulated radio hides it.
     pub fn clock_ms(&self) -> Option<u32> {
         self.unheard.map(|unheard| unheard.boot_ms).or(self.boot_ms)
     }

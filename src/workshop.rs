@@ -6,7 +6,7 @@
 //! list.
 //!
 //! The physics is momentum theory with measured propeller coefficients and a brushless motor as a resistance behind a
-//! back-EMF, fitted to bench tests of motors. The results agree with the published flight times of ten real drones
+//! back-EMF, fitted to bench tests of motors. The results agree with the published hover times of six real drones
 //! within about 10 %; see the tests.
 
 mod airframe;

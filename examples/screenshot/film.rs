@@ -24,7 +24,7 @@ use sortie::ui::{self, Look, Role};
 
 use super::svg;
 
-/// The mission and its reference pilot, by the name of their files.
+/// The file name, without its ending, of both the mission and its reference pilot.
 const MISSION: &str = "05-night-search";
 const SEED: u64 = 1;
 /// The mission time of the pictures in flight: some people have been found, and kits are on their way.
@@ -36,7 +36,7 @@ const TICK: Duration = Duration::from_millis(500);
 const COLUMNS: u16 = 120;
 const ROWS: u16 = 40;
 
-/// A picture, and its path from the root of the repository.
+/// A picture, and its path relative to the root of the repository.
 pub struct Picture {
     pub path: &'static str,
     pub svg: String,

@@ -17,4 +17,4 @@ mission-not-armed = not armed
 mission-arm-advice = Arm within { $time } s after the vehicle is ready: `wait all ready`, then `arm`.
 mission-land-within = { $radius } m
 mission-landed-of = { $down }/{ $count } landed
-mission-land-advice = Land within { $radius } m of { $place } and wait until it disarms.
+mission-land-advice = Land within { $radius } m of { $place } and wait until the vehicle disarms.

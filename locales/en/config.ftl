@@ -30,8 +30,8 @@ history-unreadable = the history of the command line cannot be read from { $path
 mission-twice = two missions have the id `{ $id }`: { $flown } is used, { $other } is ignored
 
 theme-unknown = unknown theme `{ $name }`
-theme-inherits-itself = the theme `{ $name }` inherits itself
-theme-circle = themes inherit each other in a circle: { $circle }
+theme-inherits-itself = the theme `{ $name }` inherits from itself
+theme-circle = themes inherit from each other in a circle: { $circle }
 theme-faulty-parent = the parent theme `{ $name }` has faults
 theme-unknown-role = unknown role `{ $name }`
 theme-roles-are = roles: { $roles }
@@ -40,4 +40,4 @@ theme-role-table-advice = write { $example }
 theme-no-style = the role `{ $name }` has no style
 theme-no-style-advice = give it one under [roles], or inherit it: inherits = "dark"
 theme-no-colour = `{ $word }` is not a colour
-theme-no-colour-advice = write "#rrggbb", a name such as "light-red", or 0 to 255 as text
+theme-no-colour-advice = write "#rrggbb", a name such as "light-red", or a number in quotes, "0" to "255"

@@ -7,7 +7,7 @@ ask-replay = START a replay
 ask-review = OPEN a review
 ask-restart = RESTART the mission
 ask-abandon = ABANDON the mission
-ask-abandon-reason = giving up earns no points; the debrief shows what you have reached
+ask-abandon-reason = giving up earns no points; the debrief shows what you have achieved
 ask-mission-lost = the mission is not over; it would not count
 ask-given-up = the mission is not over; leaving gives it up, and the flight counts as a try
 ask-exam-ends = the exam is not over; leaving ends it, and the flight counts
@@ -17,7 +17,7 @@ ask-armed = { $count ->
 }
 ask-press = press { $answer }
 ask-type = type { $answer }
-ask-how-many = { $answer } (how many vehicles)
+ask-how-many = { $answer } (vehicle count)
 ask-cancelled = cancelled, nothing was done: { $question }
 
 select-missing = no vehicle { $vehicles }

@@ -61,6 +61,6 @@ foreign-arm = { $station } armed { $vehicle }
 foreign-disarm = { $station } disarmed { $vehicle }
 foreign-command = { $station } sent { $command } to { $vehicle }
 foreign-parameter = { $station } set { $name } of { $vehicle } to { $value }
-foreign-plan = { $station } loaded { $count } plan items into { $vehicle }
+foreign-plan = { $station } uploaded { $count } plan items to { $vehicle }
 foreign-no-plan = { $station } cleared the plan of { $vehicle }
 foreign-steering = { $station } steers { $vehicle }

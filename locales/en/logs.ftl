@@ -14,8 +14,8 @@ log-event = event { $name }
 log-parameter = { $name } = { $value } (was { $before })
 log-vibration = vibration up to { $most } m/s²
 log-clipping = { $count ->
-    [one] accelerometers at their limit once
-   *[other] accelerometers at their limit { $count } times
+    [one] accelerometers clipped once
+   *[other] accelerometers clipped { $count } times
 }
 log-estimator = the EKF rejects the { $of }: test ratio up to { $most }
 log-of-velocity = velocity

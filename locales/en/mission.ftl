@@ -38,7 +38,7 @@ mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
-mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until it disarms: rtl lands there.
+mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the vehicle disarms: rtl lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before { $least } %: you had { $percent } %
    *[later] come home before { $least } %: you had { $percent } %
@@ -85,7 +85,7 @@ mission-begin = { $fly } flies it   { $back } goes back
 mission-under-way = time { $elapsed } of { $limit }   score { $score }
 mission-ended = over after { $elapsed }   score { $score }   { $key } shows the debrief
 mission-objectives = objectives
-mission-required = required
+mission-required = mandatory
 mission-hints = hints so far
 mission-rules = rules
 mission-rule-time = time
@@ -152,7 +152,7 @@ mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused for { $time }
 # The whole program was stopped (Ctrl-Z) while the embedded simulator flew.
-session-stopped = the console was suspended for { $time }: the flight stood still
+session-stopped = the console and the flight were suspended for { $time }
 session-stopped-rules = the console was suspended for { $time }: the rules of this mission allow no pause, so `sortie verify` will reject its record
 pause-begins = PAUSED: `continue` or { $key } resumes
 pause-ends = resumed

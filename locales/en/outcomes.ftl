@@ -49,7 +49,6 @@ outcome-forgotten = the vehicle was forgotten
 outcome-not-heard = not sent: no such vehicle in contact
 outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
-# Expected effects, inserted into outcome-not-seen and similar messages.
 # A list that has been kept since a transfer was interrupted.
 plan-broken-off = an upload of its { $verb ->
     [plan] plan
@@ -62,7 +61,7 @@ plan-broken-off-empty = an upload of its { $verb ->
    *[rally] rally points
 } was interrupted; there was no list before: `{ $verb } clear` removes what is left
 
-# What was awaited in the telemetry; goes into outcome-not-seen and its like.
+# Expected effects, inserted into outcome-not-seen and similar messages.
 effect-nothing = an effect
 effect-armed = armed
 effect-disarmed = disarmed
@@ -117,7 +116,7 @@ outcome-log-stalled = the vehicle stopped sending log { $number }: { $percent } 
 outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of log { $number } saved; disarm it and repeat the download to continue
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
 
-outcome-plan-left = { $vehicles } without a part now, still with a plan of earlier work: `{ $vehicles } plan clear`
+outcome-plan-left = no part for { $vehicles } now, but an earlier plan is still on board: `{ $vehicles } plan clear`
 outcome-plan-idle = no part for this vehicle; its plan on board is cleared
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-waits = waiting for the plans of { $vehicles }, which are being sent or read

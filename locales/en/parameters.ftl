@@ -21,7 +21,7 @@ parameters-file-too-large = { $value } is too large for a vehicle
 parameters-file-help = write NAME,VALUE on a line, and comments after a #
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
     [one] (nothing was loaded)
-   *[other] (and { $count } faults in all; nothing was loaded)
+   *[other] ({ $count } faults in all; nothing was loaded)
 }
 
 parameters-title = vehicle { $vehicle }

@@ -97,7 +97,7 @@ plan-uncovered = { $count ->
    *[other] no terrain file covers { $count } legs
 }
 plan-home-height = home is at { $home } m above sea level in the file; the ground there is at { $ground } m
-plan-terrain-lowest = lowest over the ground: { $height } m, on the leg to item { $number }
+plan-terrain-lowest = lowest height above ground: { $height } m, on the leg to item { $number }
 plan-terrain-no-folder = { $path }: no such folder
 plan-terrain-size = { $path }: { $bytes } bytes; a `.hgt` file has 2884802 (3 arc seconds) or 25934402 (1 arc second)
 plan-mixed-frames = the height reference changes: { $before }, now { $here }

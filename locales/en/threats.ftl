@@ -14,7 +14,7 @@ threat-answered = answered after { $seconds } s: { $alert }
 threat-not-allowed = `{ $name }` may not be injected in this mission
 
 threat-gust = strong gusts
-threat-wind-shift = the wind turns
+threat-wind-shift = the wind shifts
 threat-gnss-jam = satellite navigation fails
 threat-link-loss = the link is lost
 threat-motor-fail = a motor is failing

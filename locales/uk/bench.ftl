@@ -38,9 +38,9 @@ bench-hint-open = на верстак
 bench-hint-copy = копіювати
 bench-hint-rename = назвати
 bench-hint-delete = видалити
-bench-hint-other = інший
-bench-hint-assign = цей проєкт на місце
-bench-hint-all = на всі місця
+bench-hint-other = обрати інший
+bench-hint-assign = обрати для місця
+bench-hint-all = обрати для всіх
 bench-hint-lend = позичені дрони
 bench-hint-fly = летіти
 
@@ -99,8 +99,8 @@ bench-choose-compared = оберіть проєкт і натисніть { $key
 
 bench-no-more = додати не можна: вже на борту, або місце заповнено
 bench-not-on-board = цього немає на борту
-bench-nothing-to-undo = нема чого скасувати
-bench-nothing-to-redo = нема чого повторити
+bench-nothing-to-undo = нема чого скасовувати
+bench-nothing-to-redo = нема чого повторювати
 bench-nobody-buys = гість може пробувати кожну деталь: купувати нічого не треба
 bench-no-profile = проєкти зберігаються у профілі, а його не вибрано: { $key } записує проєкт у файл
 bench-saved = збережено: { $name }

@@ -26,12 +26,12 @@ select-missing-all = немає таких апаратів: { $vehicles }; ви
 
 palette-title = команда
 palette-grammar = [кому] дієслово [аргументи]: { $complete } доповнює, { $older } повертає давніші рядки
-palette-to = для { $vehicles }
-palette-to-cursor = для { $vehicles } (під курсором)
-palette-to-selected = для { $vehicles } (вибрані)
+palette-to = кому: { $vehicles }
+palette-to-cursor = кому: { $vehicles } (під курсором)
+palette-to-selected = кому: { $vehicles } (вибраним)
 palette-confirms = { $key } підтверджує
-palette-sends = { $key } надсилає для { $vehicles }
-palette-asks = { $key } надсилає для { $vehicles } після підтвердження
+palette-sends = { $key } надсилає; кому: { $vehicles }
+palette-asks = { $key } надсилає після підтвердження; кому: { $vehicles }
 
 prompt-connect = під'єднатися до
 

@@ -59,7 +59,7 @@ debrief-swarm = РІЙ   (не оцінюється)
 debrief-fan-out = За такого темпу ви завантажуєте дронів: { $handled }; літало: { $flown }.
 debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
-debrief-use = у повітрі { $airborne } s, із завданням { $percent } %, простій { $idle } s
+debrief-use = у повітрі { $airborne } s, зайнятість { $percent } %, простій { $idle } s
 debrief-use-none = не літав
 
 debrief-truth = ЩО БУЛО НАСПРАВДІ   (північ угорі)

@@ -40,7 +40,7 @@ standoff-target = { $share } % часу на відстані від { $nearest 
 standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: заблизько було { $close } s.
 
 # Доставлення.
-deliver-kits = допомогли: { $done }, запізно: { $lost }
+deliver-kits = вчасно: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
 deliver-kits-target = допомогти людям: { $target }
 deliver-nodes-target = установити вузлів: { $target }
@@ -53,8 +53,8 @@ people-node-lost = у межах { $distance } m місця для вузла н
 
 # Плани на борту та дії з ними до польоту.
 plan-fault-of = { $vehicle }: { $fault }
-plan-fault-sea-level = висота від рівня моря
-plan-fault-outside = точка за геозоною
+plan-fault-sea-level = висота над рівнем моря
+plan-fault-outside = точка поза геозоною
 plan-fault-endless = нескінченний перехід
 plan-fault-stay = зупинка, на яку не стане заряду
 plan-fault-copied = план іншого апарата

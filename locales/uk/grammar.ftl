@@ -89,7 +89,7 @@ grammar-no-name = невідома назва `{ $word }`
 grammar-no-vehicles = `{ $word }` не називає апаратів: пишіть номери, `@group`, `all`, `none`, `filter` або `invert`
 grammar-largest-first = спершу найбільші
 grammar-no-targets-here = `{ $verb }` — команда консолі: апаратів перед нею не пишуть
-grammar-only-plain = `{ $verb }` діє лише в консолі без екрана: тут це показують екрани
+grammar-only-plain = `{ $verb }` діє лише в консолі без екрана; тут це показує окремий екран
 grammar-only-console = `{ $verb }` діє лише в консолі: у скрипті її не вживають
 
 grammar-script-selection = у скрипті немає вибраних апаратів

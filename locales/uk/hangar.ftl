@@ -2,14 +2,14 @@
 
 hangar-unknown = екземпляра { $id } немає
 hangar-taken = екземпляр { $id } уже працює: спершу зупиніть його або виберіть інший номер
-hangar-full = уже працює екземплярів: { $limit }, це межа: зупиніть зайві або збільште межу
+hangar-full = уже працює екземплярів: { $limit }, більше не можна; зупиніть зайві або збільште межу
 hangar-no-program = { $program } не знайдено: вкажіть його через --arducopter чи SORTIE_ARDUCOPTER або додайте до PATH
 hangar-attached = до екземпляра { $id } вже під'єднано іншу програму
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
 hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
 
-hangar-none = Ці апарати не симулює жоден процес. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
+hangar-none = Цих апаратів не симулює жоден процес. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
 hangar-opening = ангар відкривається ...
 hangar-ready = готово { $ready } з { $count }
 hangar-host-title = хост
@@ -59,7 +59,7 @@ hangar-failed = не вдалося запустити апарати: { $reason
 hangar-plain-stages = запуск: { $stages }
 hangar-plain-stage = { $vehicles } { $stage }
 hangar-plain-given-up = апарати не запустилися: політ на цьому закінчено
-hangar-plain-none = ці апарати не симулює жоден процес
+hangar-plain-none = цих апаратів не симулює жоден процес
 hangar-here = тут
 
 # Ангари на інших машинах.

@@ -1,7 +1,7 @@
 # Екран «зв'язок».
 
 links-none = каналів немає: під'єднайтеся до апаратів або почніть політ
-links-ailing = лікар зв'язку: { $finding } ({ $key } показує, що спробувати)
+links-ailing = діагностика зв'язку: { $finding } ({ $key } показує, що спробувати)
 links-address = адреса
 links-in = прийом B/s
 links-out = перед. B/s
@@ -14,7 +14,7 @@ links-fatal = ЗБІЙ
 links-fault = збій
 links-remark = примітка
 links-fine = добре
-links-doctor = лікар зв'язку
+links-doctor = діагностика зв'язку
 links-received = прийнято
 links-sent = передано
 links-rates = { $bytes } B/s, { $messages } повід./s
@@ -23,7 +23,7 @@ links-dropped = пропущено
 links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, невідомі номери { $unknown }, не розібрано { $undecoded }
 links-missing = не дійшло
 links-others = інше
-links-other-figures = вузлів { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
+links-other-figures = вузлів { $peers }, повторних з'єднань { $reconnects }, не надіслано { $unsent }
 links-history = { $way }, { $seconds } s, макс. { $most }
 
 links-key-command = команда
@@ -44,7 +44,7 @@ forward-down = пересилання { $address }: { $reason }
 forward-opened = відкрито пересилання { $forward }
 forward-closed = закрито пересилання { $address }
 forward-no-session = немає каналів зв'язку: під'єднайтеся до апаратів або почніть політ
-forward-mission = інша програма не може допомагати в завданні: додайте `read-only` після адреси
+forward-mission = під час завдання пересилання може бути лише для читання: додайте `read-only` після адреси
 forward-open-already = пересилання { $address } вже відкрите: спершу закрийте його
 forward-none-there = немає пересилання { $address }: їх показує `forward`
 forward-empty = бракує адреси: напишіть `ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]`

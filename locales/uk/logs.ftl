@@ -2,7 +2,7 @@
 log-is-none = це не журнал `DataFlash`: у ньому немає описів форматів
 log-is-empty = у журналі немає даних про політ
 log-cut-off = журнал обірваний: останній запис неповний, байтів: { $bytes }
-log-damaged = журнал пошкоджений: байтів поза записами: { $bytes }
+log-damaged = журнал пошкоджений, байтів поза записами: { $bytes }
 log-left-out = пропущено подій: { $count }; журнал дає щонайбільше { $most } одного виду
 log-unreadable = { $file }: { $error }
 log-mode-why = режим { $mode } ({ $reason })
@@ -23,7 +23,7 @@ log-of-compass = компас
 log-battery = найнижча напруга акумулятора { $number }: { $volt } V за { $ampere } A
 log-by-gps-time = часом GPS і часом від запуску
 log-by-boot-time = часом від запуску й активацією двигунів
-log-by-boot-time-only = самим часом від запуску (журнал і запис можуть бути з різних польотів)
+log-by-boot-time-only = самим лише часом від запуску (журнал і запис можуть бути з різних польотів)
 log-by-arming = активацією двигунів
 log-no-vehicle = у журналі не вказано апарата, а в записі їх { $count }: вкажіть --vehicle
 log-not-in-record = це журнал апарата { $vehicle }, якого немає в записі

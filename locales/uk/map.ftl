@@ -13,8 +13,8 @@ map-from-home = від дому
 map-from-vehicle = від
 map-ruler = лінійка
 map-no-vehicle = під курсором немає апарата з відомою позицією
-map-no-samples = від датчиків ще немає вимірів
-map-shows-sensor = виміри датчика { $sensor }
+map-no-samples = показів датчиків ще немає
+map-shows-sensor = покази датчика { $sensor }
 
 map-legend = позначки
 map-legend-armed = двигуни активні, курс
@@ -50,7 +50,7 @@ action-ruler = міряти звідси або припинити
 action-goto-here = написати `goto` з точкою під курсором
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
-action-next-sensor = показати виміри наступного датчика
+action-next-sensor = перейти до показів наступного датчика
 # Пояснення позначок: щонайбільше 24 колонки.
 map-legend-seen = контакт, один датчик
 map-legend-confirmed = контакт, два датчики

@@ -1,7 +1,7 @@
 # Як іде завдання: поступ, сповіщення, події.
 
-mission-passed = виконано
-mission-failed = не виконано
+mission-passed = пройдено
+mission-failed = не пройдено
 mission-timed-out = час вийшов
 mission-abandoned = припинено
 mission-not-finished = не завершено
@@ -73,7 +73,7 @@ mission-battery-critical = критичний заряд акумулятора
 mission-battery-low = низький заряд акумулятора
 
 # Переклади у файлах завдань.
-mission-untranslated = немає `{ $key }`: українською буде показано англійський текст
+mission-untranslated = немає `{ $key }`: на українських екранах буде англійський текст
 mission-english-only = лише англійською: додайте `title_uk`, `brief_uk`, `text_uk` поруч з англійськими текстами
 mission-translation-empty = `{ $key }` порожній: приберіть його, щоб показати англійський текст
 
@@ -160,7 +160,7 @@ mission-goal-score-result = балів: { $points }
 # Пауза.
 mission-paused = пауза { $time }
 # Усю програму було зупинено (Ctrl-Z), поки літав вбудований симулятор.
-session-stopped = консоль було призупинено на { $time }: політ стояв на місці
+session-stopped = консоль було призупинено на { $time }; політ на цей час зупинився
 session-stopped-rules = консоль було призупинено на { $time }: правила цього завдання не дозволяють пауз, тож `sortie verify` відхилить запис
 pause-begins = ПАУЗА: `continue` або { $key } — далі
 pause-ends = симуляцію продовжено
@@ -206,7 +206,7 @@ mission-reading-is = іде; { $key } — пауза, поки ви читаєт
 mission-reading-paused = на паузі; { $key } — далі
 mission-then = початок
 mission-then-is = { $drones } показує дрони й запускає годинник, { $back } повертає назад, { $help } пояснює клавіші й команди
-mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }
+mission-contacts-count = контакти { $count }, підтв. { $confirmed }, повід. { $reported }
 mission-marks-count = повідомлено { $count }
 mission-pledge-line = ваш план: { $words }
 mission-said-score = балів: { $points }

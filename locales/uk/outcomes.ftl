@@ -79,7 +79,7 @@ effect-heading = курс { $degrees }°
 effect-velocity = політ із такою швидкістю
 effect-plan-item = поточний пункт — { $item }
 effect-plan-flown = політ за планом в AUTO з пункту { $item }
-effect-home = новий дім
+effect-home = дім перенесено
 effect-servo = вихід { $output } на { $pulse } us
 effect-rebooted = перезапуск
 
@@ -117,7 +117,7 @@ outcome-plan-unread = апарат не відповідав; нічого не 
 outcome-plan-unknown = невідомо, який список на борту: перевірте його через `plan show`, перш ніж летіти
 plan-stage-lost = зв'язок утрачено: передавання продовжиться, коли він відновиться
 plan-stage-restoring = повертається старий список
-outcome-logs-silent = апарат не показує переліку журналів
+outcome-logs-silent = апарат не відповідає на запит переліку журналів
 outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; завантажте ще раз, щоб продовжити
 outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й завантажте ще раз, щоб продовжити
 outcome-log-length = у { $file } байтів: { $bytes }, а апарат називає { $expected }: завантажте ще раз

@@ -10,7 +10,7 @@ action-fetch-parameters = запитати в апарата всі параме
 parameters-not-finite = не надіслано: { $name } приймає лише скінченні числа
 parameters-not-whole = не надіслано: { $name } приймає лише цілі числа ({ $kind })
 parameters-out-of-range = не надіслано: { $name } приймає лише від { $least } до { $greatest } ({ $kind })
-parameters-inexact = не надіслано: { $name } не можна встановити саме так; MAVLink передав би { $nearest }
+parameters-inexact = не надіслано: { $name } не може набути точно такого значення; MAVLink передав би { $nearest }
 parameters-no-number = `{ $value }` — не число
 
 parameters-file-twice = { $name } уже має значення { $value } у рядку { $line }
@@ -72,7 +72,7 @@ parameters-state-refused = відхилено
 parameters-state-unanswered = без відповіді
 parameters-state-replaced = замінено
 parameters-differs = відрізняється
-parameters-own = власне цього апарата
+parameters-own = свій у кожного апарата
 parameters-missing = немає на цьому апараті
 parameters-extra = лише на цьому апараті
 parameters-changed = змінено

@@ -13,8 +13,8 @@ vehicle-angles = крен { $roll }°  тангаж { $pitch }°
 vehicle-state = стан
 vehicle-mode = режим
 vehicle-no-heartbeat = ще немає HEARTBEAT
-vehicle-armed = АКТИВНИЙ
-vehicle-disarmed = неактивний
+vehicle-armed = АКТИВНІ
+vehicle-disarmed = неактивні
 vehicle-on-ground = на землі
 vehicle-in-air = у повітрі
 vehicle-paused = пауза
@@ -34,9 +34,9 @@ vehicle-here = тут
 vehicle-target = ціль
 vehicle-target-height = на { $altitude } m
 vehicle-target-velocity = n { $north } e { $east } up { $up } m/s
-vehicle-flight = активний
+vehicle-flight = активні
 vehicle-flight-before = востаннє
-vehicle-flight-last = активний { $time }
+vehicle-flight-last = активні { $time }
 vehicle-link = зв'язок
 vehicle-link-good = { $percent } %  туди й назад { $trip }
 vehicle-link-lost = ВТРАЧЕНО { $seconds } s тому
@@ -49,8 +49,8 @@ vehicle-load = процесор
 vehicle-firmware = прошивка
 
 vehicle-curves = останні { $seconds } s
-vehicle-least = мін
-vehicle-most = макс
+vehicle-least = мін.
+vehicle-most = макс.
 vehicle-climb = набір
 vehicle-voltage = напруга
 vehicle-current = струм
@@ -62,7 +62,7 @@ vehicle-remaining = заряд
 vehicle-throttle = газ
 
 vehicle-estimate = GPS, EKF, вібрація
-vehicle-gps = { $fix } { $satellites } суп HDOP { $hdop }
+vehicle-gps = { $fix } { $satellites }  HDOP { $hdop }
 vehicle-gps-error = похибка GPS
 vehicle-ekf-position = позиція відома
 vehicle-ekf-lost = позиція невідома
@@ -71,7 +71,7 @@ vehicle-ekf-horizontal = позиція
 vehicle-ekf-vertical = висота
 vehicle-ekf-compass = компас
 vehicle-vibration = вібрація { $axis }
-vehicle-clipping = зрізання
+vehicle-clipping = насичення
 vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 m/s²
 vehicle-grade-good = норма
 vehicle-grade-poor = слабко
@@ -98,7 +98,7 @@ vehicle-texts = повідомлення апарата
 vehicle-sensors = датчики та функції
 sensor-good = норма
 sensor-bad = ЗБІЙ
-sensor-off = вимк
+sensor-off = вимк.
 sensor-gyro = гіроскоп
 sensor-accelerometer = акселерометр
 sensor-compass = компас
@@ -133,9 +133,9 @@ sensor-propulsion = силова установка
 
 vehicle-fence-areas = { $count ->
     [0] немає
-    [one] { $count } зона
-    [few] { $count } зони
-   *[many] { $count } зон
+    [one] { $count } ділянка
+    [few] { $count } ділянки
+   *[many] { $count } ділянок
 }
 vehicle-rally-points = { $count ->
     [0] немає

@@ -22,7 +22,7 @@ pub struct Launch {
     pub mission: String,
     /// How the flight counts in a career.
     pub stake: Stake,
-    /// The seed where the trainee chose it, for practice.
+    /// The seed, if the trainee chose it for practice.
     pub seed: Option<u64>,
     /// The built drones, one for all seats or one per seat; empty for the mission's own.
     pub fleet: Vec<Design>,
@@ -63,7 +63,7 @@ pub enum Effect {
         entry: EntryId,
         order: Order,
     },
-    /// Tell the program whose line was the event what has become of it.
+    /// Answer the program whose line was the event: carried out or refused.
     AnswerProgram(Result<ProgramAnswer, ProgramFault>),
     /// Download all parameters of vehicles.
     FetchParameters(Vec<VehicleId>),
@@ -80,7 +80,7 @@ pub enum Effect {
     Terminal(TerminalEffect),
 }
 
-/// A line of a program that was carried out.
+/// The answer to a program's line that was carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramAnswer {
     /// Its entry in the ledger; `None` for a line to the console itself.
@@ -146,7 +146,7 @@ pub enum FileEffect {
     List {
         folder: String,
     },
-    /// Read the height of the ground of these squares from a folder.
+    /// Read the ground heights in these squares from the files of a folder.
     Ground {
         folder: String,
         squares: Vec<Square>,

@@ -40,7 +40,7 @@ pub enum Event {
     Program(ProgramLine),
     /// Time has passed; no other event moves the console's clock.
     Tick {
-        /// Time since the start of the program, without pauses of the session.
+        /// Time since the start of the program, excluding pauses of the session.
         now: Duration,
         /// Time since the start of the program, including pauses of the session.
         wall: Duration,
@@ -97,7 +97,7 @@ pub enum TerminalEvent {
     SlowLine(Option<u32>),
 }
 
-/// A line that a program gives. Its fault or its entry is the answer ([`Effect::AnswerProgram`]).
+/// A line given by a program. The answer is its fault or its ledger entry ([`Effect::AnswerProgram`]).
 ///
 /// [`Effect::AnswerProgram`]: super::effect::Effect::AnswerProgram
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -168,9 +168,9 @@ pub enum ProcessEvent {
 /// The course of a session.
 #[derive(Debug, Clone)]
 pub enum SessionEvent {
-    /// A session has begun; it replaces the one before, or a replay.
+    /// A session has begun; it replaces the previous session or replay.
     Started(Box<Started>),
-    /// The session or the replay before has ended, and the next one could not be started.
+    /// The previous session or replay has ended, and the next one could not be started.
     Ended,
     /// Simulated time stopped or resumed.
     Paused(bool),
@@ -187,12 +187,13 @@ pub enum SessionEvent {
 /// The course of a replay. Recorded telemetry and occurrences arrive as their original events.
 #[derive(Debug, Clone)]
 pub enum ReplayEvent {
-    /// A recording was opened; its session replaces the one before.
+    /// A recording was opened; its session replaces the previous one.
     Opened {
         view: Box<ReplayView>,
         started: Box<Started>,
     },
-    /// The recording has been read to its end: its length and content.
+    /// More of the recording is known: its length, its moments or its report. The length is an estimate until all of it
+    /// has been indexed.
     Known {
         length: Duration,
         /// The moments found so far, earliest first.
@@ -233,7 +234,7 @@ pub enum FileEvent {
     },
     /// A folder was listed; a name of a folder in it ends with `/`. Empty if it cannot be read.
     Listed { folder: String, names: Vec<String> },
-    /// The ground of the squares that have files in a folder.
+    /// The ground in those squares that have files in the folder.
     Ground { folder: String, terrain: Terrain },
     /// A file was written.
     Written { path: String },

@@ -99,7 +99,7 @@ pub struct Binding {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Keymap {
     bindings: Vec<Binding>,
-    /// Keys disabled in a place, even if they have a meaning in every other one.
+    /// Keys disabled in a place, even if they have a meaning in all other places.
     silent: Vec<(Press, Place)>,
 }
 

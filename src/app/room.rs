@@ -67,7 +67,7 @@ pub trait RoomModel: Default {
         None
     }
 
-    /// Flies the mission under the cursor in another way.
+    /// Flies the mission under the cursor as a drill, as an exam, for practice or with the seed of the day.
     fn start(_state: &mut State, _action: StartAction) -> Answer {
         None
     }

@@ -271,8 +271,8 @@ impl<R> State<R> {
         self.session.task.listing.as_deref()
     }
 
-    /// Whether the trainee is asked now for the workload: in the air, except in exams, until the question is
-    /// answered.
+    /// Whether a question about the workload is open now: it is due by mission time and has not been answered. Exams
+    /// and replays have none, and the user can turn them off.
     pub fn asks_workload(&self) -> bool {
         let session = &self.session;
         let Some(progress) = session

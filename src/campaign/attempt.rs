@@ -86,7 +86,8 @@ pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 
-/// The stake of a script's flight: it counts only for a profile and on a layout that the user has not chosen.
+/// The stake that a script's flight asks for: graded for a profile on a layout that the user has not chosen. It
+/// is practice in the end ([`PracticeReason::Script`]).
 pub fn script_stake(chosen_seed: Option<u64>, has_profile: bool) -> Stake {
     if chosen_seed.is_none() && has_profile {
         Stake::Graded
@@ -196,7 +197,8 @@ impl AttemptTerms<'_> {
         }
     }
 
-    /// A layout that the trainee has not flown; without a profile, always the same sequence.
+    /// A random layout, almost certainly new to the trainee; `None` without a profile, whose layouts follow a fixed
+    /// sequence.
     fn fresh_seed(&self) -> Option<u64> {
         self.trainee?;
         self.random.map(|random| random % FRESH_SEEDS)

@@ -212,9 +212,9 @@ impl MissionCourse {
             .collect()
     }
 
-    /// The recommended skill, and the best open mission for it. The skill is one that is due for a refresher, otherwise
-    /// the weakest one that a new mission trains, otherwise the weakest one. Weak skills get drills first, better ones
-    /// get whole missions.
+    /// The recommended skill, and the best open mission for it. The skill is one that is due for a refresher; otherwise
+    /// the weakest one that the easiest new mission trains; without new missions, the weakest one that the easiest
+    /// passed mission trains. Weak skills get drills first, better ones get whole missions.
     pub fn next(&self, standing: &CareerStanding, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .iter()

@@ -6,7 +6,7 @@ pub fn daily_seed(day: i64) -> u64 {
 }
 
 /// The seed of a mission's exam. It is the same for all trainees and does not change until the mission is revised. Each
-/// exam that a trainee has taken leads to another seed, because the debrief has shown the truth of the last one.
+/// exam that a trainee takes changes the seed, because its debrief shows the truth.
 pub fn exam_seed(mission: &str, revision: u32, taken: u32) -> u64 {
     let first = mission
         .bytes()

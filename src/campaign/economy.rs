@@ -9,7 +9,7 @@ pub(super) const START_CREDITS: u32 = 500;
 const LICENCE_SHARE: f64 = 0.4;
 /// The share of a first pass's reward for passing; the rest depends on the score.
 const FOR_PASSING: f64 = 0.5;
-/// Experience of a perfect flight of tier 1; tier 0 counts as half of it.
+/// Experience of a perfect flight of tier 1, before the factors below; tier 0 counts as half of it.
 const EXPERIENCE: f64 = 150.0;
 const NEW_BEST: f64 = 1.25;
 /// The factor for the first flight of a day that refreshes a due skill.
@@ -19,7 +19,7 @@ const REPEAT: f64 = 0.25;
 /// Level n needs `LEVEL * n^1.5`.
 const LEVEL: f64 = 250.0;
 
-/// The parts that every trainee may use from the start: a small quad that carries a particle counter.
+/// The parts that every trainee may use from the start: a small quad with a vapour detector.
 pub const STARTER_PARTS: [&str; 10] = [
     "fr_450q",
     "m2212_920",

@@ -48,7 +48,7 @@ pub struct Evidence {
 
 /// The error of a prediction at which the outcome is zero, in points.
 const BLIND_POINTS: f64 = 250.0;
-/// Outcomes are rounded to this fraction, so that a career is unchanged by storage.
+/// Outcomes are rounded to thousandths, so that a career is unchanged by storage.
 const STEPS: f64 = 1000.0;
 /// An outcome below this counts against a skill in any flight.
 const FAULT: f64 = 0.1;

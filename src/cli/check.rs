@@ -105,7 +105,7 @@ pub(super) fn check(
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-/// Prints the faults and notes of a file; whether it has a fault.
+/// Prints the faults and notes of a file; returns whether it has a fault.
 fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool, Failure> {
     let source = match store::read(path, "file-any") {
         Ok(source) => source,

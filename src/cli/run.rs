@@ -193,7 +193,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     }
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
-        // Whole seconds, since finer ones would differ between identical runs.
+        // Whole seconds, because finer values would differ between identical runs.
         let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         let document = RunResultDocument {
             report: &report,

@@ -57,7 +57,7 @@ struct ReadEnded {
     done: bool,
 }
 
-/// Says the lines one after the other; stops at the first that is refused or not done.
+/// Sends the lines one after the other; stops at the first that is refused or not done.
 pub(super) fn say(arguments: &SayArguments) -> Result<ExitCode, Failure> {
     let mut connection = ApiConnection::open(&arguments.socket)?;
     for line in &arguments.lines {

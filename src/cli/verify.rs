@@ -163,8 +163,8 @@ fn judge_free(
     Ok(document.stating(&["program"]))
 }
 
-/// The difference if the journal of a flight names another program than its input log, or has an end that the log
-/// lacks.
+/// The difference if the journal of a flight and its input log name different programs, or the journal has an end
+/// that the log lacks.
 fn contradiction(journal: &Journal, inputs: &StoredInputs) -> Option<Divergence> {
     let [one, other] = [&journal.head.program, &inputs.head.program].map(String::as_str);
     if one != other {

@@ -15,7 +15,7 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// A claim to be in a mode, also on the ground.
+    /// A claim to be in a mode, even on the ground.
     pub(super) fn mode(before: &Vehicle, name: &str) -> Self {
         Self {
             mode: mode_named(before, name),

@@ -46,7 +46,7 @@ pub enum Deed {
 }
 
 impl Deed {
-    /// Whether it concerns the mission as a whole, so that one vehicle does it for all.
+    /// Whether it has the same result for every vehicle, so that the first one does it for all.
     pub fn is_of_all(&self) -> bool {
         match self {
             Self::Mark {

@@ -64,7 +64,7 @@ impl DeviceCommand {
         }
     }
 
-    /// Why it needs a confirmation: without its fence, a vehicle in flight is stopped by nothing.
+    /// Why it needs a confirmation: with its fence off, nothing stops an armed vehicle at its limits.
     pub(super) fn hazard(self, vehicle: &Vehicle) -> Option<Text> {
         let switches_off = self == Self::Fence { on: false };
         (switches_off && vehicle.armed()).then(|| text!("hazard-fence-off"))

@@ -23,7 +23,7 @@ const TURNED_DEG: f64 = 5.0;
 const HOME_M: f64 = 5.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f64 = 0.5;
-/// How long a change of a state bit takes to appear, which is with the next heartbeat.
+/// How long a change of a state bit may take to appear: it shows with the next heartbeat.
 pub(super) const SOON: Duration = Duration::from_secs(3);
 
 /// The effect to watch for after a command was accepted.
@@ -49,9 +49,9 @@ pub(super) enum Watched {
     Heading(f64),
     Velocity([f64; 3]),
     Home(LatLon),
-    /// The vehicle is at an item of its plan, or past it.
+    /// The vehicle has reached an item of its plan, or is past it.
     PlanItem(PlanAim),
-    /// It also flies its plan in AUTO, without a pause.
+    /// As [`Self::PlanItem`], and the vehicle flies its plan in AUTO without a pause.
     PlanFlown(PlanAim),
     Servo {
         output: u8,
@@ -82,7 +82,7 @@ impl PlanAim {
         }
     }
 
-    /// Whether the plan has come to the item. Commands that do not navigate are passed at once, so a later item counts
+    /// Whether the plan has reached the item. Commands that do not navigate are passed at once, so a later item counts
     /// as well, up to the one that was current before.
     fn is_met(self, vehicle: &Vehicle) -> bool {
         let now = vehicle.plan.current;
@@ -96,7 +96,7 @@ impl PlanAim {
     }
 }
 
-/// Whether the vehicle flies its plan and neither pauses nor has come to the end.
+/// Whether the vehicle flies its plan and neither pauses nor has reached the end.
 fn is_flown(vehicle: &Vehicle) -> bool {
     let moves = match vehicle.plan.phase {
         Some(PlanPhase::Active) | None => true,
@@ -253,7 +253,7 @@ pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
     }
 }
 
-/// A duration from any number.
+/// A duration from any number of seconds, limited to a day.
 fn patience(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds.clamp(0.0, 86_400.0)).unwrap_or(SOON)
 }

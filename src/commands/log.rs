@@ -6,7 +6,7 @@ use strum::{EnumString, VariantNames};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LogCommand {
     List,
-    /// End the orders about logs; the parts of a log that were read are kept.
+    /// Cancel all orders about logs; the parts of a log that were read are kept.
     Stop,
     /// Copy logs from the vehicle into files.
     Download {

@@ -55,7 +55,7 @@ pub enum MotionCommand {
     },
     /// Circle around a point, with autopilots that support it in GUIDED.
     Orbit {
-        /// Radius in metres; negative turns counter-clockwise.
+        /// Radius in metres; negative turns counterclockwise.
         radius_m: f64,
         /// Tangential speed in m/s.
         speed_m_s: f64,
@@ -217,7 +217,7 @@ fn set_home(
     Request::int(vehicle, &fields)
 }
 
-/// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
+/// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counterclockwise, 0 the shortest. A
 /// relative turn is converted here, since a repeated relative command would turn twice.
 fn yaw_params(
     vehicle: &Vehicle,

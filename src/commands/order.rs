@@ -38,7 +38,7 @@ pub enum Act {
     Manoeuvre(Manoeuvre),
     /// Each target gets a plan of its own.
     Plans(PlanTask),
-    /// The plans on board are flown in simulation; no vehicle notices.
+    /// The plans on board are flown in simulation; no vehicle gets a command.
     Rehearse {
         /// The wind to fly in; `None` for the known one.
         wind: Option<Wind>,

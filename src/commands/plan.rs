@@ -29,7 +29,7 @@ pub enum PlanSource {
 /// An operation on a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
-    /// Replace it with the one of a source.
+    /// Replace it with the list from a source.
     Upload { source: PlanSource },
     /// Write it into a new file.
     Download { file: String },
@@ -160,7 +160,8 @@ mod tests {
         vehicle
     }
 
-    /// What is refused anyway needs no confirmation, and an upload asks by itself if the list on board is not known.
+    /// A command that is refused anyway needs no confirmation, and an upload asks for one itself if the list on board
+    /// is not known.
     #[test]
     fn only_what_is_sent_needs_a_confirmation() {
         let command = |deed| PlanCommand {

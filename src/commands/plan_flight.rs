@@ -13,9 +13,9 @@ use crate::vehicle::{PlanPhase, Vehicle};
 
 /// The mode that flies a plan.
 pub(super) const AUTO: &str = "AUTO";
-/// The modes in which a plan that was begun waits: those of `hold`, and those that a pilot holds a vehicle in.
+/// The modes in which a plan that has begun waits: those of `hold`, and those in which a pilot holds a vehicle.
 const WAITING_MODES: [&str; 6] = ["BRAKE", "LOITER", "GUIDED", "POSHOLD", "HOLD", "ALT_HOLD"];
-/// Below this speed over ground a vehicle stands.
+/// A vehicle below this speed over ground counts as standing still.
 const STANDING_M_S: f32 = 0.5;
 
 /// Flies the plan on board, or interrupts it. Items are numbered as on board: 0 is home.
@@ -41,7 +41,7 @@ impl PlanFlight {
         match self {
             Self::Start => {
                 carries_plan(vehicle)?;
-                // In AUTO, most vehicles cannot be armed any more.
+                // Most vehicles cannot be armed in AUTO.
                 if !vehicle.armed() {
                     return Err(text!("refused-plan-not-armed"));
                 }
@@ -122,7 +122,7 @@ impl PlanFlight {
 /// The messages of a resumption, in order.
 ///
 /// `MIS_RESTART` lets AUTO begin at the first item, so the item is set again once AUTO is accepted. It is also set
-/// before, so that the vehicle does not begin a leg that is not wanted.
+/// before, so that the vehicle does not begin a wrong leg.
 fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text> {
     carries_plan(vehicle)?;
     if !vehicle.armed() || vehicle.is_on_the_ground() {

@@ -15,11 +15,11 @@ use crate::wire::Outgoing;
 
 /// The minimum height above home of a setpoint: below it the vehicle flies into the ground.
 const LOWEST_M: f64 = 0.5;
-/// A takeoff counts as under way this far below its height, or with more climb than this. Near its end it slows down
-/// (to about 1 m/s at 90 % of the height), and a setpoint no longer does harm.
+/// A setpoint would abort a takeoff below this height above home, or while it climbs faster than [`TAKEOFF_CLIMB_M_S`].
+/// Near its end it slows down (to about 1 m/s at 90 % of the height), and a setpoint no longer does harm.
 const TAKEOFF_BELOW_M: f64 = 1.5;
 const TAKEOFF_CLIMB_M_S: f32 = 1.5;
-/// A vehicle with more climb than this has left the ground, whatever its status.
+/// A vehicle that climbs faster than this has left the ground, whatever its status.
 const LIFTING_M_S: f32 = 0.3;
 
 pub(super) fn goto(

@@ -1,6 +1,6 @@
 //! Speed limits, and when they must be sent again.
 //!
-//! ArduCopter resets them to its parameters whenever GUIDED begins another kind of control: a speed that was set
+//! ArduCopter resets them to its parameters whenever GUIDED begins a different kind of control: a speed that was set
 //! before or during a takeoff is lost with the first `goto` (`ModeGuided::pva_control_start`). Each place to fly to is
 //! therefore followed by the commanded speeds.
 

@@ -30,7 +30,7 @@ pub enum SettingKind {
     Text,
     /// A whole number within a range, both ends included.
     Whole(i64, i64),
-    /// A yes or no: `true` or `false`.
+    /// Yes or no: `true` or `false`.
     Flag,
     /// A list of words.
     Words,
@@ -125,13 +125,13 @@ pub const SETTINGS: &[Setting] = &[
         "alerts.separation",
         SettingKind::Whole(0, 1000),
         None,
-        "Distance across in m below which vehicles in the air are too close to each other, outside of missions; 0 for no alert.",
+        "Horizontal distance in m below which vehicles in the air are too close to each other, outside of missions; 0 for no alert.",
     ),
     setting(
         "alerts.separation_height",
         SettingKind::Whole(0, 1000),
         None,
-        "Difference in height in m below which they are.",
+        "Vertical distance in m below which vehicles in the air are too close to each other.",
     ),
     setting(
         "workload.ask",

@@ -66,7 +66,7 @@ pub enum Column {
     Vibration,
     /// The plan item that is being flown.
     Item,
-    /// The way and the time to the place of that item.
+    /// The distance and the time to the place of that item.
     Next,
     /// The time to the end of the plan.
     End,

@@ -22,8 +22,7 @@ const REBOOT_US: u64 = 2_000_000;
 const SAME_BOOT_US: u64 = 5_000_000;
 /// The time within which telemetry shows that the vehicle was armed.
 const ARMING_US: u64 = 3_000_000;
-/// The maximum number of armings that are compared, of a log and of a recording each, since every pair of them may
-/// match.
+/// The maximum number of armings of a log, and of a recording, that are compared: any pair of them may match.
 pub(super) const MOST_ARMINGS: usize = 100;
 /// The minimum time between the readings of a clock that are kept.
 const EVERY_US: u64 = 200_000;
@@ -72,7 +71,7 @@ pub struct Alignment {
 /// Why a log does not belong to a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Misfit {
-    /// They have no boot of the autopilot in common, or no part of it.
+    /// They share no boot of the autopilot, or no part of one.
     NoCommonTime,
     /// At their common time, only one of them arms the vehicle.
     OtherArming,

@@ -72,7 +72,7 @@ impl Course {
         is_certain(telemetry.places.iter().filter_map(elsewhere)).then_some(Disagreement::Position)
     }
 
-    /// The modes of a log around a time; `None` before its first and long after its last entry.
+    /// The modes of a log around a time; `None` until [`LAG_US`] after its first mode, and after its last position.
     fn modes_around(&self, boot_us: u64) -> Option<impl Iterator<Item = u32>> {
         let last_us = self.places.last().map(|it| it.boot_us);
         if last_us.is_none_or(|last_us| last_us < boot_us) {
@@ -118,7 +118,7 @@ mod tests {
         seconds * 1_000_000
     }
 
-    /// A flight of a minute at 10 m/s to the north, with RTL from a time on.
+    /// A flight of a minute at 10 m/s to the north, switched to RTL at a time.
     fn flown(rtl_s: u64, from_east_m: f64) -> Course {
         let start = LatLon::new(50.0, 30.0).moved(0.0, from_east_m);
         let mut course = Course::default();

@@ -14,7 +14,7 @@ const MOST: f64 = 1e6;
 pub enum LogChannel {
     /// The strongest axis of `VIBE`, in m/s².
     Vibration,
-    /// The greatest test ratio of `XKF4`: from 1 on, the estimator rejects the measurement.
+    /// The greatest test ratio of `XKF4`: at 1 or more, the estimator rejects the measurement.
     Estimator,
     /// The voltage of the first battery (`BAT`), in volts.
     Voltage,
@@ -92,7 +92,7 @@ impl LogCurves {
     }
 
     /// The readings of a channel in the span that ends with the second of `until`, oldest first, one per second; `None`
-    /// if the log has none.
+    /// for a second without a reading.
     pub fn readings(&self, channel: LogChannel, until: Duration, seconds: u16) -> Vec<Option<f32>> {
         let known = self.by_channel.get(&channel);
         let last = until.as_secs();

@@ -34,7 +34,7 @@ pub enum LoggedEvent {
         value: f32,
         before: f32,
     },
-    /// Vibration was too strong from this time on; with its maximum in m/s².
+    /// Vibration became too strong; with its maximum in m/s².
     Vibration {
         most_m_s2: f64,
     },
@@ -42,7 +42,7 @@ pub enum LoggedEvent {
     Clipping {
         count: u32,
     },
-    /// The estimator rejected measurements from this time on; with the maximum test ratio.
+    /// The estimator began to reject measurements; with the maximum test ratio.
     Estimator {
         of: Measured,
         most: f64,

@@ -15,7 +15,7 @@ use crate::vehicle::{Mode, VehicleClass, VehicleId};
 
 /// The vibration above which `ArduPilot`'s guide considers it too strong, in m/s².
 const SHAKEN_M_S2: f64 = 30.0;
-/// The test ratio from which on the estimator rejects a measurement.
+/// The test ratio at which the estimator starts to reject a measurement.
 const REJECTED: f64 = 1.0;
 /// A lasting condition counts as one event until it has been over for this long.
 const OVER_US: u64 = 5_000_000;

@@ -119,7 +119,7 @@ fn a_log_tells_its_flight() {
             "2500 mode GUIDED (GCS_COMMAND)",
             "9000 WPNAV_SPEED = 800 (was 500)",
             "10100 vibration up to 61 m/s²",
-            "10100 accelerometers at their limit 3 times",
+            "10100 accelerometers clipped 3 times",
             "11100 the EKF rejects the position: test ratio up to 1.70",
             "13000 battery 1 lowest: 10.10 V at 22.0 A",
             "15000 error FAILSAFE_BATT: OCCURRED",

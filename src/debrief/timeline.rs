@@ -9,7 +9,7 @@ use crate::text::Text;
 
 /// Columns of the strip of time.
 const STRIP: usize = 60;
-/// The maximum number of rows of the timeline; if there are more, successful commands are left out.
+/// With more rows than this, successful commands are left out of the timeline.
 const ROWS: usize = 40;
 
 /// The subject of a row. Later marks are drawn over earlier ones in the strip of time.

@@ -90,7 +90,7 @@ impl WorkloadStrips<'_> {
         strip.into_iter().collect()
     }
 
-    /// The times at the ends, or the time at the cursor.
+    /// The times at the ends, or a mark at the cursor.
     fn scale(&self) -> String {
         let end_s = self.end_s();
         let cells = self.cells();

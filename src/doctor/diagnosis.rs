@@ -27,7 +27,7 @@ const MOST_LOST: f64 = 0.10;
 const TWO_HEARTBEATS_HZ: f64 = 1.5;
 /// A vehicle that has changed its port is heard on both for less than this; two vehicles are heard for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
-/// The number of bytes from which on garbage is noise, not a start in the middle of a frame.
+/// The minimum number of garbage bytes that count as noise, not as a start in the middle of a frame.
 const NOISE_ENOUGH: u64 = 40;
 /// The number of frames of unknown messages that is not an accident.
 const FOREIGN_ENOUGH: u64 = 3;
@@ -257,7 +257,7 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// The fault if a vehicle does not answer the console's messages.
+/// The finding about whether a vehicle answers the console's messages; `None` if there is nothing to report.
 fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     let system = sender.source.system;
     let answers = sender

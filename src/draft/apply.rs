@@ -11,7 +11,7 @@ use crate::plan::{Document, Home, Item, ListKind, command, field};
 use crate::text;
 use crate::text::Text;
 
-/// The height of a first rally point that names none, in metres above home.
+/// The height of a first rally point that is given none, in metres above home.
 const USUAL_HEIGHT_M: f32 = 30.0;
 /// The smallest radius that a change to a circle leaves, in metres.
 const LEAST_RADIUS_M: f32 = 1.0;

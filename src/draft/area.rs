@@ -4,8 +4,8 @@ use crate::geo::{LatLon, Outline};
 use crate::plan::Document;
 use crate::plan::generate::source;
 
-/// The areas drawn in a document: those to stay in of its fence, otherwise the one within the places of its plan. An
-/// outline is one line, so a hole is joined to its area by a line that leads there and back.
+/// The areas drawn in a document: the inclusion areas of its fence, otherwise the area that the places of its plan
+/// enclose. An outline is one line, so a hole is joined to its area by a line that leads there and back.
 pub fn drawn_areas(document: &Document) -> Vec<Outline> {
     let areas = source::areas(document).into_iter();
     areas
@@ -19,7 +19,7 @@ pub fn drawn_areas(document: &Document) -> Vec<Outline> {
         .collect()
 }
 
-/// An outline with a hole, joined at the two corners that are nearest to each other.
+/// An outline with a hole, joined at the two corners that are closest to each other.
 fn joined(outline: Vec<LatLon>, hole: &[LatLon]) -> Vec<LatLon> {
     let pairs = (0..outline.len()).flat_map(|at| (0..hole.len()).map(move |to| (at, to)));
     let way_m = |&(at, to): &(usize, usize)| outline[at].distance_m(hole[to]);

@@ -29,7 +29,7 @@ impl Items {
     }
 }
 
-/// A place in a plan, as it is named.
+/// A place in a plan, as a key or a line names it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
     /// The cursor of the map.
@@ -85,7 +85,7 @@ impl PlanFrame {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewItem {
     pub command: u16,
-    /// `None`: the cursor if the command needs a place, otherwise where the vehicle is.
+    /// `None` means the cursor if the command needs a place, otherwise the place of the vehicle.
     pub spot: Option<Spot>,
     pub height_m: Option<f32>,
     pub frame: Option<PlanFrame>,
@@ -168,7 +168,7 @@ pub enum FenceEdit {
         spot: Spot,
         radius_m: f32,
     },
-    /// Turns the area of this item from one to stay in into one to stay out of, or back.
+    /// Turns the area of this item from an inclusion into an exclusion, or back.
     Flip(usize),
 }
 

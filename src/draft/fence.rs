@@ -106,7 +106,7 @@ fn add_circle(items: &mut Vec<Item>, keeps_in: bool, centre: LatLon, radius_m: f
 }
 
 /// Adds a corner after an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
-/// begins one to stay in. Returns the new item.
+/// begins an inclusion polygon. Returns the new item.
 fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
     let all = areas(items);
     let is_polygon = |area: &&Range<usize>| command::is_corner(items[area.start].command);
@@ -149,7 +149,7 @@ pub(super) fn delete(items: &mut Vec<Item>, range: &Range<usize>) {
     *items = rest;
 }
 
-/// Turns the area of an item from one to stay in into one to stay out of, or back.
+/// Turns the area of an item from an inclusion into an exclusion, or back.
 fn flip(items: &mut [Item], at: usize) {
     let area = areas(items).into_iter().find(|area| area.contains(&at));
     for item in area

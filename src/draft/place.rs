@@ -15,7 +15,7 @@ pub fn place(item: &Item) -> Option<LatLon> {
     is_placed.then(|| item.point())
 }
 
-/// The reason of a refused edit, in words.
+/// The reason why an edit is refused, in words.
 pub(super) fn refused(error: EditError) -> Text {
     match error {
         EditError::NoItem(count) => text!("draft-no-item", count = count),
@@ -34,7 +34,7 @@ pub(super) fn known(list: &[Item], items: Items) -> Result<Range<usize>, Text> {
     }
 }
 
-/// The place that an edit names; the cursor and home come from what lies around the draft.
+/// The place that an edit names; the cursor and home come from its surroundings.
 pub(super) fn found(
     spot: Spot,
     document: &Document,

@@ -7,7 +7,7 @@ use crate::plan::edit::{self, FrameChange};
 use crate::plan::{Document, Item, command};
 use crate::text::Text;
 
-/// The height without a height of its own, in metres above home.
+/// The height of a first item that is given none, in metres above home.
 const USUAL_HEIGHT_M: f32 = 30.0;
 
 /// Changes the plan, and returns the item that the change is about.
@@ -96,8 +96,8 @@ fn built(
     })
 }
 
-/// Changes the frame of items. The flight stays at its height; only between home and terrain the number stays instead
-/// where the ground is not known, which then counts as level.
+/// Changes the frame of items. Their true height stays the same; between home and terrain the number stays instead if
+/// the ground or home is not known: the ground then counts as level.
 fn change_frame(
     document: &mut Document,
     items: Items,

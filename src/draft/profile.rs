@@ -50,7 +50,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The place at a distance from the start of the way.
+    /// The place at a distance along the path.
     pub fn place_at(&self, along_m: f64) -> Option<LatLon> {
         let to = self.stops.iter().position(|stop| stop.along_m >= along_m)?;
         let end = self.stops[to];
@@ -95,7 +95,7 @@ struct Course<'a> {
     ground: &'a Terrain,
     at: Option<LatLon>,
     height_m: f64,
-    /// The direction in which it arrives, in degrees; `None` at rest.
+    /// The direction in which the vehicle arrives, in degrees; `None` at rest.
     along_deg: Option<f64>,
     pace: Pace,
     profile: Profile,

@@ -31,8 +31,8 @@ impl Drafts {
         self.all.get_mut(self.current)
     }
 
-    /// Notes that a draft was written to a file, which is its file from now on. The draft is also named after the
-    /// file, unless it is meant for a vehicle or another draft has that name.
+    /// Notes that a draft was written to a file, which becomes its file. The draft is also named after the file, unless
+    /// it is meant for a vehicle or another draft has that name.
     pub fn note_saved(&mut self, name: &str, path: &str, document: Arc<Document>) {
         let is_free = name == path || self.all.iter().all(|draft| draft.name != path);
         let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) else {
@@ -45,8 +45,8 @@ impl Drafts {
         }
     }
 
-    /// Adds drafts, and makes the first of them the current one. One of the same name takes over the new content, so that
-    /// nothing is lost that could not be undone.
+    /// Adds drafts, and makes the first of them the current one. One of the same name takes over the new content, so
+    /// that undo can restore the earlier content.
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
         for draft in drafts {

@@ -100,7 +100,7 @@ fn the_profile_has_lengths_times_and_slopes() {
     assert!((south.climb_m + 10.0).abs() < 0.01);
     assert!(home.lands && (home.leg_m - 100.0).abs() < 0.1);
     assert!((course.length_m - 400.0).abs() < 0.5);
-    // Each leg gathers speed anew, as the corners are right angles; the return waits, and lands slowly.
+    // The vehicle accelerates again on each leg, as the corners are right angles; the return waits, and lands slowly.
     let return_s = 10.0 + 10.0 + 10.0 / 1.5 + 10.0 / 0.5 + 2.0;
     assert!(
         (course.time_s - (8.0 + 3.0 * 16.5 + return_s)).abs() < 0.1,

@@ -31,7 +31,7 @@ pub struct Trial {
 /// A draft as one vehicle flies it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrialDraft {
-    /// The name of the draft; of one that several vehicles fly, the name of the draft that this vehicle would get.
+    /// The name of the draft; if several vehicles fly it, the name of the draft that this vehicle would get.
     pub name: String,
     /// The vehicle, if it flies a draft that is not meant for it alone: a change gives it a draft of its own.
     pub sharer: Option<VehicleId>,
@@ -133,7 +133,7 @@ impl Trial {
         flown.map(verdict).collect()
     }
 
-    /// Why a plan is not flown to its end inside its fence, if so.
+    /// Why a plan is not flown to its end inside its fence; `None` if it is.
     fn failure(&self, at: usize, flown: &Flown) -> Option<Text> {
         let name = self.name(at);
         if let Some(at_s) = flown.broke_fence_s {

@@ -17,7 +17,7 @@ use crate::workshop::part;
 
 /// The number of flights per day.
 const FLIGHTS_A_DAY: usize = 4;
-/// A mission flown within this many flights is avoided, if there is another one.
+/// The number of latest flights whose missions are avoided, if there is another one.
 const TIRED_FOR: usize = 2;
 /// The credits that remain when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
@@ -125,8 +125,8 @@ impl Playthrough {
         })
     }
 
-    /// The recommended mission; otherwise, or if it was just flown, an open mission, then one with a medal left to
-    /// win.
+    /// The recommended mission; otherwise, or if it was flown recently, an open mission, then a passed one with a
+    /// better medal left to win.
     fn choose(&self, day: i64) -> Option<String> {
         let stage = |offer: &Offer| self.course.stage(offer, &self.standing, day);
         let offers = || self.course.offers().iter();

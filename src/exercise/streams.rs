@@ -18,14 +18,14 @@ use crate::vehicle::VehicleId;
 pub struct LiveStreams {
     /// The program's time at the first call.
     opened: Option<Duration>,
-    /// The time up to which sessions have been stepped, and after the prelude pilot and mission.
+    /// The time up to which sessions have been stepped, and, after the prelude, pilot and mission.
     stepped: Duration,
     lost: Vec<bool>,
 }
 
 impl Exercise<LiveStreams> {
-    /// A mission that begins once all vehicles are heard and report their time, or 10 s after the first time passed;
-    /// until then nothing flies. `speedup` is the requested speed-up of the vehicles.
+    /// A mission that begins once all vehicles are heard and report their time, or 10 s after the first call; until
+    /// then nothing flies. `speedup` is the requested speed-up of the vehicles.
     pub fn live(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.seats.count;
         let link = LiveStreams {

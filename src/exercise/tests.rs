@@ -317,7 +317,7 @@ fn marking_blindly_does_not_pay_in_the_plant_accident() {
     assert!(blind < 0.5 && looked > 0.9, "{blind} {looked}");
 }
 
-/// The rows of the entries whose lines begin so, after a script in a mission with two drones.
+/// For each of `lines`, the rows of the first entry that begins with it, after a script in a mission with two drones.
 fn rows_of(script: &str, lines: &[&str]) -> Vec<Vec<(RowState, String)>> {
     let file = include_str!("../../missions/06-lane-survey.toml");
     let mission = Arc::new(Mission::parse(file).expect("no faults"));

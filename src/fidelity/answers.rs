@@ -62,7 +62,7 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// Compares the answers from a time on.
+    /// Compares the answers after the time `from_s`, in seconds.
     pub(super) fn new(kind: &'static str, from_s: f64, real: &[Said], simulated: &[Said]) -> Self {
         let since = |all: &[Said]| -> Vec<Said> {
             let later = all.iter().filter(|said| said.at_s >= from_s);

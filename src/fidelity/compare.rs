@@ -213,7 +213,7 @@ impl<'a> ManoeuvrePair<'a> {
         }
     }
 
-    /// The time that a vehicle took to reach the aim; `None` also if it was there from the start.
+    /// The time that a vehicle took to reach the aim; `None` if it never did, or was there from the start.
     fn reach_s(&self, observed: &Observed) -> Option<f64> {
         let Manoeuvre { from_s, to_s, .. } = *self.manoeuvre;
         if self.manoeuvre.aim == Aim::Landed {

@@ -36,7 +36,7 @@ pub struct Manoeuvre {
     pub name: String,
     /// The time of its command, in seconds since the recording began.
     pub from_s: f64,
-    /// The time of its last command: a velocity has to be repeated.
+    /// The time of its last command: a velocity must be repeated.
     pub last_asked_s: f64,
     /// The time of the next command.
     pub to_s: f64,

@@ -21,15 +21,15 @@ const LONGEST: usize = 255;
 /// The offset of the target system in `COMMAND_LONG` (76) and `COMMAND_INT` (75), for commands with a number that the
 /// dialect lacks.
 const TARGET_OF_A_COMMAND: usize = 30;
-/// The field at Canberra where SITL starts unless told otherwise.
+/// The field near Canberra where SITL starts by default.
 const SITL_HOME: Start = Start {
     at: LatLon::new(-35.363_262, 149.165_237),
     altitude_amsl_m: 584.0,
     heading_deg: 0.0,
 };
 
-/// Sends the ground station's frames of a recording at the same times, and returns the simulated vehicle's frames
-/// until the recording ends. The vehicle starts at the place of the real one, ready to fly.
+/// Sends the ground station's frames of a recording at the same times, and returns the simulated vehicle's frames until
+/// 3 s after the recording's end. The vehicle starts at the place of the real one, ready to fly.
 pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let start = real.start().unwrap_or(SITL_HOME);
     // The recorded vehicles had no frame file.

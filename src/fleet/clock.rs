@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
-/// The longest time for which a running program does not look at its clock. Every task of a session looks several
+/// The longest time that a running program can go without looking at its clock. Every task of a session looks several
 /// times a second, so after a longer time the whole program was stopped. It is shorter than the silence after which a
 /// vehicle counts as lost.
 const STOPPED_AFTER: Duration = Duration::from_secs(2);
@@ -88,8 +88,8 @@ impl FleetClock {
         stood
     }
 
-    /// Whether time also stands still while the whole program is stopped, as by Ctrl-Z: the vehicles are simulated by
-    /// the program itself, and are stopped with it.
+    /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z: the vehicles are simulated
+    /// by the program itself, and are stopped with it.
     pub fn stand_through_stops(&self, stands: bool) {
         self.pauses().seen = stands.then(Instant::now);
     }

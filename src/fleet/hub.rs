@@ -309,9 +309,9 @@ impl Hub {
         }
     }
 
-    /// Handles an autopilot that is heard by another route. If the current route has been silent for long enough, it
-    /// is the same vehicle with a new connection or another port; otherwise it is a second vehicle with the same id,
-    /// whose frames are not accepted. Returns whether they are.
+    /// Handles an autopilot that is heard by another route. If the current route has been silent for long enough, it is
+    /// the same vehicle with a new connection or another port; otherwise it is a second vehicle with the same id, whose
+    /// frames are not accepted. Returns whether the frames are accepted.
     async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),

@@ -32,7 +32,7 @@ pub(super) enum ToVehicle {
     Restarted,
     /// A change to its simulator or its link.
     Want(Want),
-    /// The vehicle is reached by another link or peer from now on.
+    /// The vehicle is now reached by another link or peer.
     Route(LinkHandle, LinkPeer),
 }
 

@@ -145,7 +145,7 @@ fn named(command: MavCmd) -> Option<String> {
 }
 
 /// The station that a vehicle answers with a `COMMAND_ACK`, and the command; `None` if the answer is to the console
-/// itself (`own`), to no vehicle in particular, or to a question.
+/// itself (`own`), to no station in particular, or to a question.
 pub fn station_of_ack(content: &Content, own: MavAddress) -> Option<(StationId, String)> {
     let Content::Message(MavMessage::COMMAND_ACK(ack)) = content else {
         return None;

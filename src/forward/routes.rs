@@ -14,7 +14,7 @@ use mavlink::{MavlinkVersion, Message as _};
 
 use crate::wire::{Anatomy, Content, Frame, MavAddress};
 
-/// A frame with the same content from another port within this time is the same frame on a second way.
+/// A frame with the same content from another port within this time is the same frame on a second path.
 const SAME_WITHIN: Duration = Duration::from_secs(1);
 /// The maximum number of frames remembered to recognise repetitions.
 const MOST_REMEMBERED: usize = 8192;
@@ -59,7 +59,7 @@ pub struct FrameFacts {
 }
 
 impl FrameFacts {
-    /// The facts about a frame and its bytes; `None` if the bytes are no frame.
+    /// The facts about a frame and its bytes; `None` if the bytes are not a frame.
     pub fn of(frame: &Frame, bytes: &[u8]) -> Option<Self> {
         let anatomy = Anatomy::of(bytes)?;
         let receiver = match &frame.content {

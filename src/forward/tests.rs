@@ -1,4 +1,4 @@
-//! Ways of frames, texts of forwards, and what stations command.
+//! Routes of frames, texts of forwards, and what stations command.
 
 use std::time::Duration;
 
@@ -191,7 +191,7 @@ fn what_comes_back_on_another_way_is_not_passed_on_again() {
     let arm = command(3, MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0);
     let found = way(&mut router, OTHER, address(253, 1), &arm, 6000);
     assert_eq!(found, to(Reach::These(vec![VEHICLE]), Reach::Nobody));
-    // The console's own message, numbered anew on its way back.
+    // The console's own message, renumbered on its way back.
     let (bytes, _) = framed(OWN, &arm);
     router.note_own(&bytes, ms(8000));
     let mut encoder = Encoder::new(OWN.system, OWN.component);

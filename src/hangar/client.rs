@@ -178,7 +178,7 @@ impl RemoteHangar {
         self.exchange(Method::POST, &path, None).await.map(drop)
     }
 
-    /// An instance's output, from the line with this number on, if it is still stored.
+    /// An instance's output, starting with the line of this number if it is still stored.
     ///
     /// # Errors
     /// The hangar does not answer.

@@ -90,7 +90,7 @@ impl ProcessOutput {
         kept.range(from..).cloned().collect()
     }
 
-    /// The kept lines from this number on, oldest first; with 0 all of them.
+    /// The kept lines with this number or a higher one, oldest first; with 0, all of them.
     pub fn since(&self, number: u64) -> Vec<OutputLine> {
         let kept = locked(&self.0.kept);
         let from = kept.partition_point(|line| line.number < number);

@@ -126,7 +126,7 @@ impl Hangars {
         }
     }
 
-    /// An instance's output from the line with this number on, if it is still stored; with 0, all of it.
+    /// An instance's output, starting with the line of this number if it is still stored; with 0, all of it.
     ///
     /// # Errors
     /// No instance has that number, or its hangar does not answer.

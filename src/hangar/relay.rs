@@ -63,7 +63,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> RelayEnd<S> {
         Ok(())
     }
 
-    /// Reads into `space`; empty at the end of the stream, and after an error.
+    /// Reads into `space`; `None` at the end of the stream, and after an error.
     fn poll_read<'a>(
         &mut self,
         context: &mut Context<'_>,

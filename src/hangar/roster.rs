@@ -46,7 +46,7 @@ impl Roster {
     /// Takes a number and a system id for an instance: the requested ones, otherwise the lowest free ones.
     ///
     /// # Errors
-    /// They are taken, or the hangar is full.
+    /// The number is taken, no system id is free, or the hangar is full.
     pub fn take(
         &self,
         launch: &Launch,

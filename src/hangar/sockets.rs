@@ -44,7 +44,7 @@ const OPEN: [(&str, Protocol, &str); 4] = [
     ("udp6", Protocol::Udp, "07"),
 ];
 
-/// The sockets of this host that others can reach; empty without `/proc`.
+/// The sockets of this host that other programs can reach; empty without `/proc`.
 pub fn open() -> Vec<ListeningSocket> {
     let mut all = Vec::new();
     for (file, protocol, state) in OPEN {

@@ -212,8 +212,8 @@ impl Census {
         self.tallies.get(&key)
     }
 
-    /// Whether a kind is more than noise: its checksum was right, its sender has other messages, or it has come
-    /// several times.
+    /// Whether a kind is more than noise: its checksum was right, its sender has other messages, or it has
+    /// arrived several times.
     pub fn is_credible(&self, key: TallyKey, tally: &MessageTally) -> bool {
         tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
     }

@@ -200,7 +200,8 @@ impl FormReader<'_> {
             is_new
         };
         let expected = open.iter().map(|index| &arguments[*index]);
-        // A word that is not the first of several equal values is none of them.
+        // A word that does not fit the first of several values of one kind fits none of them: only the first is
+        // expected.
         let expected = expected.filter(|it| is_new(it)).map(Expected::first);
         let expected = expected.collect();
         let mut misfit = Misfit {

@@ -36,8 +36,8 @@ struct Guard {
 }
 
 impl Script {
-    /// Reads a script. Empty lines and comments (`#`) are allowed. A script has no selection: every line except a wait
-    /// for a time or for contacts must have targets.
+    /// Reads a script. Empty lines and comments (`#`) are allowed. A script has no selection: every line must have
+    /// targets, except a wait for a time, for contacts or for alerts.
     ///
     /// # Errors
     /// Every fault, with its position in the whole source.

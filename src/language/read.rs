@@ -176,7 +176,7 @@ fn listed(list: NameList, context: &Context) -> Vec<(String, Text)> {
     listed.map(|named| (named.name, named.meaning)).collect()
 }
 
-/// The parameters of the item at hand with their values, otherwise all parameters with their units.
+/// The parameters of the current item with their values, otherwise all parameters with their units.
 fn plan_fields(context: &Context) -> Vec<(String, Text)> {
     let own = listed(NameList::ItemField, context);
     if !own.is_empty() {
@@ -315,7 +315,7 @@ fn plan_field(text: &str) -> Result<&'static str, Misread> {
 /// The value of an item's parameter, in the unit that its name has.
 ///
 /// # Errors
-/// The word is no number, or its unit is another one.
+/// The word is not a number, or has a different unit.
 pub(super) fn field_value(name: &str, text: &str) -> Result<f32, Text> {
     let mut known = field::field_names().filter(|(known, _)| *known == name);
     let unit = known

@@ -38,7 +38,7 @@ pub struct ForwardCounts {
     pub held_back: u64,
     /// Frames of the stations whose receiver was never heard.
     pub unknown: u64,
-    /// Frames of the stations that arrived a second time, by another way.
+    /// Frames of the stations that arrived a second time, by another path.
     pub repeated: u64,
 }
 
@@ -159,7 +159,7 @@ impl RelayPort {
         self.is_forward
     }
 
-    /// Passes a received frame on.
+    /// Passes on a received frame.
     pub fn pass(&self, peer: LinkPeer, bytes: &[u8], frame: &Frame) {
         if !self.relay.is_used() {
             return;
@@ -180,7 +180,7 @@ impl RelayPort {
         }
     }
 
-    /// Shows a message that the console sends to a vehicle to the stations, unless it has a secret.
+    /// Shows the stations a message that the console sends to a vehicle, unless it contains a secret.
     pub fn share(&self, outgoing: &Outgoing) {
         let id = outgoing.id();
         if self.is_forward || !self.relay.is_used() || is_secret(id) {
@@ -311,7 +311,7 @@ impl RelayCore {
 }
 
 impl RelayedForward {
-    /// Passes a message for everyone on, unless the filters leave it out.
+    /// Passes on a message for everyone, unless the filters or the rate limit leave it out.
     fn pass(&mut self, to: To, passing: &Passing) {
         if self.spec.passes(passing.facts.id) && self.is_due(&passing.facts, passing.now) {
             self.outlet

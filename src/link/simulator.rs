@@ -31,7 +31,7 @@ use inputs::WorldRecord;
 use listen::open_servers;
 use transport::{PipeTransport, Transports, UdpTransport};
 
-/// From this many simulated vehicle seconds per second on, steps are distributed over threads. Below that, one core
+/// At this many simulated vehicle seconds per second or more, steps are distributed over threads. Below that, one core
 /// suffices, and scheduling another thread takes longer than the work.
 const SHARED_FROM: f64 = 20_000.0;
 /// The capacity of a pipe in each direction.
@@ -168,7 +168,7 @@ pub struct StartedSimulator {
     pub further_addresses: Vec<[SocketAddr; 2]>,
     /// The number of connected ground stations (a pipe or a UDP target counts once per vehicle).
     pub connections: watch::Receiver<usize>,
-    /// The number of steps whose output was sent. It stands still while the program is stopped.
+    /// The number of steps whose output was sent. It does not change while the program is stopped.
     pub steps: watch::Receiver<u64>,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,

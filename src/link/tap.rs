@@ -46,7 +46,7 @@ impl Tap {
         self.relay.as_ref().is_some_and(RelayPort::is_forward)
     }
 
-    /// Shows a message that the console sends on the link to the stations that share it.
+    /// Shows the stations that share the link a message that the console sends on it.
     pub(super) fn share(&self, outgoing: &Outgoing) {
         if let Some(port) = &self.relay {
             port.share(outgoing);

@@ -27,12 +27,12 @@ pub(super) struct PlanWatch {
     has_report: bool,
     /// Whether the vehicle flew its plan at the last report.
     flew: bool,
-    /// Whether the end of this flight of the plan has been said.
+    /// Whether the end of this flight of the plan has been reported.
     has_ended: bool,
 }
 
 impl PlanWatch {
-    /// Applies `MISSION_CURRENT`, and says what was left out without an order.
+    /// Applies `MISSION_CURRENT`, and reports items that were left out without an order.
     pub(super) fn apply_current(
         &mut self,
         vehicle: &mut Vehicle,
@@ -93,7 +93,7 @@ fn begins_anew(vehicle: &Vehicle, before: u16) -> bool {
     vehicle.plan.current <= 1 && last.is_some_and(|item| is_end(item.command))
 }
 
-/// Says how the plan went on where its items do not lead.
+/// Reports a plan that went on at an unexpected item.
 fn follow(
     vehicle: &Vehicle,
     before: u16,
@@ -126,7 +126,8 @@ fn follow(
     }
 }
 
-/// The items between two that were not flown: `5` or `5, 7`. `None` without any, or if a jump may have led around them.
+/// The items between two that were not flown: `5` or `5, 7`. `None` if there are none, or if a jump may have led around
+/// them.
 fn left_out(plan: &Plan, before: u16, now: u16, reached: &BTreeSet<u16>) -> Option<Text> {
     let number = |at: usize| u16::try_from(at).ok();
     let numbered = plan.items.iter().enumerate();

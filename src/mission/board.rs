@@ -18,7 +18,7 @@ use crate::text::Text;
 const STREAM: u64 = 1 << 39;
 /// How far a displaced place lies beyond its proper one, in metres.
 const ASTRAY_M: f64 = 400.0;
-/// A stay that no battery lasts, in seconds.
+/// The duration of a hold that drains any battery, in seconds.
 const LONG_STAY_S: f32 = 3000.0;
 /// The frame of heights above home, and that of heights above sea level.
 const ABOVE_HOME: u8 = 3;
@@ -56,7 +56,7 @@ pub(crate) enum PlanFault {
     Outside,
     /// A jump repeats the plan without end.
     Endless,
-    /// A stay at a place empties the battery.
+    /// A hold at a place drains the battery.
     Stay,
     /// The plan is that of another vehicle.
     Copied,
@@ -108,7 +108,7 @@ impl BoardSetup {
     }
 }
 
-/// The stream of random numbers after which each vehicle's fault draws its details.
+/// The random stream of the faults' order. Each vehicle's fault draws its details with a seed of its own.
 fn random(seed: u64) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(STREAM);
@@ -116,7 +116,7 @@ fn random(seed: u64) -> ChaCha8Rng {
 }
 
 impl Mission {
-    /// The needs of a seat's vehicle before the flight: its lists, and a fence that is on.
+    /// The demands on a seat's vehicle before the flight: its lists, and the fence switched on.
     pub(crate) fn board_wants(&self, seat: usize, seed: u64) -> Vec<Want> {
         let mut wants = Vec::new();
         let document = self.board_document(seat, seed);

@@ -80,7 +80,7 @@ impl<'m> Examined<'m> {
         })
     }
 
-    /// The highest height that the rules and the fences allow.
+    /// The greatest height that the rules and the fences allow.
     fn ceiling_m(&self) -> f64 {
         let fences = self.mission.site.zones.iter().filter(|zone| zone.active);
         let ceilings = fences.filter_map(|zone| zone.kind.fence_ceiling_m());

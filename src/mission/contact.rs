@@ -10,7 +10,7 @@ use crate::commands::FindKind;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Something that a detector believes to have found.
+/// Something that a detector reports as found.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Contact {
     /// Its name: `c1`, or `fire1` for a fire.
@@ -100,7 +100,7 @@ impl Contacts {
         (1..=each).flat_map(name)
     }
 
-    /// The contact that a sighting belongs to: the nearest one of its kind, if it is near enough.
+    /// The contact that a sighting belongs to: the nearest one of its kind, if it is close enough.
     fn known(&self, sighting: &Sighting) -> Option<usize> {
         let distances = self.0.iter().enumerate().filter_map(|(index, contact)| {
             let distance = distance_m(contact.at, sighting.at);

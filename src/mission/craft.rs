@@ -63,7 +63,7 @@ pub(crate) struct Craft {
     unheard: Option<(Point, f64)>,
     /// Energy reading at the beginning and now, in Wh.
     energy_wh: Option<(f64, f64)>,
-    /// The fastest descent near the ground since it came down there.
+    /// The fastest descent since the vehicle last came near the ground, in m/s.
     sink_m_s: f64,
     listener: TextListener,
 }
@@ -118,7 +118,7 @@ impl Craft {
         self.in_auto && self.airborne && !self.lost
     }
 
-    /// Its true position, also while the operator does not receive it.
+    /// Its true position, even while the operator does not receive it.
     pub fn truly_at(&self) -> Option<Point> {
         self.unheard.map(|(at, _)| at).or(self.at)
     }

@@ -13,7 +13,7 @@ use crate::vehicle::{
     Vehicle, VehicleClass, Vehicles,
 };
 
-/// The ends of the lines through all nine cells, north and east; the turns are outside of the cells.
+/// The ends of the lines through all nine cells, north and east; the turns are outside the cells.
 pub(crate) const ROUTE: [(f64, f64); 6] = [
     (40.0, -35.0),
     (40.0, 35.0),

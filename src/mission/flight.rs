@@ -75,7 +75,7 @@ pub struct Flight {
     swarm: SwarmAccount,
     threats: Threats,
     plans: PlanLog,
-    /// The demands of the vehicles before the flight, until they are taken.
+    /// The demands on the vehicles before the flight, until they are taken.
     board: Vec<Demand>,
     clues: CluesGiven,
     /// The index of the lesson's current step.
@@ -132,8 +132,8 @@ impl Flight {
         self.stake = stake;
     }
 
-    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the setup of the vehicles is
-    /// part of the task, except for the parameters that the mission opens.
+    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the setup of the vehicles
+    /// is part of the task, except for the parameters that the mission opens.
     pub fn refusal(&self, command: &Command) -> Option<Text> {
         if self.stake == Stake::Practice {
             return None;
@@ -153,7 +153,7 @@ impl Flight {
         self.flown_by = flown_by;
     }
 
-    /// Sets the number of the trainee's attempt, from 1, before it begins: on the first one, hints are free.
+    /// Sets the number of the trainee's attempt, from 1, before it begins: on the first one, most hints are free.
     pub fn set_attempt(&mut self, attempt: u32) {
         self.clues.set_attempt(attempt);
     }

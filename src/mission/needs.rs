@@ -95,8 +95,7 @@ impl Mission {
         needs
     }
 
-    /// The distance from the farthest pad to the farthest point of the task; without named points, to the edge of the
-    /// fence.
+    /// The greatest distance from a pad to a point of the task; without such points, to the edge of the fence.
     fn farthest_m(&self) -> f64 {
         let world = World::new(self, 0);
         let trackers = self.objectives.iter().map(|it| it.kind.start(&world));
@@ -132,7 +131,7 @@ impl Mission {
         }
     }
 
-    /// The mean wind with its gusts, or the stronger wind of an event.
+    /// The strongest mean wind, at the start or after an event, with the gusts.
     fn strongest_wind_m_s(&self) -> f64 {
         let mean_m_s = self.site.weather.wind.speed_m_s;
         let actions = self.events.iter().flat_map(|event| &event.actions);

@@ -109,7 +109,7 @@ mod tests {
     use crate::ledger::RowUpdate;
     use crate::mission::fake::given;
 
-    /// A flight's ledger, looked at after every change, a second apart.
+    /// A flight's ledger, checked after every change, a second apart.
     #[derive(Default)]
     struct Watch {
         ledger: Ledger,
@@ -169,7 +169,7 @@ mod tests {
         let rehearsal = watch.give("1 plan rehearse");
         watch.end(rehearsal, RowState::Queued);
         watch.end(change, RowState::Done);
-        // It may begin and end between two looks.
+        // It may begin and end between two checks.
         watch.end(rehearsal, RowState::Done);
         assert!(watch.log.is_rehearsed(1));
     }

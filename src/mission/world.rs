@@ -37,7 +37,7 @@ pub(crate) struct World {
 impl World {
     /// The world at the start; the seed decides everything random.
     pub fn new(mission: &Mission, seed: u64) -> Self {
-        // Streams from 0 on belong to the sensors.
+        // Streams from 0 upwards belong to the sensors, so the hazards count down from the last one.
         let release = |(hazard, stream): (&dyn Hazard, u64)| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
             random.set_stream(stream);
@@ -134,7 +134,8 @@ impl World {
         of_it.map(|(kind, _)| *kind)
     }
 
-    /// Whether a kind must be reported at a point: an object of that kind was there at the start.
+    /// Whether a kind may have to be reported at a point: a hazard that had such objects at the start may have one
+    /// there.
     pub fn seeks(&self, kind: FindKind, at: Point) -> bool {
         let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));
         let mut sought = self.sought.iter();

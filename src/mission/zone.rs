@@ -160,7 +160,7 @@ impl Shape {
         }
     }
 
-    /// The distance from a point to its farthest point.
+    /// The distance from a point to the farthest point of the shape.
     pub fn farthest_m(&self, from: Point) -> f64 {
         match self {
             Self::Polygon(corners) => {

@@ -101,7 +101,7 @@ impl ParameterList {
         self.count.is_some_and(|count| count > 0) && self.received == self.seen.len() as u16
     }
 
-    /// Whether the vehicle has another number of parameters by now: some appear only after others are enabled.
+    /// Whether the number of parameters has changed since: some appear only after others are enabled.
     pub fn is_outdated(&self) -> bool {
         self.announced.is_some() && self.announced != self.count
     }
@@ -164,8 +164,8 @@ impl ParameterList {
         }
     }
 
-    /// Notes the index of a value. Another count means another list, so the indices heard so far no longer count. A
-    /// value sent on its own is not proof: a list that is just arriving may still have the old numbering.
+    /// Notes the index of a value. A different count means a different list, so the indices heard so far no longer
+    /// count. A value sent on its own is not proof: a list that is just arriving may still have the old numbering.
     fn note_place(&mut self, heard: &HeardParameter<'_>) {
         let Some(index) = heard.index else {
             self.announced = Some(heard.count);

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{Happening, Journal};
 
-/// The pauses of a record, to tell its times of day.
+/// The pauses of a record, from which its times of day are computed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct DayClock {
     /// The time of the record at which each pause began, earliest first, and how long all pauses so far lasted.
@@ -28,7 +28,7 @@ impl DayClock {
         self.pauses.push((at, before.saturating_add(lasted)));
     }
 
-    /// The time of day of a time of the record that began then, both in microseconds since 1970 (UTC).
+    /// The time of day at a time of a record that began at `began_unix_us`; both in microseconds since 1970 (UTC).
     pub fn unix_us(&self, began_unix_us: u64, at: Duration) -> u64 {
         let passed = self.pauses.partition_point(|(pause, _)| *pause < at);
         let last = passed.checked_sub(1).and_then(|last| self.pauses.get(last));

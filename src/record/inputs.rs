@@ -288,7 +288,7 @@ impl StoredInputs {
         Ok(stored)
     }
 
-    /// Ends the log before a line of the file. A killed console may leave a part of a line, which is no damage.
+    /// Ends the log before a line of the file. A killed console may leave a part of a line, which is not damage.
     fn break_off(&mut self, line: usize, is_torn: bool) {
         self.is_damaged = !is_torn;
         self.damage = Some(if is_torn {

@@ -48,8 +48,8 @@ impl JournalLine {
         Duration::from_micros(self.us)
     }
 
-    /// Whether its time is possible after the line before it. Without a limit, one damaged digit would make a replay of
-    /// centuries.
+    /// Whether its time is possible after the line before it. Without a limit, one damaged digit could make a replay
+    /// last for centuries.
     pub(super) fn can_follow(&self, before: Duration) -> bool {
         let is_short = match self.what {
             Happening::Mission { ms } => Duration::from_millis(ms) <= LONGEST_SILENCE,
@@ -83,11 +83,11 @@ pub(super) fn is_next(at: Duration, before: Duration) -> bool {
 pub enum Happening {
     /// A command was given.
     Entry(EntryLine),
-    /// A command advanced with one vehicle.
+    /// The state of a command has changed for one vehicle.
     Row(RowLine),
     /// A notice that neither telemetry nor the mission repeats.
     Notice(NoticeLine),
-    /// The radio between a vehicle and the console has this state from now on.
+    /// The radio between a vehicle and the console has changed to this state.
     Loss(LossLine),
     /// The paths of joint manoeuvres have changed: these are the paths of all vehicles in a manoeuvre.
     Paths(Vec<PathLine>),
@@ -220,8 +220,8 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// The line of a demand that belongs in the journal: the radio, which the console simulates. The vehicle's answers
-    /// to others are in telemetry.
+    /// The line of a demand that belongs in the journal, which is only that of the radio, simulated by the console. The
+    /// vehicle's answers to other demands are in telemetry.
     pub fn of_demand(vehicle: VehicleId, want: &Want) -> Option<Self> {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, *fault))),

@@ -81,7 +81,7 @@ mod tests {
         let mut clock = MissionClock::default();
         assert_eq!(clock.mission_time(s(3)), None);
         assert_eq!(clock.record_time(s(3)), None);
-        // The brief took 20 s; from 30 s on, the flight ran at four times real time.
+        // The brief took 20 s; after 30 s, the flight ran at four times real time.
         for (at, elapsed) in [(20, 1), (30, 11), (31, 15), (32, 19), (32, 19)] {
             clock.push(s(at), s(elapsed));
         }

@@ -108,7 +108,7 @@ pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, T
     }))
 }
 
-/// A new file with a buffer, since many small writes would be slow.
+/// A new file with a buffer, because many small writes would be slow.
 fn create(path: PathBuf) -> io::Result<io::BufWriter<std::fs::File>> {
     let file = std::fs::File::create_new(path)?;
     Ok(io::BufWriter::with_capacity(256 * 1024, file))

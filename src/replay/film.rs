@@ -285,7 +285,7 @@ fn times(file: File) -> impl Iterator<Item = u64> {
     })
 }
 
-/// The journal of a recording; an error if it is unreadable, or belongs to another flight than frames and run.
+/// The journal of a recording; an error if it is unreadable, or belongs to a different flight.
 fn own_journal(
     files: &RecordFiles,
     span: TlogSpan,

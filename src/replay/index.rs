@@ -131,7 +131,7 @@ impl Index {
         Arc::clone(&self.shared.found().gaps)
     }
 
-    /// The result of the mission, once the recording has been indexed to its end.
+    /// The result of the mission, once the index has reached the mission's end.
     pub fn report(&self) -> Option<Arc<Report>> {
         self.shared.found().report.clone()
     }

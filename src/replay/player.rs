@@ -30,13 +30,13 @@ impl Player {
         self.goal = goal;
     }
 
-    /// Plays forward, from the current goal on, or pauses.
+    /// Plays forward from the current goal, or pauses.
     pub fn play(&mut self, plays: bool) {
         self.position.is_playing = plays;
         self.position.is_backwards = false;
     }
 
-    /// Pauses, whichever way it plays.
+    /// Pauses, in whichever direction it plays.
     pub fn pause(&mut self) {
         self.position.is_playing = false;
     }
@@ -52,7 +52,7 @@ impl Player {
         self.position.looped
     }
 
-    /// Plays backwards from a time on.
+    /// Plays backwards from a time.
     pub fn rewind(&mut self, from: Duration) {
         self.position.is_playing = true;
         self.position.is_backwards = true;
@@ -64,7 +64,7 @@ impl Player {
         self.position.rate = rate;
     }
 
-    /// Repeats a stretch from its start on; `None` ends the repetition.
+    /// Repeats a stretch, beginning at its start; `None` ends the repetition.
     pub fn repeat(&mut self, stretch: Option<(Duration, Duration)>) {
         self.position.looped = stretch;
         if let Some((from, _)) = stretch {

@@ -70,7 +70,8 @@ impl SafetyKind {
             Self::LowReserve => (0.10, 0.0, 0.10),
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
-            // Not landing costs more than the worst landing, so that it is never the better choice.
+            // Not landing costs more than a landing off the pad and below the reserve, so that it is never the better
+            // choice.
             Self::NotLanded | Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
             Self::NoFly => (0.35, 0.0, 0.35),
             Self::Bubble => (0.50, 0.0, 0.50),

@@ -6,7 +6,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The cost of a vehicle that was never flown.
+/// The value of a vehicle that was never flown.
 const NEVER_FLOWN: f64 = 0.3;
 /// A vehicle with this share of the longest air time counts as fully flown.
 const FULL_SHARE: f64 = 0.5;

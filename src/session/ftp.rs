@@ -66,11 +66,11 @@ pub enum FtpEvent {
     Listed(Vec<FtpEntry>),
     /// Bytes of the file that were missing, in any order.
     Bytes(FileBytes),
-    /// All bytes of a file of this size have come: the task is done.
+    /// All bytes of a file of this size have arrived: the task is done.
     Complete(u32),
     /// The checksum: the task is done.
     Checksum(u32),
-    /// So many bytes of the file have been written.
+    /// The number of bytes of the file that have been written.
     Wrote(u32),
     /// The file has been closed: the task is done.
     Written,

@@ -66,7 +66,8 @@ impl Moment<'_> {
 }
 
 impl Line {
-    /// Queues an order. Urgent ones (kill, disarm, land, return, hold) go before all waiting orders.
+    /// Queues an order. An urgent one (kill, disarm, land, return, hold) cancels those that wait or have not been
+    /// answered.
     pub fn order(&mut self, mut order: VehicleCommand, mut moment: Moment) {
         if precedence::is_urgent(&order, moment.vehicle) {
             self.clear(&order.verb.name.into(), &mut moment);

@@ -74,7 +74,7 @@ impl PlanOrders {
         self.job.is_some() || !self.waiting.is_empty() || !self.stock.is_empty()
     }
 
-    /// Puts the lists of a document on board before any order, as soon as the vehicle is heard.
+    /// Puts the lists of a document on board before any order, once the vehicle has a home.
     pub fn stock(&mut self, document: &Arc<Document>) {
         self.stock.add(document);
     }

@@ -40,7 +40,7 @@ const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
 /// message a second.
 const AGAIN_AFTER: Duration = Duration::from_secs(120);
 const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
-/// The waits after the first, second and later failures; after the last, nothing more is requested.
+/// The waits after the first, second and third failures; after a fourth, nothing more is requested.
 const AFTER_FAILURE: [Duration; 3] = [
     Duration::from_secs(20),
     Duration::from_secs(60),
@@ -99,7 +99,7 @@ impl PlanReader {
         };
     }
 
-    /// Requests nothing from now on, and reads what is answered to others.
+    /// Requests nothing from now on, but still reads answers to others.
     pub fn only_follow(&mut self) {
         self.only_follows = true;
     }

@@ -15,7 +15,7 @@ use crate::wire::{Content, Frame, Outgoing};
 /// The state of an imperfect radio link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RadioFault {
-    /// The share of frames lost in either direction, 0 to 1; from [`RadioFault::SILENT`] on, no frame arrives.
+    /// The share of frames lost in either direction, 0 to 1; at [`RadioFault::SILENT`] or more, no frame arrives.
     pub loss: f64,
     /// The delay in each direction.
     pub delay: Duration,
@@ -24,7 +24,7 @@ pub struct RadioFault {
 }
 
 impl RadioFault {
-    /// A link that loses more than this is cut.
+    /// A link that loses this share or more is cut.
     pub const SILENT: f64 = 0.97;
 
     /// Whether the radio loses every frame.

@@ -35,7 +35,7 @@ impl Surroundings {
         self.channel.set(fault, u64::from(vehicle));
     }
 
-    /// Whether the radio link is cut, also for the console's heartbeats.
+    /// Whether the radio link is cut, even for the console's heartbeats.
     pub fn is_cut(&self) -> bool {
         self.channel.is_cut()
     }

@@ -166,7 +166,7 @@ impl Transaction {
         self.order.verb.movement.gives_way()
     }
 
-    /// The command with acknowledgements that may still arrive unawaited, and their number.
+    /// The command with acknowledgements that may still arrive although none is expected, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
             (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. }) => {

@@ -56,7 +56,7 @@ impl Console {
         };
         running.rest(now);
         running.note_down(now, paused_for(lasted));
-        // The general notice says it also outside of missions.
+        // The general notice below is shown in every session, so the notice for missions is not needed.
         let _ = running.note_pause(lasted, now);
         let time = lasting(lasted);
         let (severity, text) = if is_allowed {

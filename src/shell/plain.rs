@@ -103,7 +103,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.finish(told_to_end)
 }
 
-/// The number of vehicles, if known.
+/// The number of vehicles that must be heard; 1 if their number is unknown.
 fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
         Opening::Mission(mission) => mission.seats.count,
@@ -247,7 +247,7 @@ impl Plain {
             if self.is_person || line == answer || line == NO {
                 return;
             }
-            // Any other line of a script is a command, and no answer.
+            // Any other line of a script is a command, not an answer.
             self.unconfirmed(&answer).await;
         }
         if is_said(line) {
@@ -264,7 +264,8 @@ impl Plain {
         }
     }
 
-    /// A question in a pipe that the next line does not answer: what was asked about is not done.
+    /// Reports a question in a pipe that the next line has not answered: the action is not carried out, which counts as
+    /// a failure.
     async fn unconfirmed(&mut self, answer: &str) {
         self.failed = true;
         self.console.feed(TerminalEvent::Told).await;

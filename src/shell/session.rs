@@ -116,7 +116,7 @@ impl RunningSession {
         self.pace.send_modify(|pace| pace.held = held);
     }
 
-    /// The seconds of the vehicles' time per second of the program's.
+    /// The seconds of the vehicles' time per second of wall-clock time.
     pub fn speedup(&self) -> f64 {
         self.pace.borrow().speedup
     }
@@ -242,7 +242,7 @@ impl Drop for RunningSession {
         self.cancel.cancel();
         let has_begun = self.mission_run.as_ref().is_none_or(MissionRun::has_begun);
         if let Some(recorder) = &mut self.recorder {
-            // Of a mission that has not begun, only the brief was read.
+            // In a mission that has not begun, only the brief was read.
             recorder.end(has_begun);
         }
     }

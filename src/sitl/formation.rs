@@ -22,7 +22,7 @@ pub enum FormationShape {
     Grid,
     /// A circle, clockwise from home, with its centre behind the first vehicle.
     Circle,
-    /// A wedge: the first vehicle at the tip, the others behind it to the right and to the left in turns.
+    /// A wedge: the first vehicle at the tip, the others behind it alternately to the right and to the left.
     Wedge,
 }
 

@@ -46,7 +46,7 @@ pub enum SitlUnfit {
         kind: SitlKind,
         motors: Option<usize>,
     },
-    /// The model has another number of motors than the airframe.
+    /// The model and the airframe have different numbers of motors.
     #[error(
         "the model {model} has {has} motors and the frame file {motors}: {}", advice(.fitting)
     )]
@@ -57,7 +57,7 @@ pub enum SitlUnfit {
         /// The models that fit.
         fitting: Vec<&'static str>,
     },
-    /// The model requires another value of a parameter than requested.
+    /// The model requires a value of a parameter other than the requested one.
     #[error(
         "the model {model} needs {parameter} {needed} and would flip over with {asked}: leave {parameter} out, or {}",
         advice(.fitting)

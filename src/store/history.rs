@@ -9,7 +9,7 @@ use super::links;
 
 /// The number of lines kept.
 const HISTORY_KEPT: usize = 200;
-/// The largest history file; sortie writes no longer one, and leaves longer ones alone.
+/// The maximum size of a history file, in bytes; sortie never writes a larger one, and leaves larger ones alone.
 const LONGEST: u64 = 1024 * 1024;
 
 /// The file of the history. Several consoles may add to it at the same time.

@@ -4,7 +4,7 @@
 //! The record of a run is written line by line, its end last; only then is it stored in the profile. If the program is
 //! killed in between, the next start recovers it: a finished record that its profile lacks is scored again and stored.
 //! The record of a flight that counts and was not ended, because the program was killed or the terminal disappeared, is
-//! stored too, and counts as left there: otherwise a kill would be a way out that `leave` is not.
+//! stored too, and counts as left there: otherwise killing the program would avoid the entry that `leave` makes.
 //!
 //! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
 //! open to the trainee, an exam has its seed, and the flight, repeated from the record's inputs, matches. Anything else
@@ -139,9 +139,9 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that belong to a profile but are missing there, and those left, each once
-/// even if several consoles start together. If none is missing, it reads only file names, and the first and last lines
-/// of records without a profile.
+/// Stores the finished runs of a folder that belong to a profile but are missing there, and those that were left, each
+/// once even if several consoles start together. If none is missing, it reads only file names, and the first and last
+/// lines of records without a profile.
 ///
 /// # Errors
 /// The database cannot be read or written; entries stored before that stay.

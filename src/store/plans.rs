@@ -12,13 +12,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The maximum size of a file, in bytes: a plan of all items that a vehicle can carry is a hundredth of it.
+/// The maximum size of a file, in bytes: a hundred times that of a plan with all the items that a vehicle can carry.
 const LONGEST: u64 = 16 * 1024 * 1024;
 
 /// Reads the text of a plan file of at most 1 MiB; of an archive (KMZ), the KML in it.
 ///
 /// # Errors
-/// It does not exist, cannot be read, is too large or no text.
+/// It does not exist, cannot be read, is too large or is not text.
 pub fn read_plan_text(path: &Path) -> Result<Source, StoreError> {
     let bytes = read_bytes(path, "file-plan")?;
     let name = path.display().to_string();
@@ -42,7 +42,7 @@ pub struct PlanFiles {
 }
 
 impl PlanFiles {
-    /// Files of which the kept ones are in the program's folder for data.
+    /// The files of plans, with kept lists in the program's folder for data.
     pub fn keeping_in(data: Option<&Path>) -> Self {
         Self {
             kept: data.map(|data| data.join("plans")),

@@ -142,7 +142,7 @@ impl Profiles {
         self.is_read_only
     }
 
-    /// Restores damaged rows from the copies, if possible; `None` if there is no damage.
+    /// Restores damaged rows from the copies, if possible; `None` if no row was restored.
     ///
     /// # Errors
     /// The database cannot be read or written.

@@ -140,7 +140,7 @@ impl RecordFiles {
     /// The first line of its journal.
     ///
     /// # Errors
-    /// It has no journal, or that cannot be read.
+    /// It has no journal, or the journal cannot be read.
     pub fn head(&self) -> io::Result<Head> {
         use std::io::{BufRead as _, BufReader, Read as _};
 
@@ -191,7 +191,8 @@ impl RecordFiles {
         matches!(&last, Some(Ok(line)) if !is_end(line)) && !self.is_written()
     }
 
-    /// Removes frames and journal; the record of a mission's run stays, because careers count it.
+    /// Removes frames, journal and joined logs; the record of a mission's run and its inputs stay, because careers
+    /// count the run.
     ///
     /// # Errors
     /// One of them cannot be removed.

@@ -225,7 +225,7 @@ impl RunFile {
         self.0.path()
     }
 
-    /// Removes the file. If that fails, it stays as a flight without an end, which is not counted.
+    /// Removes the file, and that of the inputs. If that fails, it stays as a flight without an end.
     pub fn discard(self) {
         drop(fs::remove_file(inputs_of(self.path())));
         drop(fs::remove_file(self.path()));

@@ -119,7 +119,7 @@ impl RecordKey {
             file.and_then(|mut file| file.write_all(text.as_bytes()))
                 .map_err(|error| unreadable(path, error))?;
         }
-        // Not that of the secret key, which is encrypted with its password.
+        // The id comes from the public key, since that of the secret key is encrypted with its password.
         Ok((id, files))
     }
 

@@ -235,8 +235,8 @@ impl ActiveManoeuvre {
         members.filter_map(stop).collect()
     }
 
-    /// Moves a formation if its first vehicle gets the order. Returns the members that move along, and begins their
-    /// rows.
+    /// Moves a formation if its first vehicle gets the order. Returns those of its targets that move along, and begins
+    /// their rows.
     pub fn lead(
         &mut self,
         to: FormationGoal,

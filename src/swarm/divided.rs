@@ -14,8 +14,8 @@ pub struct DividedWork {
 }
 
 impl DividedWork {
-    /// Notes work that is divided among vehicles. Returns those that had a part in earlier work together with one of them
-    /// and have none now: their plans lead them through the parts of the others.
+    /// Notes work that is divided among vehicles. Returns the vehicles that shared earlier work with one of these and
+    /// have no part now: their old plans lead them through the parts of the others.
     pub fn divide(&mut self, vehicles: &[VehicleId]) -> Vec<VehicleId> {
         let earlier = vehicles.iter().filter_map(|id| self.last.get(id));
         let earlier: BTreeSet<u32> = earlier.copied().collect();

@@ -12,9 +12,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
-/// The height of the work above home, in metres.
+/// The default height of the work above home, in metres.
 const USUAL_HEIGHT_M: f64 = 30.0;
-/// The turns of an orbit.
+/// The default number of turns of an orbit.
 const USUAL_TURNS: u8 = 2;
 
 impl Conductor {
@@ -128,7 +128,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The distance between lines: as asked, as wide as the sensor sees, or the usual one.
+    /// The distance between lines: the requested one, the width that the sensor covers, or the usual one.
     fn spacing_m(&self, asked_m: Option<f64>, height_m: f64) -> f64 {
         let seen = self.rules.swath.map(|swath| swath.width_m(height_m));
         let seen = seen.filter(|width_m| *width_m >= 1.0);

@@ -149,7 +149,7 @@ impl<'a> Matching<'a> {
     }
 }
 
-/// Moves points apart until no two are nearer than `spacing_m`, each as little as its neighbours allow.
+/// Moves points apart until no two are closer than `spacing_m`, each as little as its neighbours allow.
 pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
     /// A factor slightly above 1, so that repeated shifts end instead of approaching their goal forever.
     const BEYOND: f64 = 1.001;

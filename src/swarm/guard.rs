@@ -11,7 +11,7 @@ use super::geometry::MovingPoint;
 const AHEAD_S: f64 = 3.0;
 /// The assumed speed at which a stationary vehicle may start.
 const LEAST_SPEED_M_S: f64 = 2.0;
-/// A vehicle this near to its target no longer moves.
+/// A vehicle this close to its target no longer moves.
 const THERE_M: f64 = 1.0;
 
 /// Whether flying on to `aim` would bring a vehicle closer than `separation_m` to the other one. A vehicle that is too

@@ -22,7 +22,7 @@ const ACCELERATION_M_S2: f64 = 1.0;
 /// The greatest speed of the outermost place while the formation turns.
 const TURN_M_S: f64 = 3.0;
 const TURN_MOST_RAD_S: f64 = 0.5;
-/// A member this far from its place slows the formation down; the same distance further, it stops the formation.
+/// A member this far from its place slows the formation down; [`LAG_RANGE_M`] further, it stops the formation.
 const LAG_M: f64 = 2.5;
 const LAG_RANGE_M: f64 = 4.0;
 /// A path shorter than this needs no turn.

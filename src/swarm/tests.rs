@@ -35,7 +35,7 @@ struct Stage {
     ledger: Ledger,
     notices: Vec<String>,
     areas: BTreeMap<String, Outline>,
-    /// The minimum distance of two that both fly.
+    /// The minimum distance between two flying vehicles.
     nearest_m: f64,
 }
 

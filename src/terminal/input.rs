@@ -20,9 +20,9 @@ pub enum Input {
     Answer,
 }
 
-/// The longest control sequence that is accepted.
+/// The longest control sequence that is accepted, in bytes.
 const LONGEST_SEQUENCE: usize = 64;
-/// The longest paste that is kept; a line takes far less.
+/// The longest paste that is kept, in bytes; a line is far shorter.
 const LONGEST_PASTE: usize = 64 * 1024;
 const PASTE_END: &[u8] = b"\x1b[201~";
 

@@ -15,9 +15,10 @@ const SLOW: Duration = Duration::from_secs(1);
 const SLOW_FOR: Duration = Duration::from_secs(10);
 /// A terminal that has not answered its first query by now never will; frames are then sent without queries.
 const DEAF_AFTER: Duration = Duration::from_secs(5);
-/// Bytes that may be unread while the first answer is outstanding; the frame that exceeds it is the last one.
+/// Bytes that may be sent while the first answer is outstanding; after the frame that reaches this number, none is sent
+/// until the terminal answers or counts as deaf.
 const TRIAL_BYTES: u64 = 4000;
-/// Frames while the first answer is outstanding.
+/// The minimum interval of frames while the first answer is late.
 const TRIAL_INTERVAL: Duration = Duration::from_secs(1);
 /// An answer can be lost, as when a multiplexer changes its terminal: the query is repeated after this time.
 const REPEAT_AFTER: Duration = Duration::from_secs(5);
@@ -167,9 +168,9 @@ impl Pace {
         }
     }
 
-    /// Notes that the operating system has accepted a frame, and how long that took. After a full buffer the line
-    /// rests for the same time, which halves the load. After the first one, or if the terminal did not read at all,
-    /// the newest state is sent first.
+    /// Notes that the operating system has accepted a frame, and how long that took. After a full buffer the line rests
+    /// for the same time, at most `LONGEST_REST`, which halves the load. After the first one, or if the terminal did
+    /// not read at all, the newest state is sent first.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {

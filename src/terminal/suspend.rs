@@ -6,8 +6,8 @@ use nix::sys::signal::{Signal, kill};
 use nix::sys::termios::{FlushArg, tcflush};
 use nix::unistd::{Pid, getpid, getppid, getsid};
 
-/// Whether a shell can resume the console. Started by `ssh HOST sortie` or as a login shell, it would stay stopped for
-/// ever.
+/// Whether a shell can resume the console. Started by `ssh HOST sortie` or as a login shell, it would stay stopped
+/// forever.
 pub fn can_be_suspended() -> bool {
     let ours = session(getpid());
     ours.is_some() && ours == session(getppid())

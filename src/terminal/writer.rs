@@ -15,7 +15,7 @@ pub struct Traffic {
     state: Mutex<PendingWrite>,
     /// Signalled when everything has been written.
     written: Condvar,
-    /// Bytes written so far.
+    /// Bytes passed on for writing so far.
     bytes: AtomicU64,
 }
 
@@ -45,7 +45,7 @@ impl Traffic {
         self.state().waiting == 0
     }
 
-    /// Bytes written so far.
+    /// Bytes passed on for writing so far.
     pub fn bytes(&self) -> u64 {
         self.bytes.load(Ordering::Relaxed)
     }

@@ -7,7 +7,8 @@ use chrono::DateTime;
 
 /// The longest duration that is written in seconds.
 const LONGEST_IN_SECONDS: u64 = 120;
-/// From these values on, numbers are written with an exponent: numbers with decimals, and whole numbers.
+/// Numbers this large or larger are written with an exponent: first the limit with decimals, then that of whole
+/// numbers.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
 

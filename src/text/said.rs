@@ -8,7 +8,7 @@ thread_local! {
     static WORDLESS: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs something on this thread with every message of every language replaced by `x`.
+/// Runs a closure on this thread with every message of every language replaced by `x`.
 pub fn without_words<T>(run: impl FnOnce() -> T) -> T {
     WORDLESS.set(true);
     let result = run();

@@ -118,7 +118,7 @@ impl CarriedLists {
     }
 }
 
-/// The vehicles that differ from most, with what they carry.
+/// The vehicles whose list differs from the most common one, with the lists that they carry.
 fn differ(groups: &[SameList]) -> Text {
     let mut ids: Vec<VehicleId> = groups
         .iter()
@@ -168,7 +168,7 @@ mod tests {
     use super::*;
     use crate::vehicle::Plan;
 
-    /// A vehicle with so many items after home; `None` for one that has not been read.
+    /// A vehicle with this many items after home; `None` for one that has not been read.
     fn carrying(id: u8, items: Option<usize>) -> Vehicle {
         let mut vehicle = Vehicle::new(id, 1);
         let item = |at: usize| Item {

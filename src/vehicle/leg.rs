@@ -60,7 +60,7 @@ impl Vehicle {
         self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
     }
 
-    /// Whether it has paused on the way of the plan that it flies.
+    /// Whether it has paused in the plan that it flies.
     pub fn has_paused(&self) -> bool {
         self.flies_plan() && self.plan.phase == Some(PlanPhase::Paused)
     }

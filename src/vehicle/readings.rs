@@ -169,7 +169,7 @@ pub struct Battery {
     /// The pack's id, 0 first.
     pub id: u8,
     pub voltage_v: Option<f32>,
-    /// Amperes drawn; negative while it is charged.
+    /// Amperes drawn; `None` if unknown or negative.
     pub current_a: Option<f32>,
     /// Charge used since power-up.
     pub consumed_mah: Option<f32>,

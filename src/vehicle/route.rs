@@ -19,7 +19,7 @@ const FOR_EVER: f32 = -1.0;
 const SAME_PLACE_M: f64 = 1.0;
 /// A vehicle closer to its place, or to the circle around it, than this has arrived.
 const ARRIVED_M: f64 = 3.0;
-/// A vehicle that sinks faster than this lands.
+/// A vehicle that sinks faster than this is landing.
 const SINKING_M_S: f32 = 0.2;
 
 /// A plan, and the vehicle that flies it.
@@ -147,7 +147,7 @@ impl<'a> Route<'a> {
         self.is_copter.then(|| Pace::default().speed_m_s)
     }
 
-    /// The seconds of the way to an item's end, and of the stay there.
+    /// The seconds to an item's end, with the stay there.
     fn whole_s(&self, item: &Item, at: &mut Waystate, is_current: bool) -> Option<f64> {
         let stay_s = self.stay_s(item, at.speed_m_s)?;
         let arrived = self.vehicle.plan.arrived.filter(|_| is_current);
@@ -191,7 +191,7 @@ impl<'a> Route<'a> {
         u16::try_from(tagged).ok()
     }
 
-    /// The seconds of the way to an item's end, which becomes the new state.
+    /// The seconds of the path to an item's end, which becomes the new state.
     fn way_s(&self, item: &Item, at: &mut Waystate, is_current: bool) -> Option<f64> {
         let height_m = self.height_m(item).unwrap_or(at.height_m);
         match item.command {
@@ -242,7 +242,7 @@ impl<'a> Route<'a> {
         Some(across_s.max(steep_s))
     }
 
-    /// The seconds lost by braking and gathering speed at the start of a leg.
+    /// The seconds lost by braking and accelerating at the start of a leg.
     fn corner_s(&self, motion: Motion, bearing_deg: f64, speed_m_s: f64) -> f64 {
         if !self.is_copter {
             return 0.0;

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 
-/// The time limit for expected content of a screen. Generous, since a loaded machine is slow and a test waits in full
+/// The time limit for expected content of a screen. Generous, because a loaded machine is slow and a test waits in full
 /// only if it fails.
 const PATIENCE: Duration = Duration::from_secs(90);
 

@@ -11,7 +11,7 @@ const CIRCLE_CORNERS: u32 = 48;
 pub enum Outline {
     /// Corners in order; the last one is joined to the first.
     Polygon(Vec<LatLon>),
-    /// All places at one distance from the centre, along the ground.
+    /// All places at the same distance from the centre, measured along the ground.
     Circle {
         /// The centre, in degrees.
         centre: LatLon,
@@ -32,7 +32,7 @@ impl Outline {
         )
     }
 
-    /// The corners of the polygon, or of one that looks like the circle.
+    /// The corners of the polygon, or of one that approximates the circle.
     pub fn corners(&self) -> Vec<LatLon> {
         match self {
             Self::Polygon(corners) => corners.clone(),

@@ -1,6 +1,6 @@
 //! The height of the ground from files of the Shuttle Radar Topography Mission (`.hgt`): squares of one degree with a
-//! height every 1 or 3 arc seconds, from north-west, row by row to the east; two bytes each, the greater one first, in
-//! metres above mean sea level. The name is the south-west corner: `N50E030.hgt`.
+//! height every 1 or 3 arc seconds, in rows from north to south, each from west to east; two bytes each, big-endian, in
+//! metres above mean sea level. The file is named after its south-west corner: `N50E030.hgt`.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ pub struct Square {
     pub lon: i16,
 }
 
-/// Why bytes are no square of heights: their number.
+/// The content of a file is not a square of heights; contains its length in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WrongSize(pub usize);
 
@@ -69,7 +69,8 @@ impl Grid {
         })
     }
 
-    /// Between the four points around a place, given as shares of the square from its south-west corner.
+    /// The height interpolated between the four points around a place, which is given as shares of the square from its
+    /// south-west corner; `None` if one of them was not measured.
     fn at(&self, north: f64, east: f64) -> Option<f64> {
         let last = self.side - 1;
         let (row, column) = ((1.0 - north) * last as f64, east * last as f64);
@@ -109,13 +110,13 @@ impl Terrain {
     /// Adds the content of a square's file.
     ///
     /// # Errors
-    /// The number of bytes is that of neither resolution.
+    /// The number of bytes matches neither resolution.
     pub fn add(&mut self, square: Square, bytes: &[u8]) -> Result<(), WrongSize> {
         self.squares.insert(square, Arc::new(Grid::read(bytes)?));
         Ok(())
     }
 
-    /// Adds the squares of another ground.
+    /// Adds the squares of another terrain.
     pub fn join(&mut self, other: Self) {
         self.squares.extend(other.squares);
     }

@@ -27,7 +27,7 @@ impl Zoom {
     /// The widest view: a column is 4 km wide.
     pub const WIDEST: Self = Self(36);
 
-    /// Metres that a column is wide.
+    /// The width of a column, in metres.
     pub fn metres_per_column(self) -> f64 {
         let steps = STEPS.len() as i32;
         let at = i32::from(self.0);
@@ -80,7 +80,7 @@ pub struct Dot {
 }
 
 impl Dot {
-    /// A point at dots to the right and down.
+    /// A point `x` dots to the right and `y` dots down.
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
@@ -125,7 +125,7 @@ impl Viewport {
         }
     }
 
-    /// Metres that a dot is wide and high.
+    /// The width and height of a dot, in metres.
     pub fn metres_per_dot(&self) -> f64 {
         self.zoom.metres_per_column() / f64::from(DOTS_ACROSS)
     }
@@ -189,14 +189,14 @@ impl Viewport {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     origin: LatLon,
-    /// East and north of the south-west corner.
+    /// The south-west corner: metres east and north.
     low_m: [f64; 2],
-    /// East and north of the north-east corner.
+    /// The north-east corner: metres east and north.
     high_m: [f64; 2],
 }
 
 impl Extent {
-    /// An extent of no size: one place, for [`Self::include`] to widen.
+    /// An extent of zero size at a place, for [`Self::include`] to enlarge.
     pub fn at(place: LatLon) -> Self {
         Self {
             origin: place,
@@ -227,7 +227,7 @@ impl Extent {
         (0..2).all(|axis| (self.low_m[axis]..=self.high_m[axis]).contains(&at[axis]))
     }
 
-    /// The extent, enlarged on every side by a share of its size, at least by `least_m`.
+    /// The extent, enlarged on every side by a share of its size, but by at least `least_m`.
     #[must_use]
     pub fn with_margin(mut self, share: f64, least_m: f64) -> Self {
         let size = self.size_m();
@@ -244,7 +244,7 @@ impl Extent {
         [0, 1].map(|axis| self.high_m[axis] - self.low_m[axis])
     }
 
-    /// Its corners, the south-west one first, counter-clockwise.
+    /// Its corners, the south-west one first, counterclockwise.
     pub fn corners(&self) -> [LatLon; 4] {
         let ([west, south], [east, north]) = (self.low_m, self.high_m);
         [(south, west), (south, east), (north, east), (north, west)]

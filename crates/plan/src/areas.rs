@@ -18,7 +18,7 @@ pub struct FenceArea<P> {
 pub enum AreaShape<P> {
     /// At least three corners, in order.
     Polygon(Vec<P>),
-    /// All points at a distance from the centre.
+    /// All points within a distance from the centre.
     Circle {
         /// The centre of the circle.
         centre: P,
@@ -126,7 +126,7 @@ pub enum FenceError {
     Place,
 }
 
-/// The areas of a list, and its return point.
+/// The areas of a list.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Fence {
     /// The areas, in the order of the list.

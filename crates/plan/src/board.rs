@@ -75,7 +75,7 @@ pub fn wrong_jump(item: &Item, items: usize) -> Option<usize> {
     is_wrong.then_some(target)
 }
 
-/// Altitudes from this number of metres on do not fit.
+/// Altitudes of this many metres or more, above or below the reference, do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
 /// Numbers that the vehicle uses internally and refuses in items.
@@ -83,9 +83,8 @@ const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
 /// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and `b` as an unsigned and
 /// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `1` its lowest bit, `L` as
-/// part of a place, and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the
-/// direction alone.
-/// The third value is the name in MAVLink, without `MAV_CMD_`.
+/// part of a place, and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d`
+/// the direction alone. The third value is the name in MAVLink, without `MAV_CMD_`.
 const COMMANDS: &[(u16, &[u8; 7], &str)] = &[
     (command::WAYPOINT, b"H...LLL", "NAV_WAYPOINT"),
     (command::LOITER_UNLIMITED, b"..s.LLL", "NAV_LOITER_UNLIM"),
@@ -222,8 +221,8 @@ pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
     Ok(stored)
 }
 
-/// The item of a mission without a place that the vehicle does not keep: `ArduPilot`'s file of a mission repeats there
-/// that of the item before.
+/// The item of a mission without the coordinates that the vehicle does not store: in `ArduPilot`'s mission file, they
+/// repeat those of the item before.
 #[must_use]
 pub fn without_leftovers(item: &Item) -> Item {
     let Some(kept) = letters(item.command) else {
@@ -366,8 +365,8 @@ fn shortened(letter: u8, value: f32) -> f32 {
     }
 }
 
-/// A whole number that keeps only its lowest bits when it is stored in fewer, so values too large for a field wrap.
-/// Values beyond 32 bits become 0.
+/// The whole part of a value. Stored in fewer bits, it keeps only the lowest ones, so values too large for a field
+/// wrap. A value beyond 32 bits gives `i32::MIN`, whose lowest bits are 0.
 fn wrapped(value: f32) -> i32 {
     let whole = f64::from(value).trunc();
     if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole) {
@@ -404,7 +403,7 @@ mod tests {
             (16, [3.9, 5.0, 6.0, f32::NAN], [3.0, 0.0, 0.0, 0.0]),
             (18, [0.5, 0.0, -80.0, 1.0], [0.5, 0.0, -80.0, 1.0]),
             (18, [3.0, 0.0, 777.0, 0.0], [3.0, 0.0, 770.0, 0.0]),
-            // More turns than a byte holds become the most, and so do radii.
+            // Turns and radii that do not fit into their byte are limited to its maximum.
             (18, [300.0, 0.0, 3000.0, 0.0], [255.0, 0.0, 2550.0, 0.0]),
             (17, [0.0, 0.0, -70_000.0, 0.0], [0.0, 0.0, -4464.0, 0.0]),
             // Values beyond a field wrap.

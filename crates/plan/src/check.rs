@@ -55,7 +55,7 @@ impl VehicleKind {
         }
     }
 
-    /// Whether this kind keeps the parameters of a command as a copter does: of waypoints, planes keep other ones.
+    /// Whether this kind keeps the parameters of a command as a copter does: planes differ for waypoints.
     const fn keeps_as_copter(self, number: u16) -> bool {
         !matches!(self, Self::Plane) || number != command::WAYPOINT
     }
@@ -124,7 +124,7 @@ pub enum FindingKind {
         /// The kind of vehicle that skips it.
         vehicle: VehicleKind,
     },
-    /// A parameter that the vehicle would store as another value.
+    /// A parameter that the vehicle would store with a different value.
     Misheld(Misheld),
     /// More items than the vehicle keeps, with home.
     TooMany {
@@ -184,7 +184,8 @@ pub enum FindingKind {
     },
     /// No takeoff before the first place: a vehicle on the ground stays there.
     NoTakeoff,
-    /// The plan does not end with a landing, a return or a stay: a copter hovers until the battery is empty.
+    /// The plan does not end with a landing, a return or an unlimited loiter: a copter hovers until the battery is
+    /// empty.
     NoEnd,
     /// Items that are never reached, after an end or an endless jump.
     Unreached,
@@ -204,7 +205,7 @@ pub enum FindingKind {
         /// The height above home, in metres.
         height_m: f32,
     },
-    /// The leg to the item goes into the ground, or comes too near to it.
+    /// The leg to the item goes into the ground, or comes too close to it.
     LowOverGround {
         /// The minimum height of the leg above the ground, in metres.
         height_m: f32,
@@ -219,12 +220,12 @@ pub enum FindingKind {
     Uncovered(usize),
     /// The height of home in the file is not that of the ground there.
     HomeHeight {
-        /// In the file, in metres above mean sea level.
+        /// The height in the file, in metres above mean sea level.
         home_m: f32,
-        /// The ground, in metres above mean sea level.
+        /// The height of the ground, in metres above mean sea level.
         ground_m: f32,
     },
-    /// The place is far from home, which is often a wrong sign or two numbers that changed places.
+    /// The place is far from home, which often means a wrong sign or two swapped numbers.
     FarAway {
         /// The distance from home, in metres.
         distance_m: f32,
@@ -287,7 +288,7 @@ pub fn check(document: &Document, options: &CheckOptions) -> Vec<Finding> {
     findings
 }
 
-/// The errors for which the vehicle would refuse the upload of a list.
+/// The faults of a list for the upload: items that the vehicle would refuse, skip or store with a different value.
 fn check_items(
     document: &Document,
     kind: ListKind,

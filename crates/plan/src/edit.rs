@@ -47,7 +47,7 @@ fn checked(items: &[Item], range: &Range<usize>) -> Result<(), EditError> {
     }
 }
 
-/// Inserts items so that the first of them gets the place `at`. Jumps among them count as they will stand.
+/// Inserts items so that the first of them gets the index `at`. The targets of jumps among them refer to the new list.
 ///
 /// # Errors
 /// `at` is beyond the end.
@@ -123,7 +123,7 @@ pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     }
     let middle = |a: i32, b: i32| i32::midpoint(a, b);
     let east = i64::from(end.y) - i64::from(start.y);
-    // The short way round the date line.
+    // The short way across the date line.
     let y = if east.abs() > 1_800_000_000 {
         let far = i64::midpoint(i64::from(start.y), i64::from(end.y));
         (far - far.signum() * 1_800_000_000) as i32
@@ -178,10 +178,10 @@ fn has_height(item: &Item) -> bool {
 /// How the numbers change when the frame of a height changes.
 #[derive(Clone, Copy)]
 pub enum FrameChange<'a> {
-    /// The numbers stay the same, so the vehicle flies at another height.
+    /// The numbers stay the same, so the vehicle flies at a different height.
     KeepNumbers,
-    /// The vehicle flies where it did: heights are carried over by the height of home, and of the ground at each
-    /// item's place (metres above sea level), as far as they are needed.
+    /// The vehicle flies at the same height as before: heights are converted with the height of home, and with that of
+    /// the ground at each item's place (metres above sea level), as far as these are needed.
     KeepHeights {
         /// The home position, if the document has one.
         home: Option<Home>,

@@ -135,12 +135,13 @@ impl Pace {
         self.landing(height_m) + Effort::hover(STOP_S)
     }
 
-    /// The effort of a return that has reached home: the wait above it, and the way to the ground.
+    /// The effort of a return that has reached home: the wait above it, and the descent to the ground.
     pub fn above_home(&self, height_m: f64) -> Effort {
         Effort::hover(RETURN_WAIT_S) + self.touchdown(height_m)
     }
 
-    /// The effort of a return from a distance and a height above home against a headwind, until the motors have stopped.
+    /// The effort of a return from a distance and a height above home against a headwind, until the motors have
+    /// stopped.
     pub fn homeward(&self, distance_m: f64, height_m: f64, headwind_m_s: f64) -> Effort {
         let cone_m = (distance_m * CONE_SLOPE).max(height_m);
         let top_m = height_m.max(RETURN_HEIGHT_M.min(cone_m));
@@ -153,14 +154,14 @@ impl Pace {
             + self.above_home(top_m)
     }
 
-    /// The seconds lost by braking and gathering speed where the way turns by an angle: a copter comes nearly to rest at
-    /// a right angle, and hardly slows down where the way goes nearly straight on.
+    /// The seconds lost by braking and accelerating where the way turns by an angle: a copter nearly stops at a right
+    /// angle, and hardly slows down where the way goes nearly straight on.
     pub fn corner_s(&self, turn_deg: f64) -> f64 {
         let share = 1.0 - maths::cos(turn_deg.to_radians());
         share.min(1.0) * self.start_s()
     }
 
-    /// The seconds lost by gathering speed from rest.
+    /// The seconds lost by accelerating from rest.
     pub fn start_s(&self) -> f64 {
         self.speed_m_s / self.accel_m_s2 + self.accel_m_s2 / self.jerk_m_s3
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::ListKind;
 
-/// A fault because of which a file cannot be read.
+/// A fault that prevents a file from being read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
     /// The place of the fault, in bytes of the text ([`Loaded::text`](crate::Loaded::text), or the file itself).
@@ -51,7 +51,7 @@ pub enum FaultKind {
     Xml(String),
     /// Something that the format requires is missing; contains its name in the file.
     Missing(&'static str),
-    /// A value of another type than the format requires.
+    /// A value of a type other than the format requires.
     Expected(Expected),
     /// A complex item without simple items; contains its type.
     NoEmbeddedItems(String),

@@ -39,7 +39,7 @@ pub enum SourceFormat {
 /// A format that is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
-    /// `QGC WPL 110` with one of the lists, and with home in that of a plan.
+    /// `QGC WPL 110` with one of the lists; a plan also contains home.
     Wpl(ListKind),
     /// QGroundControl's `.plan`, with all lists.
     QgcPlan,
@@ -89,15 +89,15 @@ pub struct Loaded {
     pub format: SourceFormat,
     /// The lists that the file contains.
     pub document: Document,
-    /// Where each item stands.
+    /// Where each item is in the text.
     pub places: Places,
     /// The values that were assumed or left out.
     pub notes: Vec<Note>,
-    /// The text to which all places refer: the file, or what is in the archive.
+    /// The text to which all places refer: the file, or the KML in the archive.
     pub text: String,
 }
 
-/// Where the items stand in the text, in bytes.
+/// The positions of the items in the text, in bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Places {
     /// Home, if the file has it.
@@ -179,7 +179,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Loaded, (String, Vec<
     }
 }
 
-/// A place that cuts no character of the text in two.
+/// The range within the text, with both ends moved back to the start of a character.
 fn within(span: &Range<usize>, text: &str) -> Range<usize> {
     let floor = |at: usize| {
         (0..=at.min(text.len()))
@@ -197,7 +197,7 @@ fn is_archive(bytes: &[u8]) -> bool {
 /// The text of a plan file: the file itself, or the KML in an archive (KMZ), at most 16 MiB.
 ///
 /// # Errors
-/// It is no text, or the archive is damaged, has no KML or is too large.
+/// The file is not text, or the archive is damaged, has no KML or is too large.
 pub fn source_text(bytes: &[u8]) -> Result<String, Fault> {
     if is_archive(bytes) {
         archive::kml_of(bytes)
@@ -208,7 +208,7 @@ pub fn source_text(bytes: &[u8]) -> Result<String, Fault> {
 
 fn text_of(bytes: &[u8]) -> Result<String, Fault> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        // The place refers to the text with replacements, which is equal up to the first of them.
+        // The place refers to the text with replacements, which is the same up to the first replacement.
         let at = error.valid_up_to();
         Fault::new(at..at + '\u{fffd}'.len_utf8(), FaultKind::NotText)
     })?;

@@ -48,7 +48,7 @@ pub enum Task {
         /// From the datum to the last turn, in metres.
         radius_m: f64,
     },
-    /// A sector search around a datum (IAMSAR); each vehicle flies all of it, turned and at a height of its own.
+    /// A sector search around a datum (IAMSAR); each vehicle flies all of it, rotated and at a height of its own.
     Sector {
         /// The most likely place.
         datum: LatLon,
@@ -92,7 +92,7 @@ pub enum Course {
 pub struct Manner {
     /// The height of the work above the first vehicle's home, in metres.
     pub height_m: f64,
-    /// The distance between two heights of vehicles that could meet, in metres.
+    /// The difference between the heights of vehicles that could meet, in metres.
     pub layer_m: f64,
     /// The speed in m/s, if it is not the vehicle's own.
     pub speed_m_s: Option<f64>,
@@ -121,7 +121,7 @@ pub enum GenerateError {
     /// The fence leaves nothing of the area, or the pattern breaks it.
     #[error("the pattern crosses the fence")]
     OutsideFence,
-    /// No way inside the fence leads from the home of this vehicle (counted from 0) to its part.
+    /// No path inside the fence leads from the home of this vehicle (counted from 0) to its part.
     #[error("no way inside the fence for vehicle {0}")]
     NoWay(usize),
 }

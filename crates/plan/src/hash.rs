@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(of(home), of(bare));
     }
 
-    /// Whatever storage does to an item, its hash stays.
+    /// Storage may change an item, but not its hash.
     #[test]
     fn a_list_has_the_same_hash_in_a_file_and_on_board() {
         let land = Item {

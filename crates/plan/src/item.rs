@@ -31,7 +31,7 @@ impl ListKind {
 pub struct Item {
     /// The number of a `MAV_CMD`, which may be missing from the dialect.
     pub command: u16,
-    /// The number of a `MAV_FRAME`. Its `_INT` variant is another number for the same reference.
+    /// The number of a `MAV_FRAME`. Its `_INT` variant has a different number, but the same reference.
     pub frame: u8,
     /// Whether the vehicle continues with the next item on its own.
     pub auto_continue: bool,

@@ -2,7 +2,7 @@
 //! (`MAV_MISSION_TYPE`). Items keep every field of the wire, so that what was read can be written back unchanged.
 //!
 //! [`read`] turns a file into a [`Document`], and finds the format by the content; [`write()`] does the reverse. Faults
-//! carry their place in the file, and no text: the program that shows them has the words.
+//! carry their place in the file, but no text: the program that shows them supplies it.
 //!
 //! ```
 //! use sortie_plan::{FileFormat, ListKind, ReadOptions, read, write};

@@ -28,18 +28,18 @@ pub struct Approach {
     pub vertical_m: f64,
     /// The time in seconds since the first vehicle started.
     pub at_s: f64,
-    /// The place half-way between them.
+    /// The place halfway between them.
     pub place: LatLon,
     /// The horizontal limit of these two vehicles, in metres: [`TOO_NEAR_M`], or less if they started close to each
     /// other.
     pub limit_m: f64,
-    /// The least number of whole seconds by which one of them has to be late for a conflict: 0 if they are in conflict
-    /// anyway, `None` if more than [`LATE_S`](crate::LATE_S).
+    /// The minimum delay of one of them that causes a conflict, in whole seconds: 0 if they are in conflict anyway,
+    /// `None` if more than [`LATE_S`](crate::LATE_S).
     pub late_s: Option<u32>,
 }
 
 impl Approach {
-    /// Whether they are in no conflict, even if one of them is up to `late_s` seconds late.
+    /// Whether there is no conflict, even if one of them is up to `late_s` seconds late.
     pub fn is_apart(&self, late_s: u32) -> bool {
         self.late_s.is_none_or(|least| least > late_s)
     }

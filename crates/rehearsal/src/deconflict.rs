@@ -21,7 +21,7 @@ const LONGEST_DELAY_S: u32 = 1800;
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
 /// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
 const LIFTS_AFTER_ARMING_S: u32 = 2;
-/// How many times, at most, layers are rehearsed and then extended.
+/// The maximum number of times that layers are rehearsed and then extended.
 const LAYER_ROUNDS: usize = 6;
 
 /// The change to one vehicle's plan.
@@ -93,10 +93,10 @@ pub struct Proposal {
     pub outcome: Outcome,
 }
 
-/// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is [`LATE_S`] late, whichever
-/// loses less time; without that margin if it cannot be reached; `None` if there is always a conflict. Vehicles are
-/// placed one after the other, each as early or as low as those before it allow, in the order that loses the least in
-/// all: of all orders for a few vehicles, of many for more. The participants' own delays are taken as 0.
+/// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is [`LATE_S`] late,
+/// whichever loses less time; without that margin if it cannot be reached; `None` if there is always a conflict.
+/// Vehicles are placed one after the other, each as early or as low as those before it allow, in the order that loses
+/// the least in all: of all orders for a few vehicles, of many for more. The participants' own delays are taken as 0.
 ///
 /// # Errors
 /// See [`RehearsalError`].
@@ -152,7 +152,7 @@ fn unchanged(outcome: Outcome, late_s: u32) -> Proposal {
 }
 
 impl Proposal {
-    /// With the time that it costs, compared with the times of the vehicles flying alone.
+    /// Sets the time that the changes cost, compared with `times_s`, the times of the vehicles flying alone.
     fn costed(self, times_s: &[f64]) -> Self {
         let vehicles = self.outcome.vehicles.iter();
         let flown = vehicles.zip(times_s).zip(&self.remedies);
@@ -260,7 +260,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// The pairs that come too close to each other, also if one of them is late.
+    /// The pairs that come too close to each other, including those that do so only if one of them is late.
     fn near_pairs(&self, outcome: &Outcome) -> Vec<(usize, usize)> {
         let near = outcome
             .closest
@@ -382,7 +382,8 @@ mod tests {
         }
     }
 
-    /// One vehicle is in a place for long, two pass it early: it is cheaper that the one waits than that both do.
+    /// One vehicle stays at a place for a long time, and two pass it early: a delay of the one costs less than one of
+    /// both.
     #[test]
     fn the_order_with_the_least_delay_is_found() {
         let long = [0.0; 30];

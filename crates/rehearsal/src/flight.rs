@@ -186,8 +186,7 @@ impl Flight {
         }
     }
 
-    /// A fence that is switched on is judged by the vehicle. Areas of one that is off are still where the vehicle is
-    /// meant to stay.
+    /// The vehicle judges a fence that is switched on. If it is off, the vehicle should still keep to its areas.
     fn is_fence_broken(&self, truth: &Truth, point: [f64; 2]) -> bool {
         if self.is_fence_on {
             return truth.broken_fences != 0;
@@ -211,7 +210,7 @@ impl Flight {
         self.flown.was_kept_armed = true;
     }
 
-    /// Ends the flight because of a collision, also one after the end of its plan.
+    /// Ends the flight because of a collision, even after the end of its plan.
     pub(crate) fn crash(&mut self) {
         self.end(Ending::Crashed);
     }

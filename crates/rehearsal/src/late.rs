@@ -81,8 +81,8 @@ fn bounds(track: &Track) -> Option<[(f64, f64); 3]> {
     )
 }
 
-/// Whether two vehicles stay apart by a horizontal limit in metres and the vertical one; `factor` multiplies the squares
-/// of both.
+/// Whether two vehicles stay apart by a horizontal limit in metres and the vertical one; `factor` multiplies the
+/// squares of both.
 pub(crate) fn are_apart(a: Shifted<'_>, b: Shifted<'_>, limit_m: f64, factor: f64) -> bool {
     let times = a.by.max(b.by)..a.end().max(b.end());
     times

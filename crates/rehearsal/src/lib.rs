@@ -1,5 +1,5 @@
 //! Plans of several vehicles, flown in the embedded simulator before any vehicle leaves the ground: how long each
-//! takes, what is left of its battery, and how near the vehicles come to each other.
+//! takes, what is left of its battery, and how close the vehicles come to each other.
 //!
 //! A rehearsal is a pure function of the documents and the conditions: no clock, no threads, no files.
 
@@ -115,8 +115,9 @@ pub struct Flown {
     pub energy_left_percent: f64,
     /// The greatest distance from home over the ground, in metres.
     pub farthest_m: f64,
-    /// When the vehicle first breached its fence, in seconds of its flight: one that is switched on by `ArduCopter`'s
-    /// rules (`FENCE_TYPE`, the areas, the circle around home, the heights), otherwise the areas of its list.
+    /// When the vehicle first breached its fence, in seconds of its flight. `ArduCopter`'s rules apply to a fence that
+    /// is switched on (`FENCE_TYPE`, the areas, the circle around home, the heights); otherwise, the areas of its list
+    /// count.
     pub broke_fence_s: Option<f64>,
     /// Whether it has a fence that is switched on, or areas in its list.
     pub has_fence: bool,

@@ -2,7 +2,7 @@
 
 /// Up to this many vehicles, all orders are tried.
 const ALL_ORDERS: usize = 5;
-/// How many times, at most, all neighbours in the order of more vehicles are exchanged.
+/// For more vehicles, the maximum number of rounds in which all neighbours in the order are exchanged.
 const SWAP_ROUNDS: usize = 12;
 
 /// The best result of all orders of the vehicles: the one with the lowest cost. Of more than [`ALL_ORDERS`] vehicles,

@@ -12,11 +12,11 @@ pub(crate) const STEPS: u32 = 2;
 pub(crate) const TRACK_EVERY: u32 = 10;
 /// Vehicles whose homes are closer together than this, in metres, start side by side.
 const SAME_PLACE_M: f64 = 2.0;
-/// The distance of vehicles that start side by side, in metres; it is no conflict.
+/// The distance of vehicles that start side by side, in metres; it is large enough to avoid a conflict.
 const SIDE_BY_SIDE_M: f64 = 8.0;
 
-/// The positions of a vehicle in the air at regular times since its start: metres north and east of the first vehicle's
-/// home, and metres above sea level.
+/// The positions of a vehicle at regular times since the start of the rehearsal, `None` on the ground: metres north and
+/// east of the first vehicle's start, and metres above sea level.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Track {
     pub(crate) points: Vec<Option<[f64; 3]>>,
@@ -40,7 +40,7 @@ pub(crate) struct Place {
 /// Where the vehicles start.
 ///
 /// # Errors
-/// One has no plan or no home.
+/// A vehicle has no plan or no home.
 pub(crate) fn places(
     participants: &[Participant],
     conditions: &Conditions,

@@ -15,7 +15,7 @@ const BOOT_S: f64 = 5.0;
 pub(crate) struct Stage {
     world: World,
     flights: Vec<Flight>,
-    /// The first vehicle's home, and each start relative to it.
+    /// Each vehicle's start relative to the origin of the rehearsal, in metres north and east.
     starts_m: Vec<[f64; 2]>,
     amsl_m: Vec<f64>,
     limit: u32,
@@ -113,7 +113,7 @@ impl Stage {
     }
 
     fn look(&mut self, sample: u32, points: &mut [Option<[f64; 3]>]) {
-        // Before the flights are followed: a struck vehicle stops its motors, which is no landing.
+        // Before the flights are followed: a struck vehicle stops its motors, which is not a landing.
         for collision in self.world.collisions() {
             let other = match collision.with {
                 Met::Vehicle(other) => Some(other),
@@ -145,7 +145,7 @@ fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, wo
     }
 }
 
-/// Whether a plan begins with a wait on the ground, and nothing is said about the time after which the vehicle disarms.
+/// Whether a plan begins with a wait on the ground, without a given time after which the vehicle disarms.
 fn waits_armed(participant: &Participant, conditions: &Conditions) -> bool {
     let items = participant.document.plan.iter();
     let mut before_takeoff = items.take_while(|item| !command::is_takeoff(item.command));
@@ -155,7 +155,7 @@ fn waits_armed(participant: &Participant, conditions: &Conditions) -> bool {
         && !names.any(|name| name == DISARM_DELAY)
 }
 
-/// Sets the parameters that all vehicles have.
+/// Sets the parameters that are the same for all vehicles.
 fn prepare(
     flight: &mut Flight,
     vehicle: usize,

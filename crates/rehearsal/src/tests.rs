@@ -43,7 +43,7 @@ fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
     }
 }
 
-/// Two vehicles whose ways cross at the same time.
+/// Two vehicles whose paths cross at the same time.
 fn crossing() -> [Participant; 2] {
     [
         vehicle((0.0, 0.0), &[(100.0, 100.0)]),
@@ -287,7 +287,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
     }
 }
 
-/// Delays are written as items before the takeoff: what is flown from the files is apart as well.
+/// Delays are written as items before the takeoff: the vehicles stay apart when the files are flown, too.
 #[test]
 fn delays_that_are_written_keep_the_vehicles_apart() {
     let waits = calm();
@@ -330,7 +330,8 @@ fn delays_that_are_written_keep_the_vehicles_apart() {
     assert!(together.conflicts().next().is_some());
 }
 
-/// Vehicles on pads 5 m apart are near each other from the start; that is no conflict, but flying over each other is.
+/// Vehicles on pads 5 m apart are close to each other from the start; that is not a conflict, but flying over each
+/// other is.
 #[test]
 fn neighbours_on_their_pads_are_no_conflict() {
     let at = |north_m, east_m| HOME.moved(north_m, east_m);
@@ -409,7 +410,7 @@ fn a_fence_that_a_command_has_switched_counts_with_its_lower_limit() {
     assert!(!flown(Some(false), 1.0).has_fence);
 }
 
-/// One vehicle hovers at the end of its plan, and another one flies into it: none of the two has landed.
+/// One vehicle hovers at the end of its plan, and another one flies into it: neither has landed.
 #[test]
 fn both_struck_vehicles_have_collided() {
     let mut hovers = vehicle((60.0, 0.0), &[]);
@@ -448,7 +449,7 @@ fn vehicles_that_pass_a_place_shortly_one_after_the_other_are_kept_apart() {
     assert!(changed, "{:?}", proposal.remedies);
 }
 
-/// The narrowest lanes that the generator accepts are far enough apart, also in wind.
+/// The narrowest lanes that the generator accepts are far enough apart, even in wind.
 #[test]
 fn the_narrowest_lanes_are_no_conflict() {
     let at = |north_m, east_m| HOME.moved(north_m, east_m);

@@ -173,7 +173,7 @@ impl Airframe {
         }
     }
 
-    /// The value of `FRAME_CLASS` for a number of motors.
+    /// The value of `FRAME_CLASS` for the number of motors.
     pub(super) fn frame_class(&self) -> f32 {
         match self.motors() {
             6 => 2.0,
@@ -328,7 +328,7 @@ impl Airframe {
     }
 }
 
-/// Density of the standard atmosphere (1976, troposphere) at an altitude above mean sea level.
+/// Density of the standard atmosphere (1976, troposphere) at an altitude above mean sea level, in kg/m³.
 pub(super) fn air_density(altitude_m: f64) -> f64 {
     let warmth = 1.0 - 0.0065 / 288.15 * altitude_m.clamp(-5000.0, 11_000.0);
     SEA_LEVEL_DENSITY * maths::powf(warmth, 4.2559)

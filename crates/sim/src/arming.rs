@@ -11,7 +11,7 @@ pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
 pub(super) use consistency::ImuWatch;
 pub(super) use reason::Reason;
 
-/// The delay after arming in which the motors do not turn up.
+/// The delay after arming during which the motors do not spin up.
 const MOTORS_WAIT: Duration = Duration::from_secs(2);
 /// The minimum time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
@@ -168,7 +168,7 @@ impl Safety {
             .is_some()
     }
 
-    /// The time from which the throttle of a pilot turns the motors up.
+    /// The time from which a pilot's throttle spins the motors up.
     pub(super) fn lifts_from(&self) -> Duration {
         self.armed_at + MOTORS_WAIT
     }

@@ -56,7 +56,7 @@ enum PlanWait {
     Nothing,
     /// A takeoff to a height (metres above the start) that waits for the motors and the throttle.
     Throttle(f64),
-    /// A stay at the goal, with the time of arrival.
+    /// A wait at the goal, with the time of arrival.
     Stay(Option<Duration>),
     /// A circle that begins at its edge.
     Edge(Orbit),
@@ -162,7 +162,7 @@ impl AutoPlan {
         self.returns
     }
 
-    /// Notes the begin or end of a requested landing sequence.
+    /// Notes the start or end of a requested landing sequence.
     pub(super) fn set_returning(&mut self, returns: bool) {
         self.returns = returns;
     }

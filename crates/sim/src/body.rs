@@ -112,7 +112,7 @@ impl Body {
         self.angles_rad
     }
 
-    /// Advances by one step. Returns the speed of a touchdown.
+    /// Advances by one step. Returns the speed of a touchdown, in m/s.
     pub(super) fn step(&mut self, demand: Demand, drive: &Drive<'_>) -> Option<f64> {
         if self.on_ground && demand == Demand::Off {
             self.rest();
@@ -395,7 +395,7 @@ impl Body {
         self.heading = DVec2::from_angle(yaw);
     }
 
-    /// Stops at the ground; returns the speed of an impact from the air.
+    /// Stops at the ground; returns the speed of an impact from the air, in m/s.
     fn touch_ground(&mut self) -> Option<f64> {
         if self.position_m.z < 0.0 {
             if self.position_m.z < -0.02 {

@@ -141,8 +141,8 @@ const TABLE: &[(u16, Handler)] = &[
     (cmd::BATTERY_RESET, outputs::battery_reset),
 ];
 
-/// Commands to devices that a plain SITL copter has, lacks, or has without using them: the answer to a sweep with
-/// every parameter zero (camera, gimbal, gripper, winch, sprayer, scripting and their like).
+/// Commands to devices that a plain SITL copter lacks or does not use (camera, gimbal, gripper, winch, sprayer,
+/// scripting and the like), each with its answer when every parameter is zero.
 const FIXED: &[(u16, MavResult)] = &[
     (cmd::DO_SET_ROI_SYSID, ACCEPTED),
     (cmd::DO_DIGICAM_CONFIGURE, ACCEPTED),

@@ -21,8 +21,8 @@ pub struct WorldConfig {
     pub seed: u64,
     /// The obstacles that vehicles can hit.
     pub obstacles: Vec<Obstacle>,
-    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
-    /// GUIDED. Otherwise they are ready after about a second.
+    /// Whether the vehicles take as long to boot as real ones: half a minute or more until they can be armed in GUIDED.
+    /// Otherwise they are ready after about a second.
     pub realistic_boot: bool,
 }
 

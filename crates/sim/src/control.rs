@@ -188,7 +188,7 @@ impl PositionControl {
         self.accel_m_s2 += flat.extend(change.z.clamp(-z_max, z_max));
     }
 
-    /// Puts the horizontal path onto a planned trajectory and moves the height towards `height_m` (down).
+    /// Puts the horizontal path onto a planned trajectory and moves the height towards `down_m`.
     pub(super) fn along(&mut self, planned: &FlatMotion, down_m: f64, limits: &Limits) {
         let hold = self.path_m.truncate().extend(down_m);
         self.velocity_m_s = DVec2::ZERO.extend(self.velocity_m_s.z);

@@ -18,7 +18,7 @@ const HOVER_MOVED: f32 = 0.001;
 /// Counts not stored yet.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Counters {
-    /// Air time since arming, and the hover throttle.
+    /// Time in the hover since arming, and the throttle learned in it.
     flown: Duration,
     hover: f64,
     counted: Duration,

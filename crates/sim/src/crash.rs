@@ -19,7 +19,7 @@ const CRASH_STEPS: u32 = 200;
 const LOSS_LEAN_DEG: f64 = 15.0;
 const LOSS_THROTTLE: f64 = 0.9;
 const LOSS_STEPS: u32 = 100;
-/// The motor reported as failing. With equal loads it is random; the real vehicle reported the second one.
+/// The motor reported as failing, counted from 1. With equal loads it is random; the real vehicle reported the second.
 const SOME_MOTOR: usize = 2;
 /// The minimum time between two reports of a touchdown, in steps.
 const CONTACT_STEPS: u32 = 100;

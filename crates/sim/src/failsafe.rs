@@ -101,7 +101,7 @@ pub(super) struct RadioInputs {
     pub(super) fault: RadioFault,
     /// Whether a ground station overrides the receiver.
     pub(super) is_overridden: bool,
-    /// Whether it was ever heard since the boot.
+    /// Whether it has been heard since boot.
     pub(super) was_heard: bool,
     pub(super) throttle_us: f64,
 }

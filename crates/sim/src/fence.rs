@@ -24,7 +24,7 @@ const CEILING: u8 = 1;
 const CIRCLE: u8 = 2;
 const AREAS: u8 = 4;
 const FLOOR: u8 = 8;
-/// A broken limit counts as broken again this much further out.
+/// A broken limit counts as broken again each time the vehicle is this much further out.
 const BACKUP_M: f64 = 20.0;
 /// How long the checks pause after a change of mode, because the pilot is bringing the vehicle back.
 const RECOVERY: Duration = Duration::from_secs(10);

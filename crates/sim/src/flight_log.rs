@@ -14,7 +14,7 @@ pub(super) use sample::{LogInputs, LogSample};
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
 /// Steps from one sample to the next: two samples per second.
 pub(super) const EVERY_STEPS: u64 = 50;
-/// The maximum number of samples of one log (20 minutes), and the maximum number of logs.
+/// The maximum numbers of samples of a log (20 minutes), of its modes, events and texts each, and of logs.
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;

@@ -1,4 +1,4 @@
-//! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT`, and `SET_ATTITUDE_TARGET`, in GUIDED.
+//! `SET_POSITION_TARGET_LOCAL_NED`, `SET_POSITION_TARGET_GLOBAL_INT` and `SET_ATTITUDE_TARGET`, in GUIDED.
 
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 use mavlink::dialects::ardupilotmega::AttitudeTargetTypemask;
@@ -23,13 +23,14 @@ const NO_YAW_RATE: u8 =
     AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_BODY_YAW_RATE_IGNORE.bits();
 const NO_THRUST: u8 = AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_THROTTLE_IGNORE.bits();
 const NO_ATTITUDE: u8 = AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_ATTITUDE_IGNORE.bits();
-/// A quaternion may be off the unit length by this much.
+/// The maximum deviation of a quaternion's length from 1.
 const UNIT_WITHIN: f64 = 1e-3;
-/// The bit of `GUID_OPTIONS` that makes the thrust of an attitude a thrust instead of a climb.
+/// The bit of `GUID_OPTIONS` with which the thrust field of an attitude means a thrust, not a climb rate.
 const THRUST_AS_THRUST: i32 = 1 << 3;
-/// Velocities and accelerations beyond this stop the vehicle.
+/// Velocities beyond this along any axis stop the vehicle, in m/s.
 const SANE_MAX: f64 = 1000.0;
-/// Altitudes, speeds and offsets beyond this are mistakes; in metres, it is 2.5 times the circumference of the earth.
+/// Positions, velocities and accelerations beyond this are mistakes; in metres, it is 2.5 times the circumference of
+/// the earth.
 const SENSIBLE_MAX: f64 = 1e8;
 
 /// The position of a setpoint, in one of two forms.

@@ -53,7 +53,8 @@
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry out their requests;
 //!   `inbound` reads them. `schedule`, `signing`, `link` and `port` connect them; `slot` is a vehicle with its
 //!   connections, `truth` its true state. `collision` finds collisions. `input` describes the inputs of a world,
-//!   `inventory` lists what a vehicle has, and `fingerprint` hashes a vehicle's state: to repeat a flight, and to compare the two.
+//!   `inventory` lists what a vehicle has, and `fingerprint` hashes a vehicle's state: to repeat a flight, and to
+//!   compare the two.
 
 #![warn(missing_docs)]
 
@@ -214,7 +215,7 @@ impl World {
 
     /// Repeats an input that was recorded in another world. Worlds with the same configuration and the same inputs
     /// after the same steps, whose outputs are taken after each step, fly identically. Returns `false` if the vehicle
-    /// does not exist, or if a new connection would get another number here.
+    /// does not exist, or if a new connection would get a different number here.
     pub fn enter(&mut self, input: &Input) -> bool {
         let port = PortId {
             vehicle: input.vehicle,

@@ -105,7 +105,7 @@ impl Mixer {
         if high - low > 1.0 {
             scale = 1.0 / (high - low);
         }
-        // The throttle may be raised half way towards the hover to keep the attitude.
+        // The throttle may be raised halfway towards the hover to keep the attitude.
         let throttle_mean_most = throttle.max(0.5 * (throttle + HOVER_SHARE));
         if throttle_mean_most + low < 0.0 {
             scale = f64::min(scale, -throttle_mean_most / low);

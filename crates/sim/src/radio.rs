@@ -27,14 +27,14 @@ const PULSE_MAX_US: u16 = 2500;
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
 /// Upper limits of the pulse width for the first five positions of the mode switch.
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
-/// The number of identical readings, at ten per second, before the switch counts.
+/// The number of further identical readings, at ten per second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
-/// A stick in a lower corner arms or disarms after this many checks.
+/// Sticks held in the corner that arms count after this many checks.
 const CORNER_LOOKS: u8 = 20;
 /// The deflection of the yaw stick for that (-1 to 1).
 const CORNER: f64 = 4000.0 / 4500.0;
 
-/// The rules for the first four channels, from `RCn_*` and `RC_OVERRIDE_TIME`.
+/// The rules for the channels, from `RCn_*`, `RC_OVERRIDE_TIME` and others.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RadioRules {
     /// Roll, pitch, throttle, yaw.
@@ -176,7 +176,7 @@ pub(super) struct Radio {
     obeyed: Option<usize>,
     switches: Switches,
     corner: u8,
-    /// Whether a receiver or an override was ever heard since the boot.
+    /// Whether a receiver or an override has been heard since boot.
     pub(super) was_heard: bool,
     /// Whether a switch has made the vehicle ignore overrides.
     overrides_off: bool,
@@ -363,8 +363,8 @@ impl Radio {
         self.obeyed
     }
 
-    /// Reads the receiver for the first time: its mode switch chooses the mode, and most other switches do not act until
-    /// they are moved.
+    /// Reads the receiver for the first time: its mode switch chooses the mode, and most other switches do not act
+    /// until they are moved.
     pub(super) fn read_first(&mut self, rules: &RadioRules) {
         let channels = Sticks::RELEASED.channels_us;
         self.obeyed = channels

@@ -34,7 +34,7 @@ const LONGEST_MS: i64 = 60_000;
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 const HEARTBEAT_MS: u64 = 1000;
 const TERRAIN_MS: u64 = 2000;
-/// The vehicle looks for due messages several times in a step: this long before its end.
+/// The vehicle looks for due messages several times in a step, at these times before its end.
 const LOOKS_MS: [u64; 4] = [7, 5, 2, 0];
 
 /// The stream groups of `REQUEST_DATA_STREAM`: for each, the suffix of its parameter's name, and its messages.

@@ -54,7 +54,7 @@ pub(super) struct Cockpit<'a> {
     /// Whether the horizontal position and velocity of `body` can be trusted.
     pub(super) has_position: bool,
     pub(super) now: Duration,
-    /// The end of the delay after arming in which the motors do not turn up.
+    /// The end of the delay after arming in which the motors do not spin up.
     pub(super) lifts_from: Duration,
     pub(super) fence: &'a mut Geofence,
     pub(super) trail: &'a mut Trail,

@@ -12,11 +12,11 @@ pub(super) const EVERY_STEPS: u64 = 33;
 const PATIENCE: Duration = Duration::from_secs(15);
 /// The maximum number of breadcrumbs that are ever kept.
 const POINTS_MAX: f64 = 500.0;
-/// The path is tidied when no more than this many breadcrumbs fit.
+/// The path is tidied when there is room for no more than this many further breadcrumbs.
 const MARGIN: usize = 10;
-/// Points nearer than this share of the accuracy to a straight line are left out.
+/// Points closer to a straight line than this share of the accuracy are left out.
 const SIMPLIFY_SHARE: f64 = 0.5;
-/// A loop whose ends come nearer than this share of the accuracy is left out.
+/// A loop whose ends come closer to each other than this share of the accuracy is left out.
 const PRUNE_SHARE: f64 = 0.99;
 
 /// The rules from the `SRTL_*` parameters.
@@ -124,7 +124,7 @@ impl Trail {
     }
 }
 
-/// The points without those nearer than `epsilon_m` to the straight line past them (Ramer, Douglas and Peucker).
+/// The points without those closer than `epsilon_m` to the straight line past them (Ramer, Douglas and Peucker).
 fn simplified(points_m: &[DVec3], epsilon_m: f64) -> Vec<DVec3> {
     let mut kept = vec![false; points_m.len()];
     let mut open = Vec::new();
@@ -151,7 +151,7 @@ fn off_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
     (way - along * way.dot(along)).length()
 }
 
-/// Removes the loop between two legs that pass each other nearer than `delta_m`.
+/// Removes the loop between two legs that pass each other closer than `delta_m`.
 fn prune(points_m: &mut Vec<DVec3>, delta_m: f64) {
     let mut from = 1;
     while from + 2 < points_m.len() {

@@ -242,7 +242,7 @@ impl Vehicle {
         self.flight.task.is_resting(throttle_is_low)
     }
 
-    /// Stops the motors, in the air too; `false` if they were stopped.
+    /// Stops the motors, even in the air; `false` if they were already stopped.
     pub(super) fn disarm(&mut self) -> bool {
         if !self.safety.armed {
             return false;
@@ -355,7 +355,7 @@ impl Vehicle {
         }
     }
 
-    /// Logs what is due after a step. A log has the autopilot's estimate.
+    /// Logs what is due after a step. A log contains the autopilot's estimate.
     pub(super) fn record(&mut self) {
         if !self.steps.is_multiple_of(flight_log::EVERY_STEPS) {
             return;

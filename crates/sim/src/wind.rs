@@ -104,7 +104,7 @@ impl WindRules {
 }
 
 impl Wind {
-    /// Each vehicle has its own stream of random numbers, so that one more vehicle changes no other.
+    /// Each vehicle has its own stream of random numbers, so that adding a vehicle does not change the others.
     pub(super) fn new(seed: u64, vehicle: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(vehicle);

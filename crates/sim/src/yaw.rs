@@ -65,7 +65,7 @@ impl YawControl {
         }
     }
 
-    /// Turns to a heading: the shorter way (`direction` 0), clockwise (positive) or anticlockwise (negative).
+    /// Turns to a heading: the shorter way (`direction` 0), clockwise (positive) or counterclockwise (negative).
     /// A rate of zero means the fastest.
     pub(super) fn turn_to(&mut self, heading_deg: f64, rate_deg_s: f64, direction: f64) {
         let shortest = wrap_180(heading_deg - self.setpoint_deg);

@@ -17,7 +17,7 @@ pub(super) const SIGNATURE_LEN: usize = 13;
 /// Consumed bytes are removed from the buffer once this many have accumulated.
 const COMPACT_AT: usize = 4096;
 
-/// Whether frames begin with a byte.
+/// Whether a frame can begin with this byte.
 pub fn is_frame_start(byte: u8) -> bool {
     matches!(byte, STX_V1 | STX_V2)
 }

@@ -113,8 +113,8 @@ pub enum Content {
         /// The payload in wire order, padded with zeros to the maximum length.
         payload: Box<[u8; 255]>,
     },
-    /// An id that the dialect lacks. Its checksum cannot be verified, so the content is not reliable; only the
-    /// sequence number is used.
+    /// An id that the dialect lacks, whose checksum therefore cannot be verified, or a message that cannot be parsed.
+    /// The content is not reliable; only the sequence number is used.
     Unknown {
         /// The message id in the header.
         id: u32,

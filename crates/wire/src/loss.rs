@@ -6,7 +6,7 @@ use super::{ComponentId, Frame, SystemId};
 
 /// A larger step between sequence numbers counts as a step back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
-/// This many numbers in rising order that were all received before come from a restarted sender, not from duplicated
+/// This many numbers in rising order that were received before come from a restarted sender, not from duplicated
 /// frames.
 const RESTART_AFTER: u8 = 8;
 /// The largest step between the numbers of a sender that may have restarted.
@@ -38,8 +38,8 @@ struct Numbering {
     missing: [bool; 256],
     /// The newest number behind the last one, if the last frame was late.
     behind: Option<u8>,
-    /// Of the late frames so far, if their numbers rise one by one: how many numbers were received before, and how
-    /// many had been missing.
+    /// Of the late frames so far, if their numbers rise steadily: how many numbers were received before, and how many
+    /// had been missing.
     repeated: u8,
     found: u8,
 }

@@ -77,7 +77,7 @@ pub enum PlansAction {
     NextItem,
     /// Go to the previous item of the list.
     PreviousItem,
-    /// Mark from the item under the cursor on, or end that.
+    /// Begin to mark items at the item under the cursor, or stop marking.
     MarkItems,
     PlanList,
     FenceList,
@@ -135,12 +135,12 @@ pub enum DrawAction {
     Higher,
     /// Lower the marked items, or narrow circles.
     Lower,
-    /// Measure heights from something else, or reverse an area of a fence.
+    /// Measure heights from the next reference, or reverse an area of a fence.
     NextFrame,
     AddTakeoff,
     /// Add a landing at the map's cursor.
     AddLand,
-    /// Add a return to the launch.
+    /// Add a return to launch.
     AddReturn,
     /// Begin an area of the fence.
     BeginPolygon,

@@ -184,7 +184,7 @@ impl KeymapReading<'_> {
         })
     }
 
-    /// Reports a room's key with another meaning under `anywhere` in the same file; disabling it is allowed.
+    /// Reports a room's key that the same file also binds under `anywhere`; disabling a key in a room is allowed.
     fn shadows(&mut self) {
         let general = |row: &&KeyRow| row.place == Place::Anywhere && row.meaning.is_some();
         for row in &self.rows {

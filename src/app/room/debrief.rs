@@ -19,15 +19,15 @@ use crate::text;
 use crate::text::Locale;
 use crate::vehicle::Severity;
 
-/// How long keys are ignored after the debrief opens, since they were meant for the flight.
+/// How long keys are ignored after the debrief opens, because they were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
 
 /// The width of the text in columns.
 pub const TEXT_WIDTH: u16 = 80;
 /// The minimum number of columns to show the truth beside the text.
 const TRUTH_LEAST: u16 = 60;
-/// The minimum height of a screen whose summary has the curve of the height, in rows; the rows of its head, and of the
-/// components below.
+/// The minimum number of screen rows for a summary with the height curve; then the rows of the head of that summary,
+/// and the fewest and the most rows of its components.
 const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 const SUMMARY_LEAST: u16 = 6;

@@ -268,7 +268,7 @@ pub fn acknowledge_pressing(state: &mut State) {
     acknowledge(state, |_, known| Some(known) == kind);
 }
 
-/// Acknowledges the alerts that `which` selects; returns their number.
+/// Acknowledges the alerts that `which` selects, and shows their number.
 pub fn acknowledge(state: &mut State, which: impl Fn(VehicleId, AlertKind) -> bool) {
     let count = state.session.alarms.acknowledge(which);
     state.say(Severity::Info, text!("alert-acknowledged", count = count));

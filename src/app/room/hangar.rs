@@ -159,7 +159,7 @@ pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effect
     if deed == ProcessDeed::Stop
         && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)
     {
-        // A stopped process is no longer waited for.
+        // A stopped process is no longer expected.
         hangar.expected = hangar.expected.saturating_sub(1);
     }
     if is_armed {

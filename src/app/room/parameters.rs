@@ -54,7 +54,7 @@ pub struct Parameters {
     pub(in crate::app) batch: Option<Batch>,
     /// Vehicles whose lists must be downloaded again.
     anew: BTreeSet<VehicleId>,
-    /// Vehicles that were asked and have not started to answer, with the time.
+    /// Vehicles that were asked and have not started to answer, with the time of the request.
     asked: BTreeMap<VehicleId, Duration>,
 }
 
@@ -66,7 +66,7 @@ pub(in crate::app) struct ParametersSnapshot {
 }
 
 impl Parameters {
-    /// Cheap: no value is copied.
+    /// A snapshot of the values; cheap, because no value is copied.
     pub(in crate::app) fn snapshot(&self) -> ParametersSnapshot {
         ParametersSnapshot {
             lists: self.lists.clone(),
@@ -74,7 +74,7 @@ impl Parameters {
         }
     }
 
-    /// Goes back to the values of a time; the view stays.
+    /// Restores the values of a snapshot; the view stays.
     pub(in crate::app) fn restore(&mut self, snapshot: ParametersSnapshot) {
         self.lists = snapshot.lists;
         self.edits = snapshot.edits;

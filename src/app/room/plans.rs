@@ -1,6 +1,6 @@
 //! The plans that are being drawn: several drafts at a time, their items, and a map with a cursor.
 //!
-//! Keys and lines give the same [`Edit`](crate::draft::Edit)s, so both can be undone alike.
+//! Keys and lines produce the same [`Edit`](crate::draft::Edit)s, so both are undone in the same way.
 
 use std::sync::Arc;
 
@@ -51,14 +51,14 @@ pub struct Drawing {
     mark: Option<usize>,
     /// The view of the map and its cursor.
     map: Map,
-    /// The speed for times, in m/s; `None` for that of the vehicle.
+    /// The speed from which flight times are computed, in m/s; `None` for the vehicle's own.
     speed_m_s: Option<f64>,
     /// The content that is being written, with the path and the draft's name.
     saving: Option<(String, String, Arc<Document>)>,
     /// The ledger's entries of the last upload.
     uploads: Vec<EntryId>,
     ground: GroundFiles,
-    /// The vehicles that have got drafts from the same work.
+    /// The vehicles among which work was last divided.
     divided: DividedWork,
     /// The outcome of the last trial, until a draft changes.
     tried: Option<Tried>,
@@ -143,7 +143,7 @@ impl Drawing {
         self.tried.as_ref()
     }
 
-    /// The speed that the user has given, in m/s.
+    /// The speed that the user has set for flight times, in m/s; `None` for the vehicle's own.
     pub fn speed_m_s(&self) -> Option<f64> {
         self.speed_m_s
     }

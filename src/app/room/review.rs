@@ -19,7 +19,7 @@ use crate::text::{Locale, Text};
 mod compared;
 mod page;
 
-/// Rows of the screen outside a page: header, tabs, footer.
+/// Rows of the screen outside a page: header, tabs, keys, footer.
 const OTHER_ROWS: u16 = 4;
 /// The curves of two flights get one row in this many.
 const CURVE_SHARE: u16 = 3;
@@ -66,7 +66,7 @@ impl ReviewPage {
         }
     }
 
-    /// The page `by` steps on, within the first and the last.
+    /// The page `by` steps further; this page if there is none.
     fn moved(self, by: isize) -> Self {
         let at = Self::ALL.iter().position(|&it| it == self);
         let to = at.and_then(|at| at.checked_add_signed(by));

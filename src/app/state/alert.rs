@@ -17,7 +17,7 @@ const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
-/// The vibration above which estimates suffer, in m/s2 (ArduPilot's documentation of VIBRATION).
+/// The vibration above which estimates suffer, in m/s² (ArduPilot's documentation of VIBRATION).
 const VIBRATION_LIMIT: f32 = 60.0;
 
 /// A condition that needs attention now.
@@ -180,8 +180,8 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
     None
 }
 
-/// The alert that the way home needs nearly all the battery left. A vehicle that is returning or landing already gets
-/// none.
+/// The alert that the way home needs nearly all the remaining battery, or more. A vehicle that is already returning or
+/// landing is not told to turn back; the alert that home is out of reach ends only in LAND.
 fn way_home(vehicle: &Vehicle) -> Option<Alert> {
     let way_home = vehicle.way_home()?;
     let mode = vehicle.mode()?;

@@ -1,7 +1,8 @@
 //! Signals beyond the screen: the terminal's bell and desktop notifications.
 //!
-//! Both are for serious alerts only. Both wait briefly to merge several alerts into one signal. Neither repeats the
-//! same alert of a vehicle.
+//! Both are for serious alerts only, and both merge alerts that come together: the bell rings at once and covers those
+//! that follow shortly, and a notification waits briefly for others. Neither repeats the same alert of a vehicle,
+//! unless it has become more serious.
 
 use std::time::Duration;
 
@@ -14,13 +15,13 @@ use crate::vehicle::{Severity, VehicleId};
 const LEAST: Severity = Severity::Critical;
 /// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
-/// A ring also covers further alerts within this time, since faults tend to come together.
+/// A ring also covers further alerts within this time, because faults tend to come together.
 const COVERED: Duration = Duration::from_secs(2);
 /// How long a notification waits for others to merge with.
 const GATHER: Duration = Duration::from_secs(1);
 /// The time between two notifications.
 const NOTE_EVERY: Duration = Duration::from_secs(10);
-/// The same alert of the same vehicle is not repeated within this time.
+/// The same alert of the same vehicle is not repeated within this time after its last occurrence.
 const OLD_NEWS: Duration = Duration::from_secs(10);
 
 /// An alert that may need a signal.

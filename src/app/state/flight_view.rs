@@ -105,7 +105,7 @@ impl FlightView {
         self.failed_trials = before.failed_trials;
     }
 
-    /// Starts its clock at zero; in a mission, that of the mission.
+    /// Notes when the session began. In free flight, its clock starts at zero; in a mission, the mission starts it.
     pub(in crate::app) fn begin(&mut self, now: Duration) {
         self.timing.began_at = now;
         if self.activity == Some(Activity::Free) {
@@ -167,7 +167,7 @@ impl FlightView {
         })
     }
 
-    /// Vehicles that start the same plan together would meet.
+    /// Why an order is dangerous that starts the same plan on several vehicles: they would meet.
     fn same_plan_hazard(&self, order: &Order) -> Option<Text> {
         let mut known = BTreeMap::new();
         order.targets.iter().find_map(|id| {

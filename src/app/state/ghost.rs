@@ -49,7 +49,7 @@ impl Ghost {
     fn anchors(&self, alignment: Alignment) -> Option<Anchors> {
         match &self.own {
             Some(own) => ComparedFlight::anchors(own, &self.other, alignment),
-            // Of a flight under way only the start is known for certain.
+            // For a flight under way, only the start is known for certain.
             None if alignment == Alignment::Start => Some(Anchors {
                 own: Duration::ZERO,
                 other: Duration::ZERO,

@@ -129,8 +129,8 @@ impl State {
     }
 }
 
-/// The whole help in a language; the current room comes first, its keys and then the commands. In a replay, the keys
-/// that control it come before those, and whatever has no effect there is left out.
+/// The whole help in a language; the keys of the current room come first, and the commands after the general keys. In a
+/// replay, the keys that control it come first, and everything without an effect there is left out.
 pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
     let mut nearby = vec![Place::In(scene.here), Place::Anywhere];
     if scene.is_replay {
@@ -226,7 +226,7 @@ fn notes(text: &str) -> Vec<HelpLine> {
     lines.into_iter().map(HelpLine::Note).collect()
 }
 
-/// The keys of a place; keys with one meaning share a line.
+/// The keys of a place; keys with the same meaning share a line.
 fn keys(scene: HelpScene<'_>, place: Place, locale: &Locale) -> Vec<HelpLine> {
     let mut rows: Vec<(String, Text)> = Vec::new();
     for binding in scene.keymap.bindings() {
@@ -258,7 +258,7 @@ impl HelpScene<'_> {
         let is_replaced = binding.place != Place::Replay && self.is_of_replay(binding.press);
         match replayed(&binding.meaning) {
             ReplayUse::Same => (binding.place == place && !is_replaced).then(usual),
-            // Such a key controls the replay, in whatever place it is bound.
+            // Such a key controls the replay wherever it is bound.
             ReplayUse::Control(id) => {
                 (place == Place::Replay && !is_replaced).then(|| Text::new(id, Vec::new()))
             }

@@ -59,7 +59,7 @@ pub struct ForwardSummary {
     pub filtered: u64,
     /// Messages from stations that were not passed on: the forward is read-only, or the receiver is unknown.
     pub held_back: u64,
-    /// Messages that arrived a second time, by another way.
+    /// Messages that arrived a second time, over another path.
     pub repeated: u64,
 }
 
@@ -81,7 +81,7 @@ pub struct LinkSummary {
     pub messages_in_per_s: f64,
     /// Messages per second sent.
     pub messages_out_per_s: f64,
-    /// The counters of the link itself; `None` in a replay, since a record contains only frames.
+    /// The counters of the link itself; `None` in a replay, because a record contains only frames.
     pub counters: Option<LinkCounters>,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,

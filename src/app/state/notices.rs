@@ -33,12 +33,12 @@ pub struct NoticeLine {
     content: LineContent,
 }
 
-/// The notices for which a line stands.
+/// The notices that a line represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LineContent {
     /// The notice that the line repeats.
     Notice,
-    /// The texts of vehicles that are counted and not listed.
+    /// The texts of vehicles that are counted but not listed.
     UnlistedTexts,
 }
 

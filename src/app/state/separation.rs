@@ -7,10 +7,10 @@ use crate::geo::{LatLon, maths};
 use crate::rehearsal::neighbours_limit_m;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
-/// The distances below both of which two vehicles are too close to each other.
+/// Two vehicles are too close to each other if both of their distances are below these limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeparationLimits {
-    /// Across, in metres; 0 for no limit.
+    /// Horizontal distance, in metres; 0 turns the check off.
     pub across_m: f64,
     /// In height, in metres.
     pub height_m: f64,

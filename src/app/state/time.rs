@@ -11,7 +11,7 @@ const MARK_EVERY: Duration = Duration::from_secs(1);
 pub struct SessionTime {
     /// Pairs of the program's time and session time, beginning with the last moment at zero; linear between two pairs.
     marks: Vec<(Duration, Duration)>,
-    /// The pace after the last mark, relative to the program's clock; zero until the next one.
+    /// The pace after the last mark, relative to the program's clock; zero if only marks advance session time.
     pace: f64,
 }
 
@@ -29,7 +29,7 @@ impl SessionTime {
         }
     }
 
-    /// Starts at zero and runs at a constant pace.
+    /// Runs at a constant pace from `now` on; starts at zero if session time has not begun.
     pub fn go(&mut self, now: Duration, pace: f64) {
         let elapsed = self.at(now).unwrap_or_default();
         self.marks.push((now, elapsed));

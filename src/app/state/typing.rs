@@ -15,7 +15,7 @@ const HISTORY_KEPT: usize = 200;
 pub struct Typing {
     /// The vehicle list being typed, `3-9`; empty without one.
     pub(in crate::app) targets: String,
-    /// Lines of a macro that wait for an answer.
+    /// Lines of a macro that wait until a question is answered.
     pub(in crate::app) macro_lines: VecDeque<String>,
     /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
@@ -90,6 +90,6 @@ fn is_plan_file(name: &str) -> bool {
     let Some((_, ending)) = name.rsplit_once('.') else {
         return false;
     };
-    // Compressed KML can only be read, so it is no format to write.
+    // Compressed KML can only be read, so it is not a format to write.
     FileFormat::of_ending(ending).is_some() || ending.eq_ignore_ascii_case("kmz")
 }

@@ -40,7 +40,7 @@ pub fn leave(state: &mut State) -> Effects {
     )
 }
 
-/// The loss if the session ended now; `None` once the mission is over.
+/// The loss if the session ended now; `None` if nothing would be lost.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // A mission that has not begun is only cancelled.

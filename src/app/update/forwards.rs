@@ -11,8 +11,8 @@ use crate::vehicle::Severity;
 
 /// Opens or closes a forward of the session.
 ///
-/// # Errors
-/// There is no session, or it is a mission that another program would help to fly; the line names no forward.
+/// # Errors There is no session, the line names no valid forward, the forward is open already or does not exist, or a
+/// mission would get a forward that is not read-only.
 pub fn carry_out(state: &mut State, line: ForwardLine) -> Result<Effects, Text> {
     let Some(activity) = &state.session.activity else {
         return Err(text!("forward-no-session"));

@@ -52,8 +52,8 @@ fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
     }
 }
 
-/// Whether a flight may be shown beside this one: another pilot's flight would give the solution away where this one
-/// counts.
+/// Refuses a flight that may not be shown beside this one: in an exam any, and in a flight that counts any but the
+/// trainee's own best one, because another pilot's flight would give the solution away.
 fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
         return Err(text!("ghost-no-mission"));

@@ -169,8 +169,9 @@ fn addressed(state: &mut State, line: &str) -> String {
 }
 
 /// Only the exact answer confirms; any other key means no. Enter, Esc, their replacements in a keymap file, and `n`
-/// close the question at once; the command line's key opens that as everywhere. After another character the question
-/// stays, cancelled, and swallows further keys; otherwise a line typed blindly would act on the screen below.
+/// close the question at once; the command line's key opens the command line, as everywhere. After another character
+/// the question stays, cancelled, and swallows further keys; otherwise a line typed blindly would act on the screen
+/// below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);

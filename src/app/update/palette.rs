@@ -18,7 +18,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::vehicle_id::ranges;
 
-/// The maximum number of lines that one macro may run in total; one that calls itself would never end.
+/// The maximum number of lines that one macro may run in total; a macro that calls itself would otherwise never end.
 const MACRO_LINES: usize = 100;
 
 /// Opens the command line with a text.

@@ -1,4 +1,4 @@
-//! Lines of programs: carried out like the user's, without touching what the user types and is asked.
+//! Lines of programs: carried out like the user's, without disturbing the user's input and open questions.
 
 use super::order::{self, Given};
 use super::{consequence, console_line};
@@ -16,7 +16,7 @@ use crate::verb::Danger;
 
 /// Carries out a program's line, and answers it.
 pub fn give(state: &mut State, said: &ProgramLine) -> Effects {
-    // A question to the user stays open, and one that the line raises is not the user's.
+    // A question to the user stays open; a question that the line raises is not put to the user.
     let overlay = state.overlay.take();
     let message = state.message().cloned();
     let outcome = carry_out(state, said);

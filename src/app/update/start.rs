@@ -11,7 +11,7 @@ use crate::app::state::{
 };
 use crate::vehicle_id::VehicleIds;
 
-/// Begins a session. It replaces the one before, and ends a replay.
+/// Begins a session. It replaces the previous one, and ends a replay.
 pub fn started(state: &mut State, started: Started) {
     begin(state, started, None);
 }
@@ -21,8 +21,8 @@ pub fn opened(state: &mut State, view: ReplayView, started: Started) {
     begin(state, started, Some(view));
 }
 
-/// Begins a session, of a recording if `replay` is given. Every session begins here, so that neither the one before nor
-/// its replay stays on the screen.
+/// Begins a session, of a recording if `replay` is given. Every session begins here, so that neither the previous
+/// session nor its replay stays on the screen.
 fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     let before = state.session.activity.take();
     let is_repeat = state.replay.is_none() && before.as_ref() == Some(&started.activity);

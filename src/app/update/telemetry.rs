@@ -111,7 +111,7 @@ fn watch_separation(state: &mut State) {
     }
 }
 
-/// Checks all vehicles again: some alerts end with time.
+/// Checks all vehicles again, because some alerts end as time passes.
 fn watch(state: &mut State) {
     let session = &mut state.session;
     for vehicle in session.vehicles.values() {
@@ -280,7 +280,7 @@ mod tests {
         assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
     }
 
-    /// A vehicle in the air, so many metres to the east.
+    /// A vehicle in the air, this many metres to the east.
     fn flying(id: u8, east_m: f64) -> Arc<Vehicle> {
         let mut flying = Vehicle::new(id, 1);
         flying.landed = LandedState::InAir;

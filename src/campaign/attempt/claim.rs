@@ -14,7 +14,7 @@ pub struct FlightClaim<'a> {
     pub seed: u64,
     /// How the mission compares with that of the course; old reports lack this, and count as they claim.
     pub mission_file: Option<MissionFile>,
-    /// The source of the commands; old records do not tell, and count as they claim.
+    /// The source of the commands; old records do not contain it, and count as they claim.
     pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
     pub ended: i64,

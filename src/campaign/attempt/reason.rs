@@ -71,7 +71,7 @@ pub enum AttemptRefusal {
     ExamByScript,
     /// Exams run in real time.
     ExamSpedUp,
-    /// A script would show the layout of the day before the trainees have looked.
+    /// The layout of the day is flown by hand: a script would show it in advance.
     DailyByScript,
 }
 

@@ -1,4 +1,4 @@
-//! Skills, and what a flight shows of them.
+//! Skills, and a flight's evidence on them.
 
 use super::*;
 

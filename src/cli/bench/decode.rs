@@ -27,7 +27,7 @@ use crate::wire::{
 
 /// Time per message in Table 2 of the paper that this program follows.
 const PAPER_NS_PER_MESSAGE: f64 = 24_500.0;
-/// Each variant is measured this often, in turns; the fastest round counts, since it was disturbed the least.
+/// Each variant is measured this often, in rotation; the fastest round counts, since it was disturbed the least.
 const ROUNDS: usize = 7;
 
 /// Options of `sortie bench decode`.

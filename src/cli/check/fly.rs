@@ -62,8 +62,8 @@ impl CheckPilot {
     }
 }
 
-/// Flies each mission with each pilot and each seed from 1 on, and prints the results; exit code 1 if a result is not
-/// as required.
+/// Flies each mission with each pilot and each seed, counted from 1, and prints the results; exit code 1 if a result is
+/// not as required.
 pub(in crate::cli) fn fly(
     missions: &[String],
     seeds: u64,
@@ -104,7 +104,8 @@ fn course(name: &str, seeds: u64) -> Result<Vec<CheckFlight>, Failure> {
     Ok(flown_by_all_processors(&mission, &tasks))
 }
 
-/// The path of a pilot's script beside the mission's file or in its folder `pilots`; otherwise the script's name.
+/// The path of a pilot's script beside the mission's file, or in a folder `pilots` there or one level up; otherwise the
+/// script's name.
 fn pilot_beside(mission: &str, pilot: &str) -> String {
     let folder = Path::new(mission).parent().unwrap_or(Path::new(""));
     let file = format!("{pilot}.pilot");

@@ -186,7 +186,7 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
     Ok(ExitCode::from(u8::from(is_low || !is_sound(&outcome))))
 }
 
-/// Prints legs that come too near to the ground; returns whether there are any.
+/// Prints legs that come too close to the ground; returns whether there are any.
 fn print_low_legs(cast: &Cast, ground: &GroundArguments, locale: &Locale) -> Result<bool, Failure> {
     let mut is_low = false;
     for (participant, name) in cast.participants.iter().zip(&cast.names) {

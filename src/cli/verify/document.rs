@@ -166,7 +166,7 @@ impl VerifyDocument {
     }
 
     /// Success only for a flight that matches its record, or whose telemetry gives the recorded score. A mission
-    /// without an end has a code of its own: whoever removes a bad end must not get a success.
+    /// without an end has a code of its own: removing a bad end must not give a success.
     pub(super) fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self.reliance {
             Reliance::Good => 0,
@@ -175,7 +175,7 @@ impl VerifyDocument {
         })
     }
 
-    /// Names the faults of the journal, which are no part of the comparison.
+    /// Names the faults of the journal, which are not part of the comparison.
     pub(super) fn with_faults(mut self, faults: Vec<Text>) -> Self {
         self.faults = faults.iter().map(ToString::to_string).collect();
         let words = std::iter::once(std::mem::take(&mut self.words));

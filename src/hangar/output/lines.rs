@@ -4,7 +4,7 @@ use crate::notice::sanitised;
 
 /// The maximum number of characters kept from a line.
 const LINE_LEN: usize = 400;
-/// The maximum number of bytes read from a line, since a character has up to four.
+/// The maximum number of bytes read from a line: a UTF-8 character has up to four.
 const LINE_BYTES: usize = 4 * LINE_LEN;
 /// The mark at the end of a cut line.
 const MORE: char = '…';

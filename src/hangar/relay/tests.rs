@@ -36,7 +36,7 @@ async fn bytes_go_both_ways() {
 }
 
 #[tokio::test]
-async fn whoever_leaves_is_noticed_and_may_come_again() {
+async fn a_client_that_leaves_is_noticed_and_may_come_again() {
     let (mut relay, instance) = relay().await;
     drop(relay.attach());
     assert_eq!(relay.pass().await, Passed::AttachedGone);

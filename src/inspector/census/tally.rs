@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// The number of whole seconds over which rates are measured.
 const WINDOW_S: u64 = 5;
-/// The seconds of the window, the current one, and one more for a cheap division.
+/// The seconds of the window and the current one, rounded up to a power of two for a cheap division.
 const SLOTS: usize = 8;
 
 /// The counts of one kind of message.

@@ -161,7 +161,7 @@ fn nobody_has_arrived_while_the_order_is_on_its_way() {
 }
 
 #[test]
-fn whoever_got_another_movement_has_arrived_when_that_is_done() {
+fn a_vehicle_with_a_newer_movement_has_arrived_when_that_is_done() {
     for (line, verb) in [
         ("1 orbit 30", "orbit"),
         ("1 velocity n 1 for 5s", "velocity"),

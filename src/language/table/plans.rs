@@ -91,7 +91,7 @@ const REHEARSE: Verb = Verb {
     ..list_verb("plan rehearse")
 };
 
-/// Another plan on board.
+/// The verb of lines that put another plan on board.
 const PUT: Verb = Verb {
     counts_as: CountsAs::PlanChange,
     ..list_verb("plan change")

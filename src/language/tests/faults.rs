@@ -169,8 +169,7 @@ fn an_argument_of_the_wrong_kind_is_named() {
     ]);
 }
 
-/// The forms that a line cannot mean are left out: of a verb with many forms only the usage of those that begin as the
-/// line does is shown.
+/// For a verb with many forms, only the usages of those that begin as the line does are shown.
 #[test]
 fn a_fault_shows_the_usage_of_the_form_that_was_meant() {
     check(&[

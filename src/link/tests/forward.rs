@@ -226,7 +226,7 @@ async fn stations_use_the_links_both_ways_and_each_frame_stays_as_it_was() {
         253,
         "the command was for vehicle 2"
     );
-    // The console's own commands are seen by both, and nobody is asked to carry them out twice.
+    // Both stations see the console's own commands, and no vehicle is asked to carry them out twice.
     assert!(shared.links[0].send(To::Everyone, takeoff(1)));
     shared.vehicles[0].hear(255, 76).await;
     one.hear(255, 76).await;

@@ -16,7 +16,7 @@ struct NamedMission<'m> {
 }
 
 impl Mission {
-    /// The id in a mission's source, also if the file has faults; `None` if it is not a mission.
+    /// The id in a mission's source, even if the file has faults; `None` if it is not a mission.
     pub fn id_of(source: &str) -> Option<String> {
         let (root, _) = DeTable::parse_recoverable(source);
         let root = root.get_ref();

@@ -15,7 +15,7 @@ use crate::vehicle::VehicleId;
 const TOUCH_M: f64 = 0.5;
 /// Vehicles closer than this to an aircraft have collided with it; it is larger than they are.
 const AIRCRAFT_M: f64 = 5.0;
-/// A vehicle this near to a person, and as low as this, injures the person.
+/// A vehicle this close to a person and this low injures the person.
 const HURTS_WITHIN_M: f64 = 1.0;
 const HURTS_BELOW_M: f64 = 2.5;
 /// Vehicles above this height do not disturb people who walk by.

@@ -86,7 +86,7 @@ impl Wishes {
         self.0.insert(GPS_DISABLED, 1.0);
     }
 
-    /// Removes some of the satellites: more of them, the nearer the vehicle is to a jammed zone (0 to 1).
+    /// Removes some of the satellites: the closer the vehicle is to a jammed zone (`nearness`, 0 to 1), the more.
     pub fn lose_satellites(&mut self, nearness: f64) {
         let left = USUAL_SATELLITES - (USUAL_SATELLITES - FEWEST_SATELLITES) * nearness;
         self.0.insert(SATELLITES, left.round());

@@ -63,7 +63,7 @@ pub(crate) enum Victim {
     /// The vehicle with this index, from 0.
     One(usize),
     All,
-    /// A random one of those in the air.
+    /// A random one of those in the air; if none is, of all.
     Chance,
 }
 

@@ -49,7 +49,7 @@ pub(crate) struct Scope<'a> {
     /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub wind_m_s: f64,
-    /// The random stream and step for conditions with chance: each evaluation draws a new number.
+    /// The seed and the random stream for conditions with chance: each evaluation draws a new number.
     pub chance: (u64, u64),
 }
 

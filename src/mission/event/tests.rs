@@ -220,7 +220,7 @@ fn zones_that_appear_have_to_be_left() {
 }
 
 #[test]
-fn whoever_hurts_somebody_has_failed() {
+fn hurting_somebody_fails_the_mission() {
     let event = "
         [[events]]\nid = 'walker'\nat = 2\ndo = [{ spawn = 'person', path = [[0, 0], [0.5, 0]], speed = 0.1, keep_out = 10 }]";
     let mut pilot = pilot(event, 1);

@@ -40,7 +40,7 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
         "faults",
         faults_form,
         "faults that the seed distributes, each once: `sea_level` (a height above sea level), `outside` (a place far \
-         beyond the fence), `endless` (a jump without end), `stay` (a stay that empties the battery), `copied` (the \
+         beyond the fence), `endless` (a jump without end), `stay` (a hold that drains the battery), `copied` (the \
          plan of another vehicle), `gap` (two places left out), `no_return` (no item that brings the vehicle back)",
     );
     let setup = BoardSetup {

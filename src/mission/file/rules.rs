@@ -11,7 +11,7 @@ const USUAL_MAX_HEIGHT_M: f64 = 120.0;
 const USUAL_RESERVE_PERCENT: f64 = 20.0;
 const USUAL_SPEEDUP: f64 = 8.0;
 
-/// The rules if the file does not have the section. The time limit stands elsewhere in the file.
+/// The rules if the file does not have the section. The time limit is in another section of the file.
 pub(super) fn usual() -> FlightRules {
     FlightRules {
         time_limit: Duration::ZERO,

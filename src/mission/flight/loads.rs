@@ -22,7 +22,7 @@ const DROP_UP_TO_M: f64 = 40.0;
 const SPRAY_UP_TO_M: f64 = 20.0;
 /// A vehicle this close to a pad counts as on it.
 const ON_PAD_M: f64 = 3.0;
-/// A vehicle disarmed on a pad for this long gets its loads again.
+/// A vehicle disarmed on a pad for this long gets its loads replaced.
 const TURN_AROUND: Duration = Duration::from_secs(20);
 /// The maximum speed at which a sample can be taken.
 const SAMPLE_UP_TO_M_S: f64 = 1.0;

@@ -230,7 +230,7 @@ fn a_vehicle_in_the_air_when_the_time_is_up_breaks_a_rule() {
 }
 
 #[test]
-fn whoever_has_landed_is_not_told_to_come_home() {
+fn a_landed_vehicle_is_not_called_home() {
     let source = include_str!("../../../missions/03-plume-source.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
     pilot.take_off(20.0);

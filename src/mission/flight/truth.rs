@@ -127,7 +127,7 @@ impl Flight {
     }
 }
 
-/// Whether a report is about this object: near enough, and of its kind if the report gives one.
+/// Whether a report is about this object: close enough, and of its kind if the report gives one.
 fn is_meant(mark: &Mark, class: ObjectClass, at: Point, sought: Option<Sought>) -> bool {
     let within_m = sought.map_or(UNASKED_WITHIN_M, |sought| sought.within_m);
     let same = class

@@ -55,7 +55,7 @@ impl Flight {
             .map(|(standing, _)| standing)
     }
 
-    /// The outcome if the flight ends now: `otherwise` if it has no mandatory objective.
+    /// The outcome if the flight ends now: `otherwise` unless all mandatory objectives are met.
     fn verdict(&self, otherwise: FlightOutcome) -> FlightOutcome {
         let standings = self.final_standings();
         if self.mandatory(&standings).all(|it| it.met) {

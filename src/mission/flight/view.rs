@@ -80,7 +80,7 @@ impl Flight {
         }
     }
 
-    /// The score so far; `None` on the ground, where points for unbroken rules would be confusing.
+    /// The score so far; `None` before the first takeoff, when points for unbroken rules would be confusing.
     fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
         let begun = self.is_over() || self.crafts.iter().any(|craft| craft.flown);
         begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)

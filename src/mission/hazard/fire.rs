@@ -112,7 +112,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "embers",
         number(0.0, 1000.0, ""),
         1.0,
-        "number of embers, as a multiple of the usual one",
+        "number of embers, as a multiple of the usual number",
     );
     let ignitions_form = list(table_of(read_ignition), 1, usize::MAX);
     let ignitions = table.need("ignitions", ignitions_form, "places where the fire starts");
@@ -163,7 +163,7 @@ fn read_ignition(table: &mut FileTable<'_>) -> Option<Ignition> {
     })
 }
 
-/// The ground before the fire; `None` where it cannot burn.
+/// The ground before the fire; `None` if the area is invalid.
 fn ground(
     table: &mut FileTable<'_>,
     [west, south, east, north]: [f64; 4],

@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn the_water_takes_whoever_has_no_vest_when_it_reaches_the_roof() {
+    fn the_water_takes_people_without_a_vest_when_it_reaches_the_roof() {
         let mut field = flooded();
         let roofs: Vec<f64> = field
             .objects()

@@ -64,7 +64,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }
     let (low, high) = zone.shape.bounds();
     let area_m2 = (high[0] - low[0]) * (high[1] - low[1]);
-    // Discs of half the gap cannot be packed randomly to more than about half of the area.
+    // Discs with a radius of half the gap would then cover more than about 79 % of the area: random placement cannot do
+    // that.
     if all * gap_m * gap_m > area_m2 {
         let zone = &zone.id;
         let fault = format!("zone `{zone}` is too small for {all} objects with this gap");

@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kit_helps_whoever_is_near_and_has_none_yet() {
+    fn a_kit_helps_people_nearby_who_have_none_yet() {
         let mut field = scattered(1, None);
         let [east, north] = field.objects()[2].at;
         let good = |effect: Option<LoadEffect>| effect.is_some_and(|effect| effect.good);

@@ -37,7 +37,7 @@ struct Deliver {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "deliver",
-    about: "met when enough people have received a kit in time, or enough nodes stand at their places",
+    about: "met when enough people have received a kit in time, or enough nodes are in their places",
     read,
 };
 
@@ -86,7 +86,7 @@ impl Deliver {
             What::Node => (care.nodes_placed, 0),
         };
         let met = done >= self.target.met_at;
-        // Nobody is left who can still be helped.
+        // No person is left who can still be helped.
         let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
         ObjectiveStanding {
             fraction: self.target.credit(done),

@@ -48,7 +48,7 @@ pub(crate) struct DetectTally {
     pub found: usize,
     /// Reports of a place without an object of that kind.
     pub false_alarms: usize,
-    /// Reports of objects reported before.
+    /// Reports of objects reported before, and correct reports beyond the budget.
     pub repeated: usize,
 }
 

@@ -40,7 +40,7 @@ struct LocateTracker {
 
 /// The result of the reports.
 struct LocateReports {
-    /// The distance from each object to its nearest report.
+    /// The distance from each object to its nearest report; `None` without a report close enough to count.
     distances_m: Vec<Option<f64>>,
     wrong: usize,
 }

@@ -90,7 +90,7 @@ impl PlanStarts {
         self.flown.contains(&(craft.id, as_asked))
     }
 
-    /// After the flight: which plans had a fault, and which.
+    /// After the flight: each vehicle whose plan had a fault, with the fault.
     fn truth(&self, crafts: &[Craft]) -> Vec<Text> {
         let faulty = crafts.iter().zip(&self.faults);
         faulty
@@ -181,13 +181,13 @@ impl Tracker for PlanStarts {
 }
 
 impl PlanStarts {
-    /// The result so far in two words, since it is shown beside the title. What the trainee has to find out, the number of
-    /// faulty plans, is not in it.
+    /// The result so far in two words, since it is shown beside the title. It does not reveal the number of faulty
+    /// plans, which the trainee has to find out.
     fn outlook(&self, good: usize, scene: &ObjectiveScene<'_>) -> Text {
         let against = self.against(scene.vehicles);
         let count = self.concerned(scene.vehicles).count();
         match (self.rule, against.is_empty()) {
-            // Until a plan is flown, the rehearsals are what is done for it.
+            // Until a plan is flown, only the rehearsals show progress.
             (PlanRule::Rehearsed, true) if good == 0 => {
                 let concerned = self.concerned(scene.vehicles);
                 let ready = concerned.filter(|craft| scene.plans.is_rehearsed(craft.id));

@@ -72,7 +72,7 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
     let corrected = score(&[80.0, 10.0]);
     assert!((corrected.0 - near.0).abs() < 0.1);
     assert!(corrected.1 < near.1, "{corrected:?} {near:?}");
-    // More than one wrong report per source counts as a guess.
+    // Wrong reports beyond one per source count as guesses.
     let guessed = score(&[10.0, 80.0, -90.0]);
     assert!((guessed.0 - near.0 / 2.0).abs() < 0.1, "{guessed:?}");
     let grid = score(&[10.0, 30.0, 50.0, 70.0, -30.0, -50.0]);

@@ -138,7 +138,7 @@ fn two_hops_reach_where_one_does_not() {
 }
 
 #[test]
-fn noise_and_walls_weaken_whoever_is_in_them() {
+fn noise_and_walls_weaken_the_links_inside_them() {
     let circle = Shape::Circle {
         center: [0.0, 200.0],
         radius_m: 50.0,

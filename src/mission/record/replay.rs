@@ -24,7 +24,7 @@ pub struct Stored {
     /// The fault of the rest of the file, after the readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
-    /// Whether the lines before the end have another checksum than the one that the end states.
+    /// Whether the checksum of the lines before the end differs from the one that the end states.
     is_altered: bool,
     ending: RecordEnding,
 }
@@ -143,7 +143,7 @@ impl Stored {
         self.is_altered
     }
 
-    /// Whether the end states a checksum, so that edits are noticed.
+    /// Whether the end states a checksum, so that edits are detected.
     pub fn has_checksum(&self) -> bool {
         let mut lines = self.lines.iter();
         lines.any(|line| line.checksum().is_some())
@@ -296,7 +296,7 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// How often commands to a vehicle whose rows have a wanted state were sent.
+    /// The number of transmissions of commands to a vehicle whose rows have a wanted state.
     pub(super) fn tries_of(&self, vehicle: VehicleId, is_wanted: impl Fn(RowState) -> bool) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
         let counted = rows.filter(|row| row.vehicle == vehicle && is_wanted(row.state));

@@ -381,8 +381,8 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     assert!(head.designs.is_empty());
 }
 
-/// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
-/// readable ([`language::verb`]) before it is changed here.
+/// The verbs that a record may name. A record outlives the table: if a verb is renamed, the old name must stay readable
+/// ([`language::verb`]) before it is changed here.
 const RECORDED_VERBS: [&str; 54] = [
     "altitude",
     "arm",

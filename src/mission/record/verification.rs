@@ -48,9 +48,9 @@ pub enum RecordExtent {
 }
 
 impl Stored {
-    /// A sign that the record was changed after the flight, without flying it again: its checksum, an input log of
-    /// the embedded simulator beside a flight of another one, or a program or profile that the journal of the same
-    /// flight names differently; `None` if nothing does.
+    /// A sign that the record was changed after the flight, without flying it again: its checksum, an input log of the
+    /// embedded simulator beside a flight of a different simulator, or a mission, program or profile that the journal
+    /// beside it names differently; `None` if nothing does.
     pub fn misstatement(
         &self,
         journal: Option<&JournalHead>,

@@ -283,7 +283,7 @@ impl Camera {
         }
     }
 
-    /// The visibility of mines in a light: disturbed soil is visible only at dawn and dusk.
+    /// The visibility of mines in a light: to a thermal camera, disturbed soil is visible only at dawn and dusk.
     fn mine_light(&self, light: Light) -> f64 {
         match (self.band, light) {
             (Band::Thermal, Light::Day | Light::Night) => 0.0,

@@ -1,4 +1,4 @@
-//! The wind of a rehearsal, and where it is known from.
+//! The wind of a rehearsal, and its source.
 
 use crate::mission::WIND_FULL_FROM_M;
 use crate::text;
@@ -30,7 +30,7 @@ pub(super) struct KnownAir {
     is_mission: bool,
 }
 
-/// Where the wind is known from.
+/// The source of the wind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum AirSource {
     /// The user gives it.
@@ -102,7 +102,7 @@ impl KnownAir {
         }
     }
 
-    /// The wind as the simulator expects it: at the height from which on it no longer grows.
+    /// The wind as the simulator expects it: at the height above which it no longer grows.
     pub(super) fn wind(&self) -> Wind {
         let AirSource::Estimated(_, Some(height_m)) = self.source else {
             return self.wind;

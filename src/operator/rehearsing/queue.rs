@@ -13,7 +13,7 @@ use crate::vehicle_id::ranges;
 
 /// How long a rehearsal waits for plans that are being read.
 const LONGEST_WAIT: Duration = Duration::from_secs(60);
-/// How long after an upload has ended the vehicle's snapshot shows the new plan.
+/// The maximum delay from the end of an upload to a snapshot of the vehicle that shows the new plan.
 const SHOWN_WITHIN: Duration = Duration::from_millis(500);
 
 /// Rehearsals in the order in which they were given, and the uploads that they wait for.
@@ -36,7 +36,7 @@ enum WriteState {
     Open,
     /// It has ended.
     Ended,
-    /// It has ended, and the vehicle's snapshot shows the plan from this time on.
+    /// It has ended, and from this time the vehicle's snapshot shows the plan.
     ShownFrom(Duration),
 }
 

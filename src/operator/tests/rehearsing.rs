@@ -6,7 +6,7 @@ use crate::plan::Item;
 use crate::sim::Airframe;
 use crate::vehicle::{GlobalPosition, Health, Plan, Stored, Transfer, Wind};
 
-/// A vehicle on the ground whose plan leads to a place so far north, and back.
+/// A vehicle on the ground whose plan leads to a place this far north, and back.
 fn carrying(id: VehicleId, north_m: f64) -> Vehicle {
     let home = LatLon::new(50.45, 30.52).moved(0.0, 20.0 * f64::from(id));
     let item = |command, north_m, z| {
@@ -89,7 +89,7 @@ fn conditions(rehearsal: &PlanRehearsal) -> String {
     rehearsal.fly(Duration::ZERO).notices[0].text.to_string()
 }
 
-/// What each row says.
+/// The state and the text of each row.
 fn rows(rehearsed: &Rehearsed) -> Vec<(RowState, String)> {
     let rows = rehearsed.rows.iter();
     let words = |row: &RowUpdate| row.explanation.as_ref().map(ToString::to_string);
@@ -239,7 +239,7 @@ fn a_fence_that_was_switched_on_after_its_parameter_was_read_counts() {
     assert_eq!((failed.vehicle, broken.findings.passed.len()), (1, 0));
 }
 
-/// Limits that have not been read are not judged, those that have been are.
+/// Only limits that have been read are judged.
 #[test]
 fn only_the_known_limits_of_a_fence_count() {
     let rehearsed = |read: &[(&str, f32)]| {

@@ -127,7 +127,7 @@ pub enum FlownBy {
 pub enum MissionFile {
     /// The mission is that of the course.
     Course,
-    /// The mission has another revision than that of the course.
+    /// The revision of the mission differs from that of the course.
     OtherRevision,
     /// It has the same revision as the course's mission, but a different text.
     Altered,

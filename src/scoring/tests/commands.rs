@@ -113,7 +113,7 @@ fn commands_that_change_nothing_dilute_no_fault() {
 }
 
 #[test]
-fn a_command_to_several_counts_for_each_whoever_refuses_it() {
+fn a_command_to_several_counts_for_each_vehicle_that_refuses_it() {
     let (mut ledger, mut log) = (Ledger::new(), CommandLog::default());
     let rows = [
         (1, RowState::Refused, 0),

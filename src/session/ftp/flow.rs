@@ -256,7 +256,7 @@ impl FileFlow {
         })
     }
 
-    /// Where to begin a burst: at the first gap if much of what follows is missing, otherwise at a long gap.
+    /// Where to begin a burst: at the first gap if much of what follows is missing, otherwise at the longest gap.
     fn worth_a_burst(&self) -> Option<u32> {
         if self.bursts == Bursts::None {
             return None;

@@ -26,7 +26,7 @@ pub(super) struct FolderListing {
 /// The meaning of an answer for a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Listed {
-    /// More must be requested, from this entry on.
+    /// More must be requested, starting with this entry.
     More(u32),
     All(Vec<FtpEntry>),
     Fault(FtpFault),

@@ -31,7 +31,7 @@ pub struct Quirks {
     pub ends_without_word: bool,
     /// The server assigns this session, whatever the client requests.
     pub session: Option<u8>,
-    /// The server refuses to read from this offset on.
+    /// The server refuses to read at this offset or beyond.
     pub refuses_from: Option<usize>,
     /// The server reports files as longer than they are, by this many bytes.
     pub estimate: usize,

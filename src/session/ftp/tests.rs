@@ -9,7 +9,7 @@ use super::*;
 
 const STEP: Duration = Duration::from_millis(10);
 
-/// The faults of the way between client and server: loss, repetition, delay.
+/// The faults of the channel between client and server: loss, repetition, delay.
 #[derive(Debug, Clone, Copy, Default)]
 struct Channel {
     loss: f64,

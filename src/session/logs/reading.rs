@@ -56,7 +56,7 @@ enum LogRoute {
 }
 
 impl Reading {
-    /// Begins with the first of some logs; `None` if there are none.
+    /// Begins to read a log; `later` are the logs that follow it.
     ///
     /// # Errors
     /// A text if nothing can be stored there.
@@ -195,7 +195,7 @@ impl Reading {
                 self.route = self.checking(path, ftp);
             }
             FtpEvent::Failed(fault) => {
-                // No way is left to read this log unless log messages arrive again.
+                // This log can no longer be read unless log messages arrive again.
                 self.files = LogFiles::none(fault.into());
                 self.route = LogRoute::Messages;
                 self.transfer.resume(now);
@@ -229,7 +229,7 @@ impl Reading {
         keeper.keep(&self.log, &bytes, self.transfer.gaps())
     }
 
-    /// Does what is due; returns the log once it is complete.
+    /// Takes the steps that are due; returns the log once it is complete.
     pub fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, Ending> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();

@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{LOG_DATA_DATA, LOG_REQUEST_DATA_DATA, Mav
 use crate::session::gaps::{FileBytes, GapMap};
 use crate::wire::{MavAddress, Outgoing};
 
-/// Bytes in one `LOG_DATA`. `ArduPilot` answers a request of this size at once, also on slow links. It silently drops a
+/// Bytes in one `LOG_DATA`. `ArduPilot` answers a request of this size at once, even on slow links. It silently drops a
 /// request that arrives while it is still answering another.
 const PIECE: u32 = 90;
 /// Pieces that are requested at one time.
@@ -141,7 +141,7 @@ impl Transfer {
         Received::Bytes(bytes)
     }
 
-    /// Counts silence from now on: until now, the bytes arrived in another way.
+    /// Counts silence from now on: until now, the bytes arrived by another route.
     pub fn resume(&mut self, now: Duration) {
         self.heard_at = now;
         self.news_at = now;
@@ -221,7 +221,8 @@ impl Transfer {
         asked.into_iter().map(request).collect()
     }
 
-    /// The range to request as a stream: from the first to the last gap if most of it is missing, otherwise a long gap.
+    /// The range to request as a stream: from the first to the last gap if that is faster than single pieces, otherwise
+    /// the longest gap if it is long enough.
     fn worth_a_stream(&self) -> Option<Range<u32>> {
         let gaps = self.gaps.missing();
         let (first, last) = (gaps.first()?, gaps.last()?);

@@ -42,7 +42,7 @@ pub(super) struct Ended {
 type Ending = (RowState, Text);
 
 impl Job {
-    /// Advances the transfer, and says how the order has ended.
+    /// Advances the transfer; returns the end of the order.
     pub fn poll(&mut self, shelf: Option<&dyn PlanShelf>, desk: &mut Desk<'_>) -> Option<Ended> {
         let Some(outcome) = self.transaction.poll(shelf, desk) else {
             self.tell_progress(desk);
@@ -141,7 +141,7 @@ impl Job {
         }
     }
 
-    /// Notes what the vehicle holds, and says how the order has ended.
+    /// Notes the list that the vehicle holds; returns the end of the order.
     fn finish(
         &self,
         outcome: Outcome,

@@ -18,7 +18,7 @@ pub(super) fn path(kind: ListKind) -> &'static str {
     }
 }
 
-/// The payload of `MISSION_ITEM_INT`, also for commands and frames that are missing from the dialect.
+/// The payload of `MISSION_ITEM_INT`, even for commands and frames that are missing from the dialect.
 pub(super) fn laid_out(item: &Item, seq: u16, to: MavAddress, kind: ListKind) -> Vec<u8> {
     let sent = match kind {
         ListKind::Plan => board::as_sent(item),

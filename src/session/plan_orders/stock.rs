@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::commands::{PlanCommand, PlanDeed, PlanSource};
 use crate::plan::{Document, ListKind};
 
-/// How often a list is sent to a vehicle that does not take it.
+/// The maximum number of times a list is sent to a vehicle that does not accept it.
 const TRIES: u8 = 5;
 
 /// The lists that are still to be sent, the next one first.
@@ -17,7 +17,7 @@ pub(super) struct Stock(VecDeque<StockedList>);
 struct StockedList {
     kind: ListKind,
     document: Arc<Document>,
-    /// How often it may still be sent.
+    /// How many more times it may be sent.
     tries: u8,
 }
 

@@ -54,7 +54,7 @@ fn known(vehicle: &Vehicle, kind: ListKind) -> Option<Vec<Item>> {
     items.filter(|_| transfer == Transfer::Done)
 }
 
-/// A list of so many items, some metres apart.
+/// A list of `count` items, some metres apart.
 fn list(kind: ListKind, count: usize, seed: f64) -> Vec<Item> {
     let item = |at: usize| {
         let place = HOME.moved(
@@ -161,7 +161,7 @@ fn a_draft_goes_on_board_without_a_file() {
     let mut rig = Rig::new(true);
     let mut document = Document::default();
     for kind in ListKind::ALL {
-        // The areas to stay out of are away from the plan.
+        // The exclusion areas are away from the plan.
         let seed = if kind == ListKind::Fence { 20.0 } else { 2.0 };
         *document.list_mut(kind) = list(kind, 5, seed);
     }

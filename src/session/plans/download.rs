@@ -33,7 +33,7 @@ pub(in crate::session) struct Download {
     /// The number of items, once known.
     total: Option<u16>,
     items: Vec<Item>,
-    /// How often the current request was sent, and when last.
+    /// How many times the current request was sent, and when last.
     tries: u8,
     asked_at: Duration,
 }

@@ -40,7 +40,7 @@ struct Scene {
     manner: Manner,
     now: Duration,
     asked: Vec<MavMessage>,
-    /// Which messages are lost, both ways, in turn; none when used up.
+    /// Whether each message is lost, in either direction, in order; after the end of the list, none is.
     losses: Vec<bool>,
 }
 

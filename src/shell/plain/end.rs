@@ -38,7 +38,7 @@ impl Patience {
 /// The delay of the first line from a pipe while vehicles are not ready yet, up to a time limit.
 #[derive(Debug)]
 pub(super) struct Beginning {
-    /// The number of vehicles, if known.
+    /// The number of vehicles that must be heard; 1 if their number is unknown.
     expected: usize,
     /// The time limit for vehicles that are heard but not ready to arm; `None` once lines are accepted.
     ready: Option<Patience>,
@@ -95,7 +95,7 @@ pub(super) fn has_failures(ledger: &Ledger) -> bool {
     rows.any(|row| row.state.is_failure())
 }
 
-/// Whether a mission is about to pass: all objectives are met, and all vehicles are down.
+/// Whether a mission is about to pass: all objectives are met, and no vehicle is armed.
 pub(super) fn is_as_good_as_passed(state: &State) -> bool {
     let session = state.session();
     let mission = session.mission();

@@ -40,7 +40,7 @@ enum ProcessNews {
     /// The vehicles could not be launched.
     NotLaunched(Text),
     Failed(Text),
-    /// The output of a vehicle's process, from the line with this number on.
+    /// The output of a vehicle's process, beginning with the line of this number.
     Printed(VehicleId, u64, Vec<OutputLine>),
 }
 

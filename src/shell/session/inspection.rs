@@ -1,4 +1,4 @@
-//! Examines the links: for the doctor once a second, and for the messages room as often as it is drawn.
+//! Examines the links: for the doctor once a second, and for the messages room up to four times a second.
 
 use std::collections::BTreeSet;
 use std::time::Duration;

@@ -104,8 +104,8 @@ impl FlightRecorder {
         }
     }
 
-    /// Ends the record of a mission that is over, after a moment: what follows is no part of the flight. The inputs of
-    /// the simulated vehicles go on.
+    /// Ends the record of a mission that is over, after a moment: what follows is not part of the flight. The inputs of
+    /// the simulated vehicles are recorded to the end of the session.
     pub fn end_after_mission(&mut self, now: Duration) {
         let ends_at = *self.ends_at.get_or_insert(now + AFTER_MISSION);
         if now >= ends_at && !self.has_ended {

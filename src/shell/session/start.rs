@@ -112,7 +112,7 @@ impl SessionPlan {
 }
 
 impl RunningSession {
-    /// Starts a session, once the processes of the one before it are gone.
+    /// Starts a session, once the processes of the previous one are gone.
     ///
     /// # Errors
     /// The fleet has ended.
@@ -235,8 +235,8 @@ impl RunningSession {
         })
     }
 
-    /// Starts the vehicles of a world: in the embedded simulator at once, as processes with some delay. Returns the
-    /// number of the embedded simulator's steps so far.
+    /// Starts the vehicles of a world: in the embedded simulator at once, as processes with some delay. Returns a
+    /// counter of the embedded simulator's steps; `None` for processes.
     async fn simulate(
         &mut self,
         world: WorldConfig,

@@ -27,8 +27,7 @@ struct RottenRow {
     key: String,
 }
 
-/// Restores unreadable rows from the newest copy that has them; others stay as they are. `None` if there was no
-/// damage.
+/// Restores unreadable rows from the newest copy that has them; others stay as they are. `None` if no row was restored.
 pub(super) fn mend_rows(
     connection: &mut Connection,
     path: &Path,
@@ -83,7 +82,7 @@ fn rotten_rows(
     Ok(rotten)
 }
 
-/// The document of a row in a copy of the database; `None` if the copy cannot be read.
+/// The document of a row in a copy of the database; `None` if the copy or the document cannot be read.
 fn kept(copy: &Path, column: &DocumentColumn, row: &RottenRow) -> Option<String> {
     let flags = rusqlite::OpenFlags::SQLITE_OPEN_READ_ONLY;
     let connection = Connection::open_with_flags(copy, flags).ok()?;

@@ -90,7 +90,7 @@ impl RecordFiles {
     /// Removes the logs that were joined to the record.
     ///
     /// # Errors
-    /// It cannot be removed.
+    /// One of them cannot be removed.
     pub fn delete_joined(&self) -> Result<(), StoreError> {
         for path in self.joined_paths() {
             fs::remove_file(&path).map_err(|error| unwritable(&path, error))?;

@@ -164,7 +164,7 @@ impl Recording {
         self.stop();
         let is_empty = fs::metadata(&self.frames).is_ok_and(|file| file.len() == 0);
         if !is_kept || is_empty {
-            // A file that cannot be removed stays as an empty record, which nothing replays by itself.
+            // A file that cannot be removed stays as an empty record, which is replayed only on request.
             drop(RecordFiles::beside(&self.frames).delete());
         }
     }

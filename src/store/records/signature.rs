@@ -20,7 +20,7 @@ pub enum RecordSignature {
     Valid { key: String, comment: String },
     /// The signature of a file is not valid.
     Invalid { file: String, fault: SignatureFault },
-    /// One file has no signature, while others have.
+    /// One file has no signature, while others have one.
     Partial { file: String },
 }
 

@@ -111,7 +111,7 @@ impl ActiveManoeuvre {
                 }
                 Work::Formation(_) | Work::Follow(_) | Work::Chain(_) => all_in_place,
             };
-            // A course counts from its first line on: the way to it is not part of the work.
+            // A course counts from its first line: the path to that line is not part of the work.
             let counts = self.phase == Phase::Work || !matches!(self.work, Work::Courses { .. });
             let standing = &mut self.members[index].standing;
             if counts && let Some(state) = standing.news(left_m, is_done) {

@@ -17,7 +17,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A gap outside of an area shorter than this is not reported.
+/// A gap outside an area is not reported if it is shorter than this.
 const LEAST_GAP_M: f64 = 1.0;
 
 impl Planner<'_> {

@@ -52,7 +52,7 @@ fn another_movement_takes_a_vehicle_out_and_the_others_close_up() {
 }
 
 #[test]
-fn whoever_gets_no_line_of_a_survey_is_not_said_to_have_flown_one() {
+fn a_vehicle_without_a_line_of_a_survey_is_not_reported_as_having_flown_one() {
     let mut stage = Stage::flying(3, 8.0);
     stage.say("1-3 survey lane spacing 100 course 0");
     let rows = stage.rows("survey");

@@ -23,7 +23,7 @@ mod graph;
 /// Columns of the tree with rate and age, and of the wide one, which also has bytes and count.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;
-/// From this width on, the tree is wide.
+/// The minimum columns of the screen for the wide tree.
 const WIDE: u16 = 112;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {

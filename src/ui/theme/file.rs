@@ -92,7 +92,7 @@ impl<'a> Lineage<'a> {
         self.themes.own(name).filter(|_| !is_itself)
     }
 
-    /// The circle of inheritance through `parent`, if there is one.
+    /// The themes of the inheritance cycle through `parent`, if there is one.
     fn circle(&self, parent: &str) -> Option<String> {
         let mut names = self.names.clone();
         let mut next = parent.to_owned();

@@ -228,7 +228,10 @@ fn what_cannot_be_inherited_is_pointed_at() {
     ]);
     let cases = [
         ("a", "circle: a -> b -> c -> a"),
-        ("self", "self.toml:1:12: the theme `self` inherits itself"),
+        (
+            "self",
+            "self.toml:1:12: the theme `self` inherits from itself",
+        ),
         (
             "child",
             "child.toml:1:12: the parent theme `wrong` has faults (wrong.toml:3:1: unknown role `okk`",

@@ -17,7 +17,7 @@ const GOOD_PERCENT: u8 = 90;
 pub struct Gauge {
     /// The filled share, 0 to 1.
     pub share: f64,
-    /// A second share to mark, such as the battery needed for the way home.
+    /// A second share to mark, such as the battery needed to return home.
     pub mark: Option<f64>,
     pub role: Role,
 }
@@ -73,7 +73,7 @@ pub fn link_role(link: &LinkQuality) -> Role {
     }
 }
 
-/// The role of the way home, compared with the battery left.
+/// The role of the battery needed to return home, compared with the remaining battery.
 pub fn reach_role(reach: HomeReach) -> Role {
     match reach {
         HomeReach::Ample => Role::Ok,

@@ -105,7 +105,7 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
     })
 }
 
-/// The most urgent alert; the flight screen has a separate line for it.
+/// The number of alerts that are not acknowledged; the flight screen has a line for the most urgent one.
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let is_shown = state.room() != Room::Fly && !session.is_over();

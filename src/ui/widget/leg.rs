@@ -4,7 +4,7 @@ use super::map::length;
 use super::short_clock;
 use crate::vehicle::PlanLeg;
 
-/// The way and the time to the next place: `140 m 0:14`; `None` if both are unknown.
+/// The distance and the time to the next place: `140 m 0:14`; `None` if both are unknown.
 pub fn way(leg: &PlanLeg) -> Option<String> {
     let way = leg.left_m.map(length);
     let time = leg.next.map(short_clock);

@@ -1,4 +1,4 @@
-//! The notices on the whole screen.
+//! A log on the whole screen: the notices, or the moments of a replay.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, row_of};
 
-/// Draws the notices, with the entry under the cursor marked and visible.
+/// Draws a log, with the entry under the cursor marked and visible.
 pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));

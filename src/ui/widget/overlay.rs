@@ -204,7 +204,7 @@ mod tests {
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Tests every question with every reason, since any message can be either.
+    /// Tests every question with every reason, because any message can be either.
     #[test]
     fn no_question_is_cut_on_a_small_screen() {
         for language in Language::ALL {

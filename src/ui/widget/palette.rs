@@ -59,7 +59,7 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
     let fault = palette.fault();
     let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(rest), buffer);
     if let Some(fault) = fault {
-        // The message is on the frame, because a row that comes and goes would move the line.
+        // The carets are on the frame, because a row that comes and goes would move the line.
         let frame = Rect {
             y: place.bottom().saturating_sub(1),
             height: 1,

@@ -281,7 +281,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
         .collect()
 }
 
-/// The sign of a moment on the time line; where the debrief has the same event, it is the same sign.
+/// The sign of a moment on the time line; the same as in the debrief, where that shows the event.
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),

@@ -1,5 +1,5 @@
-//! Urgent lines: alerts of the mission with the time left for them, and vehicles with a very weak link. They take the
-//! whole width, so that no word is cut off.
+//! Urgent lines: alerts of the mission with the time left for them, vehicles with a very weak link, and the question
+//! about the workload. They take the whole width, so that words are rarely cut off.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;

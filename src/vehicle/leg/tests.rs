@@ -151,7 +151,7 @@ fn from_the_takeoff_on_the_end_is_known() {
     assert_eq!(times(&vehicle), (Some(8.0), Some(8.0 + 16.5)));
 }
 
-/// Two turns on 25 m take 56.2 s; what the vehicle has flown of them by its own clock is over.
+/// Two turns on 25 m take 56.2 s; the part already flown, by its own clock, no longer counts.
 #[test]
 fn turns_count_from_their_circle_on() {
     let plan = [item(18, [2.0, 0.0, 25.0], 125.0), waypoint(125.0)];

@@ -69,7 +69,7 @@ fn a_faulty_plan_is_pointed_at_in_both_languages() {
     );
 }
 
-/// A value that does not fit into the vehicle's storage is flown as another one.
+/// A value that does not fit into the vehicle's storage is flown as a different one.
 #[test]
 fn a_value_that_the_vehicle_would_store_as_another_one_is_an_error() {
     let wait = good().replace("2\t0\t3\t16\t0", "2\t0\t3\t19\t-5");
@@ -142,7 +142,7 @@ fn a_plan_goes_through_every_format_and_back() {
         convert("a.waypoints", "b.plan", &["--force"]).status.code(),
         Some(0)
     );
-    // Nothing is lost without a word.
+    // Nothing is lost silently.
     fs::write(
         folder.path().join("rally.rally"),
         "RALLY 50.45\t30.52\t40\t20\t0\t0\n",
@@ -159,7 +159,7 @@ fn a_plan_goes_through_every_format_and_back() {
 
 #[test]
 fn a_rehearsal_finds_the_vehicles_that_meet_and_a_proposal_keeps_them_apart() {
-    // Two ways that cross half-way.
+    // Two paths that cross half-way.
     let one = waypoints((50.4501, 30.5234), [(50.4510, 30.5248), (50.4510, 30.5248)]);
     let two = waypoints((50.4501, 30.5248), [(50.4510, 30.5234), (50.4510, 30.5234)]);
     let folder = folder_with(&[("one.waypoints", &one), ("two.waypoints", &two)]);
@@ -370,7 +370,7 @@ fn plans_are_compared_with_the_ground() {
     let near = check(&["near.waypoints"]);
     let said = text(&near.stdout);
     assert_eq!(near.status.code(), Some(0), "{said}");
-    assert!(said.contains("lowest over the ground: 20 m"), "{said}");
+    assert!(said.contains("lowest height above ground: 20 m"), "{said}");
     let low = check(&["near.waypoints", "--clearance", "25"]);
     assert_eq!(low.status.code(), Some(1), "{}", text(&low.stdout));
     let hill = check(&["far.waypoints"]);

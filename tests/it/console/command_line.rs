@@ -39,7 +39,7 @@ fn a_dangerous_verb_wants_the_number_of_its_targets() {
     let mut console = Console::flying(5);
     console.give("1,3,5 kill");
     assert!(console.effects.is_empty());
-    let asked = "KILL vehicles 1 3 5 - press 3 (how many vehicles)";
+    let asked = "KILL vehicles 1 3 5 - press 3 (vehicle count)";
     assert!(console.screen(80, 24).contains(asked));
     console.press("3");
     assert_eq!(console.sent_to(), [1, 3, 5]);

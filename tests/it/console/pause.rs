@@ -230,7 +230,7 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
     let mut console = flying();
     let mut report = fixtures::report();
     let event = report.events[0].clone();
-    // Events with different texts, since equal ones would share a row.
+    // Events with different texts, because equal ones would share a row.
     report.events.extend((0..40).map(|number| EventReport {
         text: format!("event {number}").into(),
         ..event.clone()

@@ -9,7 +9,7 @@ use sortie::vehicle::{Plan, Severity, Stored, Transfer, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
-/// A vehicle that carries so many items after home.
+/// A vehicle that carries this many items after home.
 fn carrying(id: u16, items: usize) -> Vehicle {
     let mut vehicle = fixtures::parked(id);
     vehicle.plans.plan = Stored {

@@ -16,7 +16,7 @@ use super::{check, map};
 use crate::fixtures;
 use crate::harness::Console;
 
-/// A plan of so many legs of 60 m, which end in a return.
+/// A plan of this many legs of 60 m, which ends in a return.
 fn plan(legs: usize) -> Plan {
     let item = |command: u16, north_m: f64, east_m: f64| {
         let (x, y) = fixtures::HOME.moved(north_m, east_m).to_e7();

@@ -265,7 +265,7 @@ fn signs_in(console: &Console, role: Role, size: (u16, u16)) -> Vec<String> {
     rows.map(|row| row.iter().map(sign).collect()).collect()
 }
 
-/// A vehicle in flight has the colour of its plan, also where all are selected.
+/// A vehicle in flight has the colour of its plan, even if all are selected.
 #[test]
 fn selected_vehicles_keep_their_own_colours() {
     let size = (120, 40);

@@ -1,4 +1,4 @@
-//! Values of an item that the vehicle would store as other values.
+//! Parameters of an item that the vehicle would store with a different value.
 
 use super::{letters, shortened};
 use crate::Item;
@@ -16,8 +16,9 @@ pub struct Misheld {
     pub stored: f32,
 }
 
-/// The parameters of a plan's item that the vehicle would store as other values, beyond the rounding of its storage.
-/// Parameters that the vehicle does not keep, and those of which it keeps a direction or a yes only, do not count.
+/// The parameters of a plan's item that the vehicle would store with a different value, beyond the rounding of its
+/// storage. Parameters that the vehicle does not keep, and those of which it keeps only a direction or a flag, do not
+/// count.
 pub fn misheld(item: &Item) -> impl Iterator<Item = Misheld> {
     let [p1, p2, p3, p4] = item.params;
     let values = [p1, p2, p3, p4, item.x as f32, item.y as f32, item.z];
@@ -39,7 +40,7 @@ pub fn misheld(item: &Item) -> impl Iterator<Item = Misheld> {
 }
 
 /// How far a stored value may be from the written one: fractions and, for large radii, units are cut off. `None` where
-/// the vehicle stores no number that could be another one.
+/// the vehicle stores the value exactly, or not as a number.
 fn rounding(letter: u8, written: f32) -> Option<f32> {
     match letter {
         b't' if written > 0.0 && written < 1.0 => Some(1.0 / 256.0),

@@ -3,9 +3,9 @@
 use super::letters;
 use crate::Item;
 
-/// An item of a mission with numbers that survive the vehicle's truncation: a height such as 20.3 m, which as a float is
-/// a little less, would be kept as 20.29 m. Sent in this form, an item is kept to the centimetre, and what the vehicle
-/// sends back stays the same however often it is sent again.
+/// An item of a mission with numbers that survive the vehicle's truncation: a height such as 20.3 m, which as a float
+/// is a little less, would be kept as 20.29 m. Sent in this form, an item is kept to the centimetre, and what the
+/// vehicle sends back stays the same however often it is sent again.
 #[must_use]
 pub fn as_sent(item: &Item) -> Item {
     let Some(kept) = letters(item.command) else {

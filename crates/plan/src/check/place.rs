@@ -6,7 +6,7 @@ use super::{CheckOptions, Finding, FindingKind, Height, VehicleKind, plan_findin
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
-/// Farther from home than any vehicle of this size flies, in metres.
+/// A distance from home that vehicles of this size do not reach, in metres.
 const FAR_M: f64 = 50_000.0;
 
 pub(super) fn check(
@@ -89,7 +89,7 @@ fn length([north, east]: [f64; 2]) -> f64 {
     (north * north + east * east).sqrt()
 }
 
-/// Whether a straight leg between two allowed points leaves an area to stay in, or enters one to stay out of.
+/// Whether a straight leg between two allowed points leaves an inclusion area or enters an exclusion area.
 pub(crate) fn is_crossed(area: &FenceArea<[f64; 2]>, from: [f64; 2], to: [f64; 2]) -> bool {
     match &area.shape {
         AreaShape::Polygon(corners) => {
@@ -174,7 +174,7 @@ fn check_heights(
     }
 }
 
-/// A height above home, if it can be computed without the height of the ground.
+/// A height above home in metres, if it can be computed without the height of the ground.
 fn above_home(height: Height, home: Option<Home>) -> Option<f32> {
     match height.frame {
         HeightFrame::Home => Some(height.metres),

@@ -5,7 +5,7 @@ use sortie_geo::LatLon;
 use super::{Finding, FindingKind, plan_finding};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
-/// The distance between the points of a leg that are looked at, in metres: a third of the distance between the points of the finest files.
+/// The distance between the points of a leg that are checked, in metres: a third of the spacing of the finest files.
 const STEP_M: f64 = 10.0;
 /// A home whose height differs from that of the ground by more than this is reported, in metres.
 const HOME_SLACK_M: f64 = 30.0;
@@ -151,7 +151,7 @@ fn leg(item: usize, from: Point, to: Point, ground_m: &dyn Fn(LatLon) -> Option<
     }
 }
 
-/// The legs that come nearer to the ground than `clearance_m`, and those that no terrain file covers.
+/// The legs that come closer to the ground than `clearance_m`, and those that no terrain file covers.
 pub fn check_terrain(
     document: &Document,
     ground_m: &dyn Fn(LatLon) -> Option<f64>,

@@ -62,8 +62,8 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     ))
 }
 
-/// The return point, then the corners of one inclusion area; the last corner repeats the first. A ring that ends at its
-/// very first point, and three points alone, are corners only.
+/// The return point, then the corners of one inclusion area; the last corner repeats the first. If the last point
+/// repeats the very first one, or there are only three points, all of them are corners.
 pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut points = Vec::new();
     let mut faults = Vec::new();

@@ -1,7 +1,8 @@
 //! The common part of KML and `GeoJSON`: features with a geometry and data.
 //!
-//! Features of other programs are shapes: lines become the plan, polygons the fence, points rally points. What this
-//! program wrote has every field of an item as data; the key `sortie` names the list. Drawings are only to look at.
+//! Features of other programs are shapes: lines become the plan, polygons the fence, points rally points. Features
+//! written by this program have every field of an item as data; the key `sortie` names the list. Drawings are only for
+//! display.
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -8,10 +8,10 @@ use super::{GenerateError, Manner, Scene, Work};
 /// The farthest that a lane goes beyond a sharp corner, as a multiple of its distance from the line.
 const LONGEST_MITRE: f64 = 2.0;
 
-/// One lane for each vehicle, from the end that is nearer to the vehicles.
+/// One lane for each vehicle, from the end that is closer to the vehicles.
 ///
 /// # Errors
-/// The line has no length, or the lanes would be so close together that vehicles which descend to theirs come too close
+/// The line has no length, or the lanes would be so close together that vehicles that descend to theirs come too close
 /// to each other.
 pub(super) fn lanes(
     scene: &Scene,

@@ -16,7 +16,8 @@ pub(super) fn square(datum: DVec2, spacing_m: f64, radius_m: f64) -> Vec<Way> {
     way.into_iter().collect()
 }
 
-/// A sector search for each vehicle: turned against the others, and at a height of its own, as all cross the datum.
+/// A sector search for each vehicle: rotated relative to the others, and at a height of its own, as all cross the
+/// datum.
 pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f64) -> Vec<Work> {
     let count = scene.homes.len();
     let work = |vehicle: usize| {
@@ -34,7 +35,7 @@ pub(super) fn sectors(scene: &Scene, manner: &Manner, datum: DVec2, radius_m: f6
     works
 }
 
-/// Circles with evenly spaced beginnings, each at a height of its own.
+/// Circles with evenly spaced starting points, each at a height of its own.
 pub(super) fn orbits(scene: &Scene, manner: &Manner, circle: Circle) -> Vec<Work> {
     let count = scene.homes.len();
     let towards = scene

@@ -12,7 +12,7 @@ const CIRCLE_RATE_DEG_S: f64 = 20.0;
 /// The frame of heights above home.
 const ABOVE_HOME: u8 = 3;
 
-/// The ways from home to the work and back, over the ground.
+/// The paths from home to the work and back, over the ground.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Trip {
     pub(super) out: Vec<DVec2>,
@@ -20,7 +20,7 @@ pub(super) struct Trip {
 }
 
 impl Trip {
-    /// `None` if the fence leaves no way.
+    /// `None` if the fence leaves no path.
     pub(super) fn of(scene: &Scene, work: &Work) -> Option<Self> {
         let home = scene.homes[work.vehicle];
         let (first, last) = (*work.points.first()?, *work.points.last()?);
@@ -36,7 +36,7 @@ impl Trip {
     }
 }
 
-/// The time and energy of a vehicle's flight; `None` if the fence leaves no way.
+/// The time and energy of a vehicle's flight; `None` if the fence leaves no path.
 pub(super) fn effort(scene: &Scene, work: &Work) -> Option<Effort> {
     let trip = Trip::of(scene, work)?;
     let pace = &scene.pace;

@@ -1,4 +1,4 @@
-//! The fence around the vehicles, and ways inside it.
+//! The fence around the vehicles, and paths inside it.
 
 use glam::DVec2;
 use sortie_geo::LatLon;
@@ -9,18 +9,18 @@ use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::check::is_crossed;
 use crate::pattern::{Lane, course};
 
-/// The distance from the fence at which ways bend around it and lines end, in metres.
+/// The distance from the fence at which paths bend around it and lines end, in metres.
 const MARGIN_M: f64 = 2.0;
 /// Pieces of lines shorter than this are left out.
 const SHORTEST_M: f64 = 1.0;
-/// The corners of a way around a circle.
+/// The number of corners of a path around a circle.
 const CIRCLE_CORNERS: u32 = 12;
 
 /// A fence in the plane.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Field {
     areas: Vec<FenceArea<[f64; 2]>>,
-    /// The places at which a way may bend.
+    /// The places at which a path may bend.
     bends: Vec<DVec2>,
 }
 
@@ -52,7 +52,7 @@ impl Field {
         areas.all(|area| !is_crossed(area, from.into(), to.into()))
     }
 
-    /// Whether work stays inside, with all its legs.
+    /// Whether all legs of the work stay inside.
     pub(super) fn holds(&self, work: &Work) -> bool {
         let rim = work.circle.iter().flat_map(|circle| {
             let at = move |corner: u32| {
@@ -111,7 +111,7 @@ impl Field {
         parts
     }
 
-    /// The places at which the shortest way inside the fence bends; `None` if there is no way.
+    /// The places at which the shortest path inside the fence bends; `None` if there is no path.
     pub(super) fn way(&self, from: DVec2, to: DVec2) -> Option<Vec<DVec2>> {
         if self.is_clear(from, to) {
             return Some(Vec::new());

@@ -6,10 +6,10 @@ use super::compose::Trip;
 use super::{Scene, Work};
 use crate::pattern::distance_to_segment;
 
-/// Ways nearer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
+/// Paths closer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
-/// A way that ends beside a place is not counted as coming nearer to it than by this, in metres.
+/// A vehicle that climbs or descends beside a place comes too close to it only where it is this much closer, in metres.
 const BESIDE_M: f64 = 0.5;
 
 /// Where a vehicle crosses, and where it climbs and descends.
@@ -35,7 +35,7 @@ impl Crossing {
         }
     }
 
-    /// Whether it comes too near to a place. If one of its own columns is closer than the limit, as on neighbouring
+    /// Whether it comes too close to a place. If one of its own columns is closer than the limit, as on neighbouring
     /// pads, the distance of that column is the limit.
     fn comes_near(&self, point: DVec2) -> bool {
         let own = self.columns.iter().map(|mine| mine.distance(point));
@@ -79,7 +79,7 @@ pub(super) fn gap_m([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// Sets the height at which each vehicle crosses: above all work, and apart from those whose ways come near. A vehicle
+/// Sets the height at which each vehicle crosses: above all work, and apart from those whose paths are close. A vehicle
 /// that passes where another climbs or descends is above it, unless each passes the other. A single vehicle crosses at
 /// the height of its work.
 pub(super) fn set(scene: &Scene, works: &mut [Work], layer_m: f64) {
@@ -111,9 +111,9 @@ pub(super) fn set(scene: &Scene, works: &mut [Work], layer_m: f64) {
     }
 }
 
-/// Sets heights for work in which all vehicles pass the same places: each has one height, at which it also crosses, so that
-/// it climbs and descends at home only. A vehicle that passes over the home of another is above it, unless each passes
-/// the other's.
+/// Sets heights for work in which all vehicles pass the same places: each has one height, at which it also crosses, so
+/// that it climbs and descends only at home. A vehicle that passes over the home of another is above it, unless each
+/// passes the other's.
 pub(super) fn stack(scene: &Scene, works: &mut [Work], layer_m: f64) {
     let crossing = |work: &Work| Crossing {
         columns: vec![scene.homes[work.vehicle]],
@@ -156,7 +156,7 @@ pub(super) fn are_apart(scene: &Scene, works: &[Work], layer_m: f64) -> bool {
 }
 
 /// Which of the remaining vehicles is to be the lowest: the one that passes over the fewest others; of several, the one
-/// with the shortest way.
+/// with the shortest path.
 fn lowest(crossings: &[Crossing], left: &[usize]) -> Option<usize> {
     let passed = |here: usize| {
         let others = left.iter().filter(|other| **other != here);

@@ -10,7 +10,7 @@ use super::{GenerateError, Manner, Scene, Work};
 /// The bisection steps for the limit of the energy, and for the cut of a vehicle.
 const LIMIT_STEPS: u32 = 24;
 const CUT_STEPS: u32 = 22;
-/// How often shares are cut again, at most, with the heights at which their vehicles cross.
+/// The maximum number of rounds in which shares are cut with the heights at which their vehicles cross.
 const ROUNDS: usize = 8;
 /// Work shorter than this counts as none, in metres.
 const LEAST_WORK_M: f64 = 1.0;
@@ -103,7 +103,7 @@ impl<'a> Crew<'a> {
         }
     }
 
-    /// The energy that a vehicle uses for a share; infinite if no way leads there.
+    /// The energy that a vehicle uses for a share; infinite if no path leads there.
     fn cost(&self, vehicle: usize, from_m: f64, to_m: f64) -> f64 {
         let work = self.work(vehicle, self.way.part(from_m, to_m));
         effort(self.scene, &work).map_or(f64::INFINITY, |effort| effort.hover_s)
@@ -142,7 +142,7 @@ impl<'a> Crew<'a> {
         (at_m >= length_m - 1e-6).then_some(cuts)
     }
 
-    /// How far a vehicle can go on from a place.
+    /// How far along the path a vehicle gets from `from_m` with at most the energy `most`.
     fn reach(&self, vehicle: usize, from_m: f64, most: f64) -> f64 {
         let end_m = self.way.length_m();
         let least_m = (from_m + LEAST_WORK_M).min(end_m);
@@ -164,7 +164,7 @@ impl<'a> Crew<'a> {
         self.way.snapped(low).max(from_m)
     }
 
-    /// The shares; close ones are flown at two heights in turn.
+    /// The shares; close ones are flown alternately at two heights.
     fn works(&self, cuts: &[f64], spacing_m: f64) -> Vec<Work> {
         let mut from_m = 0.0;
         let mut works: Vec<Work> = Vec::new();

@@ -5,8 +5,8 @@ use sortie_geo::{LatLon, Outline};
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, command, is_inside};
 
-/// The areas of a document, each with its outline and then its holes: the areas to stay in of its fence, without those to
-/// stay out of; if there is no fence, the area within the places of its plan.
+/// The areas of a document, each as its outline and then its holes: the inclusion areas of its fence, with the
+/// exclusion areas inside them as holes; without a fence, the area within the places of its plan.
 pub fn areas(document: &Document) -> Vec<Vec<Vec<LatLon>>> {
     let fence = Fence::check(&document.fence).unwrap_or_default();
     let (inside, outside): (Vec<_>, Vec<_>) = fence.areas.iter().partition(|it| it.keeps_in);

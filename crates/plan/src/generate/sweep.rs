@@ -9,10 +9,10 @@ use crate::pattern::{Lane, Strips, distance_to_segment, is_in_rings};
 
 /// The maximum number of directions that are tried.
 const MOST_COURSES: usize = 24;
-/// The points across an area at which its cover is tested.
+/// The number of points across an area at which its coverage is tested.
 const SAMPLES: f64 = 100.0;
 
-/// The lines over an area in the orders in which they may be flown, of which one is chosen.
+/// The lines over an area, in each order in which they may be flown; one order is chosen later.
 pub(super) struct Lines {
     pub(super) ways: Vec<Way>,
     /// The share of the area that is not covered.

@@ -157,7 +157,7 @@ proptest! {
         side in 15.0..50.0f64,
         is_same in any::<bool>(),
     ) {
-        // The area itself or more as the fence, with a part that is closed.
+        // The fence is the area itself or a larger one, with an exclusion area in it.
         let around = if is_same { outline.clone() } else { square(DVec2::ZERO, 600.0) };
         let mut items = fence(&around, command::FENCE_POLYGON_INCLUSION);
         let closed = square(DVec2::new(0.0, 35.0), side);
@@ -171,7 +171,7 @@ proptest! {
                 }
                 prop_assert!((0.0..0.9).contains(&generated.uncovered));
             }
-            // A thin star can be all margin.
+            // All of a thin star can lie within the fence's margin.
             Err(error) => prop_assert!(matches!(error, GenerateError::OutsideFence | GenerateError::NoWay(_))),
         }
     }

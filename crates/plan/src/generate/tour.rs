@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::field::Field;
 use crate::pattern::Lane;
 
-/// A cut nearer than this to the end of a stroke is moved there.
+/// A cut closer than this to the end of a stroke is moved there.
 const SNAP_M: f64 = 2.0;
 
 /// Strokes, each a line that is worked along, in the order in which they are flown.

@@ -43,7 +43,7 @@ impl Lane {
 pub enum NoLanes {
     /// The area has no extent.
     Empty,
-    /// The area needs this many lines, which are too many.
+    /// The area needs more lines than this, the maximum.
     TooMany(usize),
 }
 
@@ -98,7 +98,7 @@ impl Strips {
         self.along
     }
 
-    /// From the first strip to the last.
+    /// The direction from the first strip to the last.
     pub fn across(&self) -> DVec2 {
         self.along.perp()
     }
@@ -155,7 +155,8 @@ fn parts(rings: &[Vec<DVec2>], strips: &Strips, index: usize) -> Vec<(f64, f64)>
     let middle = across * f64::midpoint(strip.start, strip.end);
     let between = marks.windows(2).filter_map(|pair| {
         let at = f64::midpoint(pair[0], pair[1]);
-        // Between two marks, edges lie everywhere or nowhere, and then the strip is inside or outside as a whole.
+        // Between two marks there are edges everywhere or nowhere; without edges, the strip is all inside or all
+        // outside.
         let on_edge = edges.iter().any(|edge| (edge.0..=edge.1).contains(&at));
         let inside = || is_in_rings(middle + along * at, rings);
         (pair[1] > pair[0] && (on_edge || inside())).then_some((pair[0], pair[1]))
@@ -208,7 +209,7 @@ fn gap_m(lane: &Lane, corners: &[DVec2]) -> f64 {
     });
     let mut crossings: Vec<f64> = crossings.collect();
     crossings.sort_by(f64::total_cmp);
-    // The line enters and leaves the area in turns, so a gap lies behind every second crossing except the last.
+    // The line alternately enters and leaves the area, so a gap lies behind every second crossing except the last.
     let gaps = crossings.get(1..).unwrap_or_default().chunks_exact(2);
     gaps.map(|gap| gap[1] - gap[0]).sum()
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::layout::{self, Motor};
 use crate::kinematics::GRAVITY_M_S2;
 
-/// The figures of the file; names in brackets are its fields.
+/// The figures of the file; names in backticks are its fields.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Figures {
     /// `mass`: ready to fly, in kilograms.

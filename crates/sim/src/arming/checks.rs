@@ -127,7 +127,7 @@ pub(crate) struct ArmingChecks<'a> {
     /// Whether the motor interlock is on; `None` without a switch for it.
     pub(crate) interlock: Option<bool>,
     pub(crate) has_stop_switch: bool,
-    /// Whether a receiver or an override was heard since the boot.
+    /// Whether a receiver or an override has been heard since boot.
     pub(crate) radio_was_heard: bool,
     /// Whether the remote control is being calibrated.
     pub(crate) radio_calibrates: bool,

@@ -1,4 +1,5 @@
-//! Checks of the parameters' own values before arming: they change only with a parameter, so they are made then.
+//! Checks of the parameters' own values before arming. Their results depend only on parameters, so they are computed
+//! when one changes.
 
 use super::reason::Reason;
 use crate::parameters::Parameters;
@@ -17,7 +18,7 @@ const STICK_MAX_US: f64 = 1700.0;
 /// The number of receiver channels that are checked.
 const CHANNELS: usize = 8;
 
-/// The reasons not to arm that lie in parameters.
+/// The reasons not to arm that parameters cause.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ValueChecks {
     /// About the motors; with such a reason, no other check is made.
@@ -50,7 +51,7 @@ fn motors(all: &Parameters) -> Option<String> {
     let functions: Vec<i32> = (1..=SERVOS)
         .map(|servo| all.value(&format!("SERVO{servo}_FUNCTION")) as i32)
         .collect();
-    // The autopilot gives further motors their outputs itself.
+    // The autopilot itself assigns the outputs of further motors.
     let needed: &[i32] = if class == TRICOPTER {
         &[1, 2, 4]
     } else {
@@ -140,7 +141,7 @@ fn servos(all: &Parameters) -> Vec<Reason> {
         .collect()
 }
 
-/// Whether the trim of a channel lies between its limits.
+/// The reasons if the trim of a channel is beyond its limits.
 fn limits(all: &Parameters, stem: &str, channel: usize) -> Vec<Reason> {
     let of = |what: &str| all.value(&format!("{stem}{channel}_{what}"));
     let mut reasons = Vec::new();

@@ -52,13 +52,13 @@ impl AutoPlan {
                 item.is_some_and(|item| item.command == cmd::DO_RETURN_PATH_START)
             })
             .filter_map(|at| self.nearest_leg(vehicle, at))
-            // Of equally near ones, the last counts.
+            // Of equally close ones, the last counts.
             .reduce(|best, next| if next.0 <= best.0 { next } else { best })
             .map(|(_, at)| at)
     }
 
-    /// The distance to the nearest leg from an item on, and the item at its end. The path ends at a landing or at a
-    /// `DO_LAND_START`.
+    /// The distance to the nearest of the legs from an item onwards, and the item at the end of that leg. The path ends
+    /// at a landing or at a `DO_LAND_START`.
     fn nearest_leg(&self, vehicle: &Vehicle, from: u16) -> Option<(f64, u16)> {
         let items = &vehicle.plans.mission;
         let here_m = vehicle.believed().position_m;
@@ -95,7 +95,7 @@ impl AutoPlan {
     }
 }
 
-/// Whether the command is one of those whose items have a place.
+/// Whether items with this command have a place.
 fn has_place(command: u16) -> bool {
     sequence::is_navigation(command)
         || matches!(

@@ -24,7 +24,8 @@ pub(super) fn is_navigation(command: u16) -> bool {
         )
 }
 
-/// The first item at or after a place that is not a jump. Jumps on the way are counted, with a text each.
+/// The first item at or after a place that is not a jump. Jumps on the way are counted, and reported in `texts`, except
+/// for the first time of an unlimited jump.
 pub(super) fn next_counting(
     items: &[Item],
     from: u16,

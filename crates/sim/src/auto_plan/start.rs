@@ -19,7 +19,7 @@ use sortie_geo::LatLon;
 const LEAST_CLIMB_M: f64 = 1.0;
 /// The distance from its edge within which a circle begins at once.
 const AT_EDGE_M: f64 = 3.0;
-/// Radii of this size and more are stored in steps of 10 m.
+/// Radii above this are stored in steps of 10 m.
 const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
@@ -246,8 +246,8 @@ impl AutoPlan {
     }
 }
 
-/// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second, of which leading ones may
-/// be -1 for any; zero without a time.
+/// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second, of which leading ones
+/// may be -1 for any; zero without a time.
 pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     let now_s = (EPOCH_US as f64 / 1e6 + uptime.as_secs_f64()) % 86_400.0;
     let units_s = [3600.0, 60.0, 1.0];
@@ -257,14 +257,14 @@ pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     let wanted_s: f64 = (first..3)
         .map(|place| f64::from(item.params[place + 1] as i32) * units_s[place])
         .sum();
-    // The unit above the first one given comes round.
+    // The time repeats with the unit above the first one given.
     let round_s = [86_400.0, 3600.0, 60.0][first];
     let left_s = wanted_s - now_s % round_s;
     let rounds_s = if left_s < 0.0 { round_s } else { 0.0 };
     (left_s + rounds_s).max(0.0)
 }
 
-/// A point as the vehicle stores places: in 1e-7 degrees and centimetres. Therefore even a stay in place begins with a
+/// A point as the vehicle stores places: in 1e-7 degrees and centimetres. Therefore even a wait in place begins with a
 /// leg of a few millimetres that takes about a second.
 fn stored(vehicle: &Vehicle, point_m: DVec3) -> DVec3 {
     let place = vehicle.datum.place_of(point_m);

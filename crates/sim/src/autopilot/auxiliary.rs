@@ -58,7 +58,7 @@ const ARM_OR_DISARM: u16 = 153;
 const ARM_OR_DISARM_AIRMODE: u16 = 154;
 const COMPASS_CALIBRATION: u16 = 171;
 const PAUSE: u16 = 178;
-/// Functions that act, apart from modes, by their names in the firmware's documents.
+/// Functions with an effect, apart from modes, with their names in the firmware's documentation.
 const ACTING: &[(u16, &str)] = &[
     (SIMPLE, "Simple Mode"),
     (SAVE_TRIM, "Save Trim"),

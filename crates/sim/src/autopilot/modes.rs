@@ -108,7 +108,7 @@ impl Autopilot {
     }
 
     /// Enters the mode in which the vehicle begins: that of the mode switch, or that of `INITIAL_MODE` without a remote
-    /// control; a mode that cannot be entered leaves STABILIZE.
+    /// control, or STABILIZE if that mode is always refused.
     pub(super) fn begin_first_mode(&mut self) {
         let vehicle = &mut self.vehicle;
         if vehicle.tuning.faults.radio != RadioFault::Silent {

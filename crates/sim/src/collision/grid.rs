@@ -7,8 +7,8 @@ const CELL_M: f64 = 4.0;
 /// The end of a chain.
 const NONE: u32 = u32::MAX;
 
-/// Cells are chains in a table of twice as many slots as bodies. Different cells may share a slot; each body has its
-/// own cell stored.
+/// Cells are chains in a table of at least twice as many slots as bodies. Different cells may share a slot; each body
+/// has its own cell stored.
 #[derive(Debug, Default)]
 pub(super) struct CollisionGrid {
     heads: Vec<u32>,

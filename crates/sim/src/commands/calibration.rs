@@ -102,7 +102,7 @@ fn calibrate_briefly(autopilot: &mut Autopilot) -> MavResult {
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// The compasses of a command, a bit each; zero means all. `None` if there is another bit.
+/// The compasses of a command, a bit each; zero means all. `None` if the value is out of range.
 fn compasses(command: &Command) -> Option<u8> {
     let asked = command.p[0];
     (0.0..=255.0).contains(&asked).then_some(asked as u8)

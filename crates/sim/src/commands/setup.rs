@@ -60,8 +60,8 @@ pub(super) fn estimator_source(_: &mut Autopilot, _: &mut Link, command: &Comman
     }
 }
 
-/// A position from outside, as `COMMAND_INT` only: in a global frame and without an altitude. The estimator takes none
-/// while it has its own.
+/// A position from outside, as `COMMAND_INT` only: in a global frame and without an altitude. A valid one fails,
+/// because the estimator has a position of its own.
 pub(super) fn external_position(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.frame {
         None => MavResult::MAV_RESULT_UNSUPPORTED,
@@ -106,7 +106,7 @@ pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Erases the stored values, also in flight; active values stay until the reboot.
+/// Erases the stored values, even in flight; active values stay until the reboot.
 pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     if !command.is(0, ERASE) {
         return MavResult::MAV_RESULT_DENIED;

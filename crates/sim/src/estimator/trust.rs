@@ -24,7 +24,7 @@ pub(super) enum Trust {
     GivenUp,
 }
 
-/// Test ratios (`EKF_STATUS_REPORT` calls them variances); from 1 on, a measurement is rejected.
+/// Test ratios (`EKF_STATUS_REPORT` calls them variances); at 1 or more, a measurement is rejected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ratios {
     pub(crate) velocity: f64,

@@ -53,7 +53,8 @@ impl AvoidanceRules {
 pub(super) struct Edges<'a> {
     pub(super) rules: &'a AvoidanceRules,
     pub(super) margin_m: f64,
-    /// The circle around home, if it is on and not broken: its radius, and the vehicle's position relative to home.
+    /// The circle around home, if it is on and not broken: its radius in metres, and the vehicle's position relative to
+    /// home.
     pub(super) around_home: Option<(f64, DVec2)>,
     pub(super) areas: &'a [FenceArea<DVec2>],
     /// The room below the ceiling; `None` without a ceiling.
@@ -135,7 +136,7 @@ impl Backing {
         *own = DVec2::new(stronger(own.x, velocity.x), stronger(own.y, velocity.y));
     }
 
-    /// Away from an edge that is `too_near_m` nearer than the margin.
+    /// Away from an edge that is `too_near_m` closer than the margin.
     fn away_from(&mut self, towards: DVec2, too_near_m: f64, accel_m_s2: f64) {
         let speed = square_root(too_near_m, POSITION_P, BACKING_SHARE * accel_m_s2);
         self.push(-towards.normalize_or_zero() * speed);
@@ -169,7 +170,7 @@ impl Edges<'_> {
         }
     }
 
-    /// The allowed horizontal velocity, and the velocity away from edges that are too near.
+    /// The allowed horizontal velocity, and the velocity away from edges that are too close.
     fn limit_level(&self, mut wanted: DVec2) -> (DVec2, DVec2) {
         let mut total = Backing::default();
         if let Some((radius_m, from_home)) = self.around_home
@@ -374,7 +375,7 @@ fn crossing(from: DVec2, to: DVec2, start: DVec2, end: DVec2) -> Option<DVec2> {
     within.then(|| from + way * along)
 }
 
-/// The distance along a segment to a circle around the origin.
+/// The distance along a segment to a circle around the origin, in metres.
 fn way_to_circle(from: DVec2, to: DVec2, radius_m: f64) -> Option<f64> {
     let way = to - from;
     let a = way.length_squared();

@@ -9,7 +9,8 @@ use std::sync::LazyLock;
 
 use super::Kind;
 
-/// Comments, and one line per parameter: name, type, value at the first boot, and the default if it is another one. An indented line belongs to the switch above it.
+/// Comments, and one line per parameter: name, type, value at the first boot, and the default if it differs. An
+/// indented line belongs to the switch above it.
 const LINES: &str = include_str!("arducopter.txt");
 
 /// The fixed properties of a parameter.
@@ -23,8 +24,8 @@ pub(super) struct ParameterRow {
     pub(super) default: f32,
 }
 
-/// Parameters that are listed only while their switch (an `ENABLE` or a `TYPE`) is not zero. They can be read and set by
-/// name at any time.
+/// Parameters that are listed only while their switch (an `ENABLE` or a `TYPE`) is not zero. They can be read and set
+/// by name at any time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct SubTree {
     /// The place of the switch; the parameters follow it.

@@ -8,7 +8,7 @@ const CHECKS_THROTTLE: i64 = 1 << 5;
 const SKIPS_OTHERS: i64 = 1 << 6;
 /// The bit of `PILOT_THR_BHV` for a throttle that springs to its middle.
 const SPRUNG_THROTTLE: i64 = 1;
-/// Functions from this number on may be given to several switches.
+/// Only functions with this number or a higher one may be assigned to several switches.
 const UNIQUE_BELOW: u16 = 256;
 const NAMES: [&str; 4] = ["Roll", "Pitch", "Throttle", "Yaw"];
 const THROTTLE: usize = 2;

@@ -2,7 +2,7 @@
 
 use super::CHANNELS;
 
-/// Pulse widths beyond these limits are no reading of a switch, in microseconds.
+/// Pulse widths beyond these limits are not a valid reading of a switch, in microseconds.
 const VALID_US: std::ops::Range<u16> = 801..2200;
 /// Pulse widths below the first are low, above the second high.
 const LOW_BELOW_US: u16 = 1200;
@@ -89,7 +89,7 @@ pub(crate) struct SwitchMove {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Switch {
     position: Option<SwitchPosition>,
-    /// A position not yet steady, and how often it was read again.
+    /// A position not yet steady, and how many times it was read again.
     candidate: Option<SwitchPosition>,
     steady: u8,
     was_read: bool,

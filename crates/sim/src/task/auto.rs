@@ -16,7 +16,7 @@ use crate::parameters::Parameters;
 
 /// The path is not slowed for a vehicle that lags by less than this share of the wanted speed.
 const SPEED_MARGIN: f64 = 0.05;
-/// A turn begins only after this share of the leg (the square of one half, as the leg's length is squared).
+/// A turn begins only after this share of the leg.
 const CORNER_FROM_SHARE: f64 = 0.5;
 
 /// The parameters of AUTO.
@@ -100,7 +100,7 @@ impl LegTrack {
         self.time_s >= self.curve.end_s
     }
 
-    /// Way from its start, velocity and acceleration at a time.
+    /// The displacement from its start, the velocity and the acceleration at a time.
     fn at(&self, time_s: f64) -> [DVec3; 3] {
         let motion = self.curve.at(time_s);
         [motion.way_m, motion.speed_m_s, motion.accel_m_s2].map(|along| self.direction * along)
@@ -267,7 +267,8 @@ impl Route {
         }
     }
 
-    /// The share of a step by which the path advances: less when the vehicle lags behind, or pauses.
+    /// The time by which the path advances in a step, in seconds: less than the step when the vehicle lags behind, or
+    /// pauses.
     fn time_step(&mut self, cockpit: &Cockpit<'_>) -> f64 {
         let wanted = cockpit.control.velocity_m_s;
         let speed = wanted.length();
@@ -328,7 +329,7 @@ impl Route {
     }
 }
 
-/// Whether the next leg may begin now: at the apex the vehicle then passes near enough to the corner, no faster than
+/// Whether the next leg may begin now: at the apex the vehicle then passes close enough to the corner, no faster than
 /// either leg allows and without leaning too far.
 fn may_turn(this: &LegTrack, next: &LegTrack, rules: &AutoRules) -> bool {
     let early = this.time_s < this.curve.brake_s - next.curve.turn_in_s;
@@ -360,7 +361,7 @@ pub(crate) fn stopping_point(cockpit: &Cockpit<'_>) -> DVec3 {
     body.position_m + flat_m.extend(fall_m)
 }
 
-/// The distance that the square-root controller with a gain of 1 needs from a speed to rest.
+/// The distance that the square-root controller with a gain of 1 needs from a speed to rest, in metres.
 fn stopping_way(speed_m_s: f64, accel_m_s2: f64) -> f64 {
     if speed_m_s < accel_m_s2 {
         speed_m_s

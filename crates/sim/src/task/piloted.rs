@@ -117,7 +117,7 @@ fn deflection(cockpit: &Cockpit<'_>) -> DVec2 {
     DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]))
 }
 
-/// The deflection of the sticks where they may refer to another heading than the nose (SIMPLE mode).
+/// The deflection of the sticks where they may refer to a heading other than the nose (SIMPLE mode).
 fn simple_deflection(cockpit: &Cockpit<'_>) -> DVec2 {
     let stick = deflection(cockpit);
     match cockpit.stick_heading_deg {
@@ -351,7 +351,8 @@ pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
     }
 }
 
-/// The thrust of a throttle stick in weights of the vehicle: the middle hovers, with `ArduCopter`'s curve.
+/// The thrust for a throttle stick, as a multiple of the vehicle's weight: the middle hovers, with `ArduCopter`'s
+/// curve.
 fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
     let input = if share < middle {
         0.5 * share / middle

@@ -10,13 +10,13 @@ use crate::control::FlatMotion;
 /// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a separate
 /// leg on the real vehicle.
 const PLAN_TIME: Duration = Duration::from_millis(700);
-/// A leg home that is shorter than this still takes its time, since the real vehicle is never exactly at its start.
+/// A leg home that is shorter than this takes a fixed time, because the real vehicle is never exactly at its
+/// destination.
 const TINY_LEG_M: f64 = 0.1;
 const TINY_LEG_TIME: Duration = Duration::from_millis(900);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
-/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and the same applies to the
-/// stopping point.
+/// The stopping point is reached within this distance (`WPNAV_RADIUS`).
 const HOME_REACHED_M: f64 = 2.0;
 /// A return is never lower than this (`RTL_ALT_MIN`).
 const LEAST_HEIGHT_M: f64 = 2.0;
@@ -196,7 +196,7 @@ impl Returning {
         }
     }
 
-    /// The stage over home: landing, or a descent to `RTL_ALT_FINAL` and a stay there.
+    /// The stage over home: landing, or a descent to `RTL_ALT_FINAL` and a wait there.
     fn end(cockpit: &Cockpit<'_>) -> ReturnStage {
         let stay_m = cockpit.tuning.return_final_altitude_m;
         if stay_m > 0.0 {

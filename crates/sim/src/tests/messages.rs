@@ -53,7 +53,7 @@ fn all_streams_at_4_hz_are_as_many_messages_as_the_real_ones() {
     let before = ground.heard.len();
     ground.run(10.0);
     let per_s = (ground.heard.len() - before) as f64 / 10.0;
-    // 107.7 with LOCAL_POSITION_NED and WIND at 3 of 4 turns, because the position arrived late.
+    // Measured: 107.7, with LOCAL_POSITION_NED and WIND only 3 times of 4, because the position arrived late.
     assert!((106.5..111.0).contains(&per_s), "{per_s}");
 }
 

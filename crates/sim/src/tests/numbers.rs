@@ -1,5 +1,5 @@
-//! Whatever the parameters, airframe and mode, numbers stay finite. No vehicle sinks into the ground, flies with energy
-//! that its motors did not give, or charges its battery.
+//! Whatever the parameters, airframe and mode, numbers stay finite. No vehicle sinks into the ground, gains energy that
+//! its motors did not supply, or charges its battery.
 
 use std::sync::Arc;
 

@@ -59,7 +59,7 @@ fn loiter_takes_off_climbs_and_stops_by_the_throttle_stick() {
     mode(&mut ground, 5.0);
     hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 0.5);
     ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
-    // The motors turn up two seconds after arming.
+    // The motors spin up two seconds after arming.
     hold(&mut ground, [MIDDLE, MIDDLE, 1000, MIDDLE], 2.0);
     hold(&mut ground, [MIDDLE, MIDDLE, 1700, MIDDLE], 8.0);
     close(

@@ -3,7 +3,8 @@
 
 use crate::plan::Item;
 
-/// The value of `FENCE_TOTAL`: corners and circles, and two more that the old fence protocol counts.
+/// The value of `FENCE_TOTAL`: the number of corners and circles, and two more that the old fence protocol counts; 0
+/// for fewer than three.
 pub(super) fn total(items: &[Item]) -> f32 {
     let counted = items
         .iter()

@@ -54,7 +54,7 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     writer.done()
 }
 
-/// An item with the place of another where it has none.
+/// An item; the coordinates that its command does not store are those of `other`.
 fn repeating(item: &Item, other: &Item) -> Item {
     let other = Item {
         command: item.command,

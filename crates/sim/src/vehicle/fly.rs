@@ -8,7 +8,7 @@ use crate::task::{Act, Task};
 use crate::yaw::Turning;
 
 impl Vehicle {
-    /// Lets the task steer the body for one step; returns the speed of an impact on the ground, if any.
+    /// Lets the task steer the body for one step; returns the speed of an impact on the ground in m/s, if any.
     pub(crate) fn fly(&mut self) -> Option<f64> {
         let act = if self.safety.armed && !self.is_stopped() {
             self.with_cockpit(Task::step)

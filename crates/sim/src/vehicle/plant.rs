@@ -17,7 +17,7 @@ pub(crate) struct Plant {
     pub(crate) body: Body,
     pub(crate) battery: Battery,
     pub(crate) wind: Wind,
-    /// Density of the air at the start.
+    /// Density of the air at the start, in kg/m³.
     pub(crate) start_density: f64,
 }
 
@@ -50,7 +50,7 @@ impl Plant {
         }
     }
 
-    /// Moves the body by one step; returns the speed of an impact on the ground, if any.
+    /// Moves the body by one step; returns the speed of an impact on the ground in m/s, if any.
     pub(super) fn step(
         &mut self,
         demand: Demand,

@@ -150,7 +150,7 @@ fn review(career: &Career, offer: &Offer) -> Option<Fact> {
     })
 }
 
-/// The skills that it trains, with the mastery of each; those not tried yet come together at the end.
+/// The skills that it trains, with the mastery of each; those not tried yet are listed together at the end.
 fn skills(career: &Career, offer: &Offer) -> Text {
     let mut tried = Vec::new();
     let mut new = Vec::new();

@@ -11,13 +11,13 @@ const GROWTH: f64 = 0.4;
 const LEAST_MARGIN_M: f64 = 10.0;
 /// The margin around everything, as a share of its size.
 const EDGE: f64 = 0.03;
-/// The minimum length of the frame's longer side.
+/// The minimum length of the frame's longer side, in metres.
 const LEAST_SIZE_M: f64 = 50.0;
 /// The frame shrinks when everything fits into this share of it.
 const LOOSE: f64 = 0.5;
 /// The time between checks for shrinking.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
-/// Positions farther away than this are ignored: a wrong position, or another country.
+/// Positions farther from the frame's centre than this, in metres, are ignored: they are wrong, or in another country.
 const FARTHEST_M: f64 = 100_000.0;
 
 #[derive(Debug, Clone, Default)]

@@ -101,7 +101,8 @@ impl SampleField {
         })
     }
 
-    /// A round value (1, 2 or 5 times a power of ten) above every mean: the top of the scale.
+    /// The top of the scale: the smallest round value (1, 2 or 5 times a power of ten) that no mean exceeds; 1 if no
+    /// mean is above zero.
     pub fn top(&self) -> f64 {
         let means = self
             .squares

@@ -43,7 +43,7 @@ pub enum SketchKind {
     Radio,
     /// A vehicle's plan for AUTO.
     Plan,
-    /// The leg of it that the vehicle flies.
+    /// The leg of a plan that the vehicle is flying.
     Leg,
     /// A rally point, where RTL may end.
     Rally,
@@ -157,7 +157,7 @@ pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
     sketches.flat_map(|sketch| sketch.points).chain(paths)
 }
 
-/// A vehicle closer to its place than this covers it.
+/// The place of a vehicle in a formation is not drawn if the vehicle is closer to it than this, in metres.
 const IN_PLACE_M: f64 = 3.0;
 /// The maximum number of vehicles whose plans are shown.
 const MOST_SHOWN: usize = 16;

@@ -1,4 +1,4 @@
-//! Updates of the map during a flight, also while another room is shown.
+//! Updates of the map during a flight, even while another room is shown.
 
 use super::{Aim, planned};
 use crate::app::State;
@@ -6,7 +6,7 @@ use crate::geo::{LatLon, Outline};
 use crate::mission::{AreaKind, Progress};
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// Of a trail's points, one in this many counts for the extent of everything.
+/// One in this many points of a trail counts towards the extent of everything.
 const TRAIL_STEP: usize = 4;
 
 /// Handles the start of a session, with its areas.

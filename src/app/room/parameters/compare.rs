@@ -20,7 +20,7 @@ pub struct Comparison {
     turned: BTreeSet<String>,
     /// Names that were set: they stay in the list even without a difference.
     pub set: BTreeSet<String>,
-    /// Whether parameters that only the vehicle has are listed too: against a short file that is nearly all.
+    /// Whether parameters that only the vehicle has are listed too: compared with a short file, these are nearly all.
     pub lists_extra: bool,
 }
 

@@ -16,7 +16,7 @@ const AT_ONCE: usize = 4;
 /// A vehicle that has not started to send its list within this time is asked again.
 const BEGIN_WITHIN: Duration = Duration::from_secs(5);
 
-/// Requests the lists that are needed and missing; called at every tick, since it depends on the screen.
+/// Requests the lists that are needed and missing; called at every tick, because the need depends on the screen.
 pub fn wanted(state: &mut State) -> Effects {
     let now = state.now;
     let candidates = candidates(state);

@@ -13,7 +13,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
-/// The maximum number of edits kept; beyond that, all are dropped except from the ledger.
+/// The maximum number of edits kept; beyond that, all are dropped. The ledger keeps its entries.
 const EDITS_KEPT: usize = 50_000;
 
 /// A value commanded for a vehicle.

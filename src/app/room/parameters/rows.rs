@@ -31,7 +31,7 @@ impl Row<'_> {
     }
 }
 
-/// The lines of the list with its filters. With a comparison, only differences.
+/// The lines of the list with its filters. With a comparison, only differences and parameters that were set from it.
 pub fn rows(state: &State) -> Vec<Row<'_>> {
     let Some(vehicle) = state.session.choice.cursor else {
         return Vec::new();

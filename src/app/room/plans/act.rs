@@ -128,7 +128,8 @@ fn saving(state: &State) -> Option<String> {
     Some(format!("draft save {}", files::proposed(draft)))
 }
 
-/// The beginning of a line that uploads: a draft for one vehicle goes to that vehicle, with those of the others.
+/// The beginning of a line that uploads. If the current draft is meant for a vehicle, each such draft goes to its own
+/// vehicle; otherwise the current one goes to the addressed vehicles.
 fn uploading(state: &State) -> Option<String> {
     let drafts = &state.rooms.plans.drafts;
     if drafts.current()?.vehicle().is_some() {

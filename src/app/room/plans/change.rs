@@ -27,7 +27,7 @@ pub(super) fn home(state: &State) -> Option<Home> {
     })
 }
 
-/// The place under the cursor of the map; `None` without a screen, where nothing shows a cursor.
+/// The place under the cursor of the map; `None` in the plain console, which shows no cursor.
 pub(super) fn cursor(state: &State) -> Option<LatLon> {
     if !state.display.has_rooms {
         return None;
@@ -71,7 +71,7 @@ pub(super) fn ensure(state: &mut State) {
     }
 }
 
-/// Changes the current draft; without one, a new one begins with this.
+/// Changes the current draft; without one, the change begins a new draft.
 ///
 /// # Errors
 /// The reason why the change is not possible.

@@ -59,7 +59,7 @@ pub(super) fn divide(
         .collect();
     let left = state.rooms.plans.divided.divide(vehicles);
     let idle: Vec<VehicleId> = idle.into_iter().chain(left).collect();
-    // Earlier plans of these would lead them through the parts of the others.
+    // Their earlier plans would lead these vehicles through the parts of others.
     state.rooms.plans.drafts.drop_of(&idle);
     let drafts = plans
         .into_iter()

@@ -24,7 +24,7 @@ pub(super) fn proposed(draft: &Draft) -> String {
     } else if ending(draft.name()).is_some() {
         draft.name().to_owned()
     } else {
-        // Archives are read, and not written.
+        // Archives can be read but not written.
         let name = draft.name().trim_end_matches(".kmz");
         format!("{name}.{ENDING}")
     }
@@ -76,7 +76,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// Opens drafts and shows the first of them: this is also how several documents, one for each vehicle, arrive.
+/// Opens drafts and shows the first of them: also used for several documents, one for each vehicle.
 pub fn fill(state: &mut State, drafts: impl IntoIterator<Item = Draft>) {
     state.rooms.plans.drafts.put(drafts);
     state.rooms.plans.tried = None;
@@ -187,8 +187,8 @@ pub(super) fn take_by_key(state: &mut State) {
     }
 }
 
-/// The lines that upload each list of a draft to vehicles, like those for a file of that name. If the draft has a
-/// plan, a fence and rally points that all vehicles carry already are left out.
+/// The lines that upload each list of a draft to vehicles, like those for a file of that name. If the draft has a plan,
+/// its fence and its rally points are left out where all the vehicles carry them already.
 ///
 /// # Errors
 /// The draft is empty.
@@ -216,7 +216,8 @@ pub fn uploads(state: &State, draft: &Draft, vehicles: &[VehicleId]) -> Result<V
     Ok(lines)
 }
 
-/// Whether all of some vehicles carry these limits. A plan is always sent: the vehicle may have to begin anew.
+/// Whether all these vehicles already carry a fence or these rally points. Always false for a plan, which is sent again
+/// because the vehicle may have to begin it anew.
 fn is_carried(state: &State, list: &[Item], kind: ListKind, vehicles: &[VehicleId]) -> bool {
     let mark = ContentHash::of(list);
     vehicles.iter().all(|id| {

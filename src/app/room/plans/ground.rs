@@ -32,7 +32,7 @@ impl Drawing {
     }
 }
 
-/// Takes the ground from a folder from now on; `None` counts it as level.
+/// Reads the ground heights from a folder from now on; with `None`, the ground counts as level.
 pub(super) fn choose(state: &mut State, folder: Option<String>) {
     let is_announced = folder.is_some();
     state.rooms.plans.ground = GroundFiles {

@@ -12,7 +12,7 @@ use crate::vehicle::{Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
 use crate::verb::CountsAs;
 
-/// How far a vehicle is with the plan of a draft; the later ones matter more to the user.
+/// How far a vehicle has come with the plan of a draft. Later stages matter more to the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlanStage {
     /// It does not carry the plan.
@@ -23,15 +23,15 @@ pub enum PlanStage {
     OnBoard,
     /// It stands on the ground with its motors on.
     Armed,
-    /// It is in the air, and flies no plan.
+    /// It is in the air, but is not flying a plan.
     Aloft,
     /// It has paused in the plan.
     Paused,
-    /// It flies its plan.
+    /// It is flying its plan.
     Flying,
 }
 
-/// The stage of the vehicle that is farthest, with the vehicles in that stage.
+/// The latest stage that any vehicle has reached, with the vehicles in that stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NextStep {
     pub stage: PlanStage,

@@ -136,7 +136,7 @@ fn a_plan_is_drawn_by_keys_from_nothing() {
         ]
     );
     assert_eq!(desk.room().row(), Some(3));
-    // One before the return, then one of its neighbours goes.
+    // Adds an item before the return, and removes the one next to it.
     desk.press("^^ikx");
     assert_eq!(desk.plan().len(), 4);
     desk.press("uuuuuu");
@@ -241,7 +241,7 @@ fn an_unsaved_draft_is_closed_only_after_a_question() {
     assert!(desk.room().drafts().current().is_none());
 }
 
-/// A vehicle that has nothing on board, as has been read.
+/// A vehicle whose lists have been read and are empty.
 fn read_empty(vehicle: &mut Vehicle) {
     vehicle.plans.plan.transfer = Transfer::Done;
     vehicle.plans.fence.transfer = Transfer::Done;

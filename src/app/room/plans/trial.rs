@@ -32,9 +32,9 @@ pub(super) fn ask(
     Ok(Effects::from(Effect::TryDrafts(trial)))
 }
 
-/// A trial of what these vehicles would fly: the draft of each, otherwise the current one. Without vehicles, it is that of
-/// all drafts that are meant for vehicles; otherwise the current one by each of several selected vehicles, as an upload
-/// would send it; otherwise all drafts with plans.
+/// The trial to fly. With `vehicles`, each flies its own draft, otherwise the current one. Without, all drafts that are
+/// meant for vehicles are flown; if there are none, each of several selected vehicles flies the current draft, as after
+/// an upload; otherwise all drafts with plans are flown.
 ///
 /// # Errors
 /// No draft has a plan, or a vehicle has no position.
@@ -112,7 +112,7 @@ fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {
     })
 }
 
-/// Handles the outcome of a trial, and returns the notice of it. Drafts that it changes can be undone one by one.
+/// Handles the outcome of a trial, and returns its notice. Its changes to drafts can be undone one by one.
 pub fn tried(state: &mut State, tried: Tried) -> Notice {
     let drafts = &mut state.rooms.plans.drafts;
     for changed in &tried.changed {
@@ -129,7 +129,7 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
         Severity::Warning
     };
     let text = tried.text.clone();
-    // What was said before may still be of use.
+    // The earlier message may still be useful.
     if tried.is_awaited || !tried.is_sound {
         state.say(severity, text.clone());
     }

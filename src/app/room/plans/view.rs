@@ -15,13 +15,13 @@ const DETAILS: u16 = 9;
 /// Rows of the heights with their rule, on small screens and on large ones.
 const LOW: u16 = 5;
 const HIGH: u16 = 11;
-/// From this number of rows on, a screen is a large one.
+/// The minimum rows of a large screen.
 const TALL: u16 = 36;
 /// Columns of the list by the minimum columns of the screen; `NARROW` on narrower ones.
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 
-/// The shortest side of the ground that the map shows at first, in metres, and with items to look at.
+/// The minimum side of the area that the map shows, in metres: at first, and once there are items to show.
 const LEAST_SIDE_M: f64 = 300.0;
 const LEAST_DRAWN_M: f64 = 100.0;
 /// Rows of the screen above the map: the header, the drafts.

@@ -219,7 +219,7 @@ impl Page<'_> {
         };
         for line in explanation(&report, self.text.locale, self.text.width) {
             let tone = match line.tone {
-                // Headings stand over columns, so they are no titles with a rule.
+                // Headings stand over columns, so they are not titles with a rule.
                 DebriefTone::Heading | DebriefTone::Head | DebriefTone::Gain => Tone::Hint,
                 DebriefTone::Good => Tone::Met,
                 DebriefTone::Bad => Tone::Missed,

@@ -301,7 +301,7 @@ impl Bench {
         Candidate {
             part,
             on_board,
-            // A part on board is not shown with a second one of its kind.
+            // For a part on board, the current figures are shown, without a second one of its kind.
             sheet: if on_board > 0 {
                 self.sheet.clone()
             } else {

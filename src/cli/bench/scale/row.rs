@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::sample::{ScaleSample, percent};
 use super::strain;
 
-/// The figures of a count of vehicles: medians over its repeats. The first nine fields are what scripts rely on.
+/// The figures of a count of vehicles: medians over its repeats, but the maximum of the lost messages. The first nine
+/// fields are what scripts rely on.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct ScaleRow {
     pub vehicles: u16,

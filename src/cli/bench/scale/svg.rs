@@ -125,7 +125,7 @@ fn at(figure: &Figure, vehicles: f64, percent: f64) -> (f64, f64) {
     (x, y)
 }
 
-/// About five round values from 0 to the end of an axis, no nearer to each other than `least`.
+/// About five round values from 0 to the end of an axis, no closer together than `least`.
 fn ticks(end: f64, least: f64) -> impl Iterator<Item = f64> {
     let step = rounded_up(end / 5.0).max(least);
     (0_u8..)

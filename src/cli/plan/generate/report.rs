@@ -114,7 +114,7 @@ fn print_imbalance(used: &[f64], locale: &Locale) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints what a vehicle would refuse; returns whether there is something.
+/// Prints what a vehicle would refuse; returns whether there is anything.
 fn print_faults(cast: &Cast, locale: &Locale) -> Result<bool, Failure> {
     let mut faulty = false;
     for (participant, name) in cast.participants.iter().zip(&cast.names) {

@@ -38,7 +38,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next token, which stays; a fault if there is none.
+    /// The next token, without consuming it; a fault if there is none.
     pub fn peek(&self, wanted: &str) -> Result<&'a Placed, Diagnostic> {
         self.tokens.get(self.at).ok_or_else(|| self.missing(wanted))
     }

@@ -19,7 +19,7 @@ pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
         .unwrap_or_default()
 }
 
-/// The searched ground, with cells merged into blocks so that there are at most `MOST_SWEPT`.
+/// The searched ground, with cells merged into blocks so that there are about `MOST_SWEPT` at most.
 pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let step = (grid.cells.len() as f64 / MOST_SWEPT).sqrt().ceil();
     let blocks = Blocks::of(grid, step.max(1.0) as usize, true);

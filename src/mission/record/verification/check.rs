@@ -212,7 +212,7 @@ impl RecordCheck {
                     self.wanted
                         .insert((vehicle, name), WantedParameter { value, at });
                 }
-                // The recorded frames put them on board; another plan shows in another flight.
+                // The recorded frames put them on board; a different plan would lead to a different flight.
                 Want::Lists(_) => {}
             }
         }

@@ -35,8 +35,8 @@ fn chance(id: &str, class: ObjectClass, height_m: f64, speed_m_s: f64, light: Li
     look.map_or(0.0, |look| look.chance)
 }
 
-/// The probability that the thermal camera of the night search distinguishes a deer from a person; `None` if it does not
-/// see the deer.
+/// The probability that the thermal camera of the night search distinguishes a deer from a person; `None` if it does
+/// not see the deer.
 fn told(height_m: f64, aside_m: f64) -> Option<f64> {
     let object = Object::new(ObjectClass::Animal, [0.0; 2]);
     let view = View {

@@ -28,7 +28,7 @@ fn the_old_list_survives_a_console_that_is_killed_in_the_middle_of_a_transfer() 
         .iter()
         .filter(|text| text.contains(&format!("`plan upload {name}`")));
     assert_eq!(told.count(), 1);
-    // What is on board now is the rest of the transfer: it does not replace the whole list.
+    // The list on board is now an incomplete transfer: it does not replace the whole list.
     rig.upload(ListKind::Plan, &name);
     assert_eq!(rig.ended(s(60)), RowState::Done, "{:?}", rig.row);
     let held = rig.on_board(ListKind::Plan);

@@ -12,7 +12,7 @@ struct Tally {
     old: usize,
 }
 
-/// Uploads two lists in turn over a link that loses 30 % and is cut at a random moment of each transfer.
+/// Uploads two lists alternately over a link that loses 30 % and is cut at a random moment of each transfer.
 fn cut(kind: ListKind, by_file: bool, cuts: u64) -> Tally {
     // Item by item, reading the list on board alone takes most of a minute over such a link.
     let longest_ms = if by_file { 15_000 } else { 90_000 };

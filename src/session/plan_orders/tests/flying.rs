@@ -7,7 +7,7 @@ use crate::commands::Act;
 use crate::language::{Context, Meaning};
 use crate::vehicle::PlanPhase;
 
-/// An item so many metres north and east of home, 15 m high.
+/// An item at these distances north and east of home, 15 m high.
 fn item(command: u16, north_m: f64, east_m: f64) -> Item {
     let (x, y) = HOME.moved(north_m, east_m).to_e7();
     Item {

@@ -1,4 +1,4 @@
-//! What an upload replaces, what it refuses, and the hash of what it writes.
+//! The lists that an upload replaces or refuses, and the hash of the list that it writes.
 
 use super::*;
 

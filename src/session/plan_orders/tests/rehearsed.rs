@@ -1,4 +1,4 @@
-//! Plans that are rehearsed as the console does, and then flown in the same wind.
+//! Plans that are rehearsed as by the console, and then flown in the same wind.
 
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;

@@ -93,7 +93,7 @@ fn signs_that_come_all_the_time_do_not_flood_the_vehicle() {
 fn a_list_that_changes_while_it_is_read_is_broken_off_and_read_anew() {
     let mut scene = Scene::new(Manner::Modern, 40);
     scene.announce(39, 0);
-    // Nothing gets through from the middle of the list on.
+    // Nothing gets through after the middle of the list.
     scene.losses = vec![true; 2];
     scene.losses.extend([false; 60]);
     scene.pass(ms(3500));

@@ -9,7 +9,7 @@ use crate::text::{Text, text};
 /// The parts of a mission's state that have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedMission {
-    /// The decided objectives, and the hint.
+    /// The states of the objectives by index, and the hint, as last seen.
     objectives: BTreeMap<usize, ObjectiveState>,
     hint: Option<Text>,
     /// The number of contacts.

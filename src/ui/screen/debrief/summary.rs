@@ -78,7 +78,7 @@ fn end(report: &Report) -> Duration {
     Duration::from_secs_f64(report.sim_time_s.max(0.0))
 }
 
-/// The mission's title; at the right, if there is room, its file, revision and seed, and the source of its commands.
+/// The mission's title; at the right, if there is room, its file, revision and seed, and the simulator of the vehicles.
 fn title(report: &Report, panel: Panel<'_>) -> Line<'static> {
     let title = format!(
         " {}",

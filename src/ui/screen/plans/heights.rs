@@ -23,10 +23,10 @@ const TITLE_ENDS: usize = 6;
 /// The minimum height at the top of the scale, in metres.
 const LEAST_TOP_M: f64 = 10.0;
 
-/// Places along the way whose ground decides the scale.
+/// The number of sections of the path at whose ends the ground counts for the scale.
 const GROUND_STEPS: u32 = 200;
 
-/// The height of the ground above that of home at a distance along the way, if it is known.
+/// The height of the ground above home at a distance along the path, both in metres; `None` if it is unknown.
 fn ground_m(shown: &Shown<'_>, along_m: f64) -> Option<f64> {
     let at = shown.course.place_at(along_m)?;
     ground_above_home(shown.document, at, shown.room.ground())
@@ -61,7 +61,7 @@ impl Scale {
         }
     }
 
-    /// The distance along the way of each column of dots.
+    /// The distance along the path of each column of dots, in metres.
     fn columns(&self) -> impl Iterator<Item = f64> {
         let count = self.size.columns * DOTS_ACROSS;
         let step_m = self.length_m / (f64::from(count) - 1.0).max(1.0);
@@ -93,7 +93,7 @@ pub(super) fn draw(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>, buffer: &
     draw_numbers(shown, &scale, curve, buffer);
 }
 
-/// The name of the plan, its length and time, and as far as there is room the speed and the mark of its content.
+/// The name of the plan, its length and time and, as far as there is room, the speed and the hash of its content.
 fn title(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>) -> String {
     let course = &shown.course;
     let (name, way) = (draft.short_name(), length(course.length_m.round()));
@@ -216,7 +216,7 @@ fn draw_axis(scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The numbers of the items above the curve, as far as there is room; that under the cursor always.
+/// The numbers of the items above the curve, as far as there is room; the number under the cursor is always drawn.
 fn draw_numbers(shown: &Shown<'_>, scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
     let is_plan = shown.room.list() == ListKind::Plan;
     let cursor = shown.room.row().filter(|_| is_plan);

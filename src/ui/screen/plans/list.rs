@@ -25,7 +25,7 @@ const HEIGHT: usize = 5;
 const LEG: usize = 8;
 const SLOPE: usize = 6;
 const TIME: usize = 7;
-/// Columns from which on a line shows the leg, and from which on also the parameters.
+/// The minimum columns of a line that shows the leg, and of one that also shows the parameters.
 const WITH_LEG: usize = 58;
 const WITH_PARAMETERS: usize = 90;
 /// Columns used by everything but the parameters.
@@ -208,7 +208,7 @@ pub(super) fn percent(slope: f64) -> String {
     }
 }
 
-/// A time in seconds, for a narrow column; no number is none.
+/// A time in seconds as text for a narrow column; NaN counts as 0.
 pub(super) fn seconds(seconds: f64) -> String {
     let known = if seconds.is_nan() { 0.0 } else { seconds };
     lasting(Duration::from_secs_f64(known.clamp(0.0, LONGEST_S).round()))

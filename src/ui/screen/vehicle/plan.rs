@@ -80,7 +80,7 @@ fn draw_others(
     }
 }
 
-/// The way and the times of the leg that is flown.
+/// The distance and the time to the next place, and the time to the end of the plan.
 fn leg_times(leg: &PlanLeg) -> Text {
     let known = |text: Option<String>| text.unwrap_or_else(|| UNKNOWN.to_owned());
     text!(

@@ -13,7 +13,7 @@ use crate::vehicle::Health;
 
 /// The minimum columns of one entry.
 const ENTRY: u16 = 25;
-/// The names of the `MAV_SYS_STATUS_SENSOR` bits, from bit 0, as message ids.
+/// Columns of a sensor's state.
 const STATE: usize = 5;
 
 /// `MAV_SYS_STATUS_SENSOR`: bits from 0, with the ids of their names.

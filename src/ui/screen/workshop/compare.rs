@@ -18,7 +18,7 @@ const NAME: usize = 20;
 const WIDEST: usize = 60;
 const CHANGE: usize = 12;
 
-/// Draws the table from its first line on.
+/// Draws the table from its first visible line.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
     let inner = panel.titled(&panel.say("bench-comparison"), buffer);

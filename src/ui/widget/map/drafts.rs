@@ -64,7 +64,7 @@ impl Board<'_> {
             .extend(cell.map(|cell| Label { cell, text, role }));
     }
 
-    /// Areas and homes, and without numbers what the vehicles have on board.
+    /// Areas and homes, and what the vehicles have on board, without numbers.
     fn ground(&mut self, state: &State) {
         for sketch in sketches(state) {
             // What is on board must not look like a draft.
@@ -97,7 +97,7 @@ impl Board<'_> {
         }
     }
 
-    /// Another draft than the current one: its line and its sign.
+    /// A draft other than the current one: its line and its sign.
     fn other(&mut self, state: &State, index: usize, draft: &Draft) {
         let badge = Badge::of_draft(index, draft.vehicle());
         let way = way(state, draft.document());
@@ -163,7 +163,7 @@ impl Board<'_> {
         }
     }
 
-    /// The way back of each jump, to the item that it leads to.
+    /// A line for each jump, to the item that it leads to.
     fn jumps(&mut self, plan: &[Item], role: Role) {
         for (at, item) in plan.iter().enumerate() {
             let is_jump = item.command == command::DO_JUMP;
@@ -197,7 +197,7 @@ impl Board<'_> {
     }
 }
 
-/// The places that a plan leads through, from home on.
+/// The places along the path of a plan, beginning with home.
 fn way(state: &State, document: &Document) -> Vec<LatLon> {
     let course = profile(document, pace(state), state.rooms().plans().ground());
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));

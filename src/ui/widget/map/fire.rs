@@ -24,9 +24,9 @@ const FLAMES_M: f64 = 20.0;
 /// The strength of fire in a cell of the map, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum FireLevel {
-    /// Part of the cell has burnt.
+    /// Less than 60 % of the cell has burnt.
     Scorched,
-    /// All of the cell has burnt, or burns.
+    /// At least 60 % of the cell has burnt.
     Burnt,
     /// One kind of sensor sees flames.
     Flames,
@@ -65,7 +65,7 @@ impl FireLevel {
     }
 }
 
-/// The shades from the weakest on, for the legend.
+/// The shades for the legend, weakest first.
 pub fn sample(symbols: Symbols) -> String {
     FireLevel::ALL
         .map(|level| level.sign(symbols))

@@ -89,7 +89,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));
-    // A ghost over a place is worth more than the place's name.
+    // A ghost takes precedence over the name of a place.
     labels.extend(ghosts);
     let map = state.rooms().map();
     if let Some(mark) = map.mark() {

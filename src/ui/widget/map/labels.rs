@@ -79,8 +79,8 @@ fn beside(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
         .map(move |column| (column, row))
 }
 
-/// Writes a text from the first cell of a panel on, replacing the characters and styles there. Returns
-/// the number of cells written.
+/// Writes a text that begins in the first cell of a panel, replacing the characters and styles there. Returns the
+/// number of cells written.
 pub fn stamp(text: &str, style: Style, panel: Panel<'_>, buffer: &mut Buffer) -> u16 {
     let area = panel.area;
     let width = (text.width() as u16).min(area.width);
@@ -132,7 +132,7 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 }
 
 /// The labels without those that would overlap another one: later ones take precedence. If only a name has no room, its
-/// sign stays. Vehicles are drawn over everything, so a label that they would partly cover is left out as well.
+/// sign stays. Vehicles are drawn over everything, so a name that they would partly cover is left out in the same way.
 fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();

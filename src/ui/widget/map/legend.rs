@@ -59,7 +59,7 @@ pub fn draw_scale(look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer)
     );
 }
 
-/// A length as text: metres, or kilometres from 1 km on.
+/// A length as text: in metres below 1 km, otherwise in kilometres.
 pub fn length(metres: f64) -> String {
     match metres {
         metres if metres >= 100_000.0 => format!("{:.0} km", metres / 1000.0),

@@ -162,7 +162,8 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
 /// The sign of a vehicle whose link is lost.
 pub const LOST: char = 'L';
 
-/// An arrow for an armed vehicle, a ring for one that is not, an `L` for one out of contact.
+/// An arrow for an armed vehicle, `@` if its heading is unknown; `o` for one that is not armed; `L` for one out of
+/// contact.
 fn sign(vehicle: &Vehicle, symbols: Symbols) -> char {
     if vehicle.link.lost {
         return LOST;
@@ -285,7 +286,7 @@ impl<'a> Board<'a> {
         true
     }
 
-    /// Blanks a digit of the ground next to a number, since it could be read as part of the number.
+    /// Blanks a letter or digit of the ground next to a number, because it could be read as part of the number.
     fn part(&mut self, column: u16, row: u16) {
         if self.is_free(column, row, 1) {
             part(self.panel, (column, row), self.buffer);

@@ -244,7 +244,7 @@ fn item(vehicle: &Vehicle) -> Cell {
     }
 }
 
-/// The way to the next place, and the time.
+/// The distance and the time to the next place.
 fn way(vehicle: &Vehicle) -> Cell {
     let way = vehicle.plan_leg().and_then(|leg| leg::way(&leg));
     way.map_or_else(unknown, |way| (way, Role::Text))

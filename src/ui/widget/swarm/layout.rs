@@ -26,10 +26,10 @@ struct ColumnForm {
     right: bool,
 }
 
-/// Columns from this rank on are shown only once alerts have this much more room than they need.
+/// Columns of this rank and above are shown only if alerts then have this much more room than they need.
 const EXTRA_RANK: u8 = 14;
 const ALERT_EXTRA: u16 = 26;
-/// Before columns from this rank on, alerts get this much more room, so that they are rarely cut.
+/// Alerts get this much more room before columns of this rank and above are shown, so that they are rarely cut.
 const MORE_RANK: u8 = 8;
 const ALERT_MORE: u16 = 5;
 /// Columns of this rank are only shown on request.

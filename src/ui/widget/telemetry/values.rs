@@ -31,7 +31,7 @@ pub struct Reading {
 /// How much a line is needed where not all lines fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
-    /// Always: what the way home takes.
+    /// Always, such as the battery needed for the way home.
     Always,
     /// As far as lines fit.
     IfItFits,
@@ -208,7 +208,7 @@ fn battery(vehicle: &Vehicle, detail: Detail) -> Text {
     packs.collect::<Vec<_>>().join(" | ").into()
 }
 
-/// The share of the remaining charge that the way home takes.
+/// The share of the remaining charge that is needed for the way home.
 fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
     let way_home = vehicle.way_home()?;
     Some(Gauge {
@@ -218,7 +218,7 @@ fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
     })
 }
 
-/// The need of the way home and the remaining charge, both in percent of the charge and in minutes.
+/// The charge needed for the way home and the remaining charge, each in percent and as a flight time in `m:ss`.
 fn way_home(vehicle: &Vehicle) -> Text {
     let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
     vehicle.way_home().map_or_else(Text::default, |way_home| {
@@ -383,7 +383,7 @@ fn channels(vehicle: &Vehicle) -> String {
         .map_or(String::new(), |rc| pulses(&rc.channels_us))
 }
 
-/// The first channels in use.
+/// The pulses of those of the first five channels that are in use, in microseconds.
 fn pulses(pulses_us: &[u16]) -> String {
     let used = pulses_us.iter().take(5).filter(|&&pulse| pulse > 0);
     used.map(u16::to_string).collect::<Vec<_>>().join(" ")

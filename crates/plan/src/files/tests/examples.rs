@@ -1,4 +1,4 @@
-//! Files in the shapes that other programs write, and what they mean.
+//! Files as other programs write them, and their meaning.
 
 use crate::{
     Document, FaultKind, HeightFrame, Home, ListKind, Loaded, NoteKind, ReadOptions, SourceFormat,
@@ -205,7 +205,7 @@ fn old_fences_and_rally_points_of_mavproxy_are_read() {
     );
 }
 
-/// Three points are a triangle, and a ring that ends at its first point has no return point: neither has too few corners.
+/// Three points are a triangle, and a ring that ends at its first point has no return point; both have enough corners.
 #[test]
 fn old_fences_without_a_return_point_are_read_in_any_order() {
     let triangle = ["50.45 30.52", "50.45 30.54", "50.46 30.54"];

@@ -5,7 +5,7 @@ use crate::check::{CheckOptions, check};
 use crate::generate::source::areas;
 use crate::{Document, FileFormat, ListKind, ReadOptions, read, write};
 
-/// Numbers that are always the same (Knuth's MMIX).
+/// Reproducible pseudo-random numbers (Knuth's MMIX).
 struct Dice(u64);
 
 impl Dice {
@@ -45,7 +45,7 @@ fn damage(file: &[u8], dice: &mut Dice) -> Vec<u8> {
     bytes
 }
 
-/// Files of the list format with fence items and rally points, as MAVProxy writes them now.
+/// Files of the list format with fence items and rally points, as current versions of MAVProxy write them.
 fn lists() -> [String; 2] {
     let mut loaded = read(PLAN.as_bytes(), &ReadOptions::default()).expect("a good file");
     [ListKind::Fence, ListKind::Rally].map(|kind| {
@@ -59,7 +59,7 @@ fn lists() -> [String; 2] {
     })
 }
 
-/// The number of damaged files of each format; `SORTIE_MUTATIONS` asks for more of them, with other dice.
+/// The number of damaged files of each format; `SORTIE_MUTATIONS` sets a different number.
 fn wanted() -> usize {
     let asked = std::env::var("SORTIE_MUTATIONS").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(200)

@@ -1,4 +1,4 @@
-//! What is written reads back the same, within what each format can hold.
+//! Written files read back the same, as far as each format can hold them.
 
 use proptest::prelude::*;
 
@@ -6,7 +6,7 @@ use crate::{
     Document, FileFormat, Home, Item, ListKind, ReadOptions, Unwritable, command, read, write,
 };
 
-/// Any number that a parameter may have in every format: also "not set".
+/// Any number that a parameter may have in every format, including "not set".
 fn parameter() -> impl Strategy<Value = f32> {
     prop_oneof![
         Just(0.0_f32),
@@ -180,7 +180,7 @@ proptest! {
         }
     }
 
-    /// Also infinite numbers, and fences and rally points in any frame and order.
+    /// Includes infinite numbers, and fences and rally points in any frame and order.
     #[test]
     fn wpl_reads_back_each_list(
         home in home(),

@@ -54,7 +54,7 @@ fn a_delay_waits_for_a_time_of_day() {
     ground.until(60.0, |truth| truth.position_ned_m[2] < -0.1);
     let lifted_s = ground.world.now().as_secs_f64();
     assert!((32.0..36.0).contains(&lifted_s), "{lifted_s}");
-    // Any hour and minute: the next time that the second comes round.
+    // With any hour and minute, the delay lasts until the given second of a minute.
     let item = with(act(93, [0.0; 4], 0.0), [-1.0, -1.0, -1.0, 10.0]);
     let left_s =
         super::super::start::until_time_of_day_s(&item, std::time::Duration::from_secs(95));

@@ -148,7 +148,7 @@ impl Autopilot {
         self.set_simple(mode);
     }
 
-    /// Sets the reference of the sticks, and says so if it is another one.
+    /// Sets the reference of the sticks, and announces a change.
     fn set_simple(&mut self, mode: SimpleMode) {
         let (_, home_deg) = self.vehicle.way_home();
         if let Some(text) = self.vehicle.flight.simple.set(mode, home_deg) {
@@ -228,8 +228,8 @@ impl Autopilot {
         }
     }
 
-    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No parachute brakes the
-    /// fall, as in a SITL without one.
+    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No parachute brakes
+    /// the fall, as in a SITL without one.
     pub(crate) fn release_parachute(&mut self) {
         let vehicle = &mut self.vehicle;
         if !self.workbench.parachute {

@@ -17,7 +17,7 @@ use sortie_geo::wrap_360;
 
 /// Degrees Celsius times 100 on the board's second barometer.
 const BOARD_CDEG: i16 = 3015;
-/// The spacing of requested terrain, in metres; and the number of squares missing.
+/// The spacing of requested terrain, in metres, and the number of missing blocks.
 const TERRAIN_SPACING_M: u16 = 100;
 const TERRAIN_PENDING: u16 = 504;
 /// All 56 blocks of a grid.

@@ -1,4 +1,4 @@
-//! GPS, inertial sensors, pressure, outputs and inputs.
+//! GPS, inertial sensors, pressure, wind and vibration.
 
 use mavlink::dialects::ardupilotmega::{
     GPS_RAW_INT_DATA, GpsFixType, MavMessage, RAW_IMU_DATA, SCALED_IMU2_DATA, SCALED_PRESSURE_DATA,
@@ -32,7 +32,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
         } else {
             0
         },
-        // The receiver knows no height of the geoid.
+        // The receiver does not know the height of the geoid.
         alt_ellipsoid: if seen {
             (here.altitude_amsl_m * 1000.0) as i32
         } else {

@@ -30,14 +30,14 @@ impl Orbit {
     pub(crate) fn around(
         centre_m: DVec3,
         radius_m: f64,
-        anticlockwise: bool,
+        counterclockwise: bool,
         all: &Parameters,
     ) -> Self {
         let rate = all.value("CIRCLE_RATE").clamp(-90.0, 90.0).abs();
         Self {
             centre_m,
             radius_m,
-            wanted_rad_s: if anticlockwise { -rate } else { rate }.to_radians(),
+            wanted_rad_s: if counterclockwise { -rate } else { rate }.to_radians(),
             rate_rad_s: 0.0,
             angle_rad: 0.0,
             turned_rad: 0.0,

@@ -36,7 +36,7 @@ pub(super) struct LiftOff {
 
 impl LiftOff {
     /// Whether a vehicle on the ground lifts off now; its motors spool up first, but not before `from`. A stick held up
-    /// for the time of the first spool begins a takeoff, if there is a height for it, and may be let go.
+    /// for `TRIGGERS` begins a takeoff, if there is a height for it, and may be let go.
     pub(super) fn lifts(
         &mut self,
         climb_m_s: f64,
@@ -65,7 +65,7 @@ impl LiftOff {
         now >= *self.spooling_since.get_or_insert(now.max(from)) + MANUAL_SPOOL
     }
 
-    /// The climb of a takeoff under way, upwards; the stick's own once it is over or the stick asks to sink.
+    /// The climb of a takeoff under way, in m/s upwards; the stick's own once it is over or the stick asks to sink.
     pub(super) fn climb(&mut self, asked_m_s: f64, here_m: f64, rules: &PilotRules) -> f64 {
         if self.ascent == Ascent::Spools {
             self.ascent = Ascent::ClimbsTo(here_m - rules.takeoff_m);

@@ -1,4 +1,4 @@
-//! ZIGZAG: two stored points, and the lines through them at a right angle to the way from one to the other.
+//! ZIGZAG: two stored points, and the lines through them, perpendicular to the line from one to the other.
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! Mission items as immediate targets: an old way that ground stations still use in GUIDED.
+//! Mission items as immediate targets: an old method that ground stations still use in GUIDED.
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavMissionResult::{

@@ -10,7 +10,7 @@ use crate::transfer::fence;
 use crate::vehicle::Vehicle;
 use sortie_plan::board;
 
-/// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
+/// An item of a list in the form of a download: `MISSION_ITEM_INT` without its sender and receiver.
 pub(in crate::transfer) fn as_sent(vehicle: &Vehicle, kind: ListKind, seq: usize) -> Option<Item> {
     if kind == ListKind::Plan && seq == 0 {
         return Some(home(vehicle));

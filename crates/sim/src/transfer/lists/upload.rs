@@ -18,7 +18,7 @@ const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
 #[derive(Debug, Clone)]
 pub(super) struct Upload {
     pub peer: Peer,
-    /// The requested item, and the last one received.
+    /// The requested item, and the last one of the upload.
     next: u16,
     last: u16,
     heard_at: Duration,

@@ -334,7 +334,7 @@ fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
     assert_eq!(again.len(), 3, "{again:?}");
 }
 
-/// Vehicles that have no part in smaller work keep their plans until they are cleared, so they are named for good.
+/// Vehicles that have no part in smaller work keep their plans until they are cleared, so a lasting notice names them.
 #[test]
 fn vehicles_without_a_part_now_are_named_in_a_notice() {
     let mut desk = Desk::new();

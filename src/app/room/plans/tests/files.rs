@@ -138,7 +138,8 @@ fn names_of_files_are_completed_by_tab() {
 /// The number of damaged files of each format.
 const DAMAGED: usize = 60;
 
-/// A text with some characters replaced, removed or doubled; the dice are always the same.
+/// A text with some characters replaced, removed or inserted. `dice` is the state of a generator, so that every run
+/// damages it in the same way.
 fn damaged(text: &str, dice: &mut u64) -> String {
     let mut letters: Vec<char> = text.chars().collect();
     let mut below = |most: usize| {
