@@ -54,6 +54,7 @@ plan-file-expected-position = expected a longitude and a latitude
 plan-file-expected-word = expected { $words }
 
 plan-note-height = no height in the file: { $height } m above home is used (`--height`)
+plan-note-home-height = home has no height: 0 m above sea level is assumed
 plan-note-fraction = a fraction of parameter 5 or 6 is rounded: MAVLink sends them as whole numbers
 plan-note-lines = { $count } lines are joined into one plan
 

@@ -56,6 +56,7 @@ plan-file-expected-position = тут мають бути довгота й ши�
 plan-file-expected-word = тут має бути { $words }
 
 plan-note-height = у файлі немає висоти: взято { $height } m над домом (`--height`)
+plan-note-home-height = дім не має висоти: взято 0 m над рівнем моря
 plan-note-fraction = дробову частину параметра 5 або 6 округлено: MAVLink передає їх цілими числами
 plan-note-lines = ліній { $count }: їх об'єднано в один план
 

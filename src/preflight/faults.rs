@@ -67,6 +67,7 @@ pub fn note(kind: &NoteKind) -> Text {
         NoteKind::HeightAssumed(height_m) => {
             text!("plan-note-height", height = figure(*height_m, 0))
         }
+        NoteKind::HomeHeightMissing => text!("plan-note-home-height"),
         NoteKind::FractionLost => text!("plan-note-fraction"),
         NoteKind::LinesJoined(count) => text!("plan-note-lines", count = *count),
     }

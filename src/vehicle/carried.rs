@@ -98,11 +98,7 @@ impl CarriedLists {
     fn most(&self, most: &SameList) -> Text {
         let known: usize = self.groups.iter().map(|group| group.vehicles.len()).sum();
         let all = known + self.unread.len() + self.without.len();
-        let list = match self.kind {
-            ListKind::Plan => "plan",
-            ListKind::Fence => "fence",
-            ListKind::Rally => "rally",
-        };
+        let list = self.kind.name();
         let count = most.vehicles.len();
         if most.items == 0 {
             return text!("carried-most-none", count = count, all = all, list = list);

@@ -136,6 +136,8 @@ pub struct Note {
 pub enum NoteKind {
     /// Places have no height; contains the height that was assumed, in metres above home.
     HeightAssumed(f32),
+    /// Home has no height; it counts as 0 m above sea level.
+    HomeHeightMissing,
     /// The fifth or sixth parameter of a command without a place has a fraction, which MAVLink cannot transmit.
     FractionLost,
     /// The lines of the file were joined into one plan; contains their number.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::fault::{Fault, FaultKind, Note, Unwritable};
-use crate::{Document, ListKind};
+use crate::{Document, Home, ListKind};
 
 mod archive;
 mod geojson;
@@ -128,6 +128,17 @@ impl Parsed {
     fn push(&mut self, kind: ListKind, item: crate::Item, span: Range<usize>) {
         self.document.list_mut(kind).push(item);
         self.places.push(kind, span);
+    }
+
+    /// Sets home; a height that is not a number is noted and counts as 0.
+    fn set_home(&mut self, home: Home, span: Range<usize>) {
+        let is_known = home.z.is_finite();
+        if !is_known {
+            self.note(ListKind::Plan, &span, crate::NoteKind::HomeHeightMissing);
+        }
+        let z = if is_known { home.z } else { 0.0 };
+        self.document.home = Some(Home { z, ..home });
+        self.places.home = Some(span);
     }
 
     fn note(&mut self, list: ListKind, span: &Range<usize>, kind: crate::NoteKind) {

@@ -20,6 +20,15 @@ impl ListKind {
         Self::ALL.get(usize::from(number)).copied()
     }
 
+    /// Its name in commands and texts.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plan => "plan",
+            Self::Fence => "fence",
+            Self::Rally => "rally",
+        }
+    }
+
     /// Its number in `MAV_MISSION_TYPE`.
     pub const fn number(self) -> u8 {
         self as u8

@@ -89,6 +89,13 @@ pub(super) fn mark(own: &[Item]) -> String {
     ContentHash::of(own).to_string()
 }
 
+/// Whether the vehicle already holds a list: within the tolerance of its storage, and with the same short name, so that
+/// the vehicles that carry a list are those that show its name.
+pub(super) fn is_identical(kind: ListKind, wanted: &[Item], held: &[Item]) -> bool {
+    let name = |list| ContentHash::of(own(kind, list));
+    is_held(kind, wanted, held) && name(wanted) == name(held)
+}
+
 /// Whether two readings of a vehicle's list are the same.
 pub(super) fn is_same(kind: ListKind, before: &[Item], now: &[Item]) -> bool {
     let bits = |item: &Item| {

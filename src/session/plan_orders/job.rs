@@ -48,7 +48,7 @@ impl Job {
             self.tell_progress(desk);
             return None;
         };
-        let is_known = outcome != Outcome::Unknown;
+        let is_known = !matches!(outcome, Outcome::Neither(_) | Outcome::Unknown);
         self.put_away(&outcome, shelf, desk.vehicle.id);
         let (state, text) = self.finish(outcome, shelf, desk);
         self.report(state, Some(text), desk);
@@ -134,6 +134,7 @@ impl Job {
             | Outcome::Unfamiliar(_)
             | Outcome::Unsupported
             | Outcome::Unread
+            | Outcome::Neither(_)
             | Outcome::Unknown => false,
         };
         if let Some(shelf) = shelf.filter(|_| is_over) {
@@ -197,7 +198,14 @@ impl Job {
             }
             Outcome::Unsupported => (None, (RowState::Refused, text!("refused-plan-no-list"))),
             Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
-            Outcome::Unknown => (None, (RowState::TimedOut, text!("outcome-plan-unknown"))),
+            Outcome::Neither(items) => {
+                let text = counted("outcome-plan-neither", kind, &items);
+                (Some(items), (RowState::NoEffect, text))
+            }
+            Outcome::Unknown => {
+                let text = text!("outcome-plan-unknown", list = kind.name());
+                (None, (RowState::TimedOut, text))
+            }
         }
     }
 

@@ -90,11 +90,7 @@ pub(super) fn broken_off(
 ) -> impl Iterator<Item = Notice> {
     let kept = shelf.kept(vehicle).into_iter();
     kept.map(move |(kind, file)| {
-        let verb = match kind {
-            ListKind::Plan => "plan",
-            ListKind::Fence => "fence",
-            ListKind::Rally => "rally",
-        };
+        let verb = kind.name();
         let content = shelf.read(&file);
         let text = if content.is_ok_and(|content| content.document.list(kind).is_empty()) {
             text!("plan-broken-off-empty", verb = verb)

@@ -157,6 +157,24 @@ fn every_list_goes_up_is_held_comes_down_and_is_cleared() {
 }
 
 #[test]
+fn a_list_that_differs_by_a_rounding_is_replaced_so_that_its_name_is_that_of_the_file() {
+    let mut rig = Rig::new(true);
+    let items = list(ListKind::Plan, 6, 1.0);
+    let mut rounded = items.clone();
+    rounded[2].x += 1;
+    rig.file("a", ListKind::Plan, &items);
+    rig.file("rounded", ListKind::Plan, &rounded);
+    for file in ["rounded", "a"] {
+        rig.upload(ListKind::Plan, file);
+        assert_eq!(rig.ended(s(30)), RowState::Done);
+        assert!(rig.explanation().contains("read back and compared"));
+    }
+    let held = rig.on_board(ListKind::Plan);
+    let name = compare::mark(compare::own(ListKind::Plan, &held));
+    assert_eq!(name, compare::mark(&items));
+}
+
+#[test]
 fn a_draft_goes_on_board_without_a_file() {
     let mut rig = Rig::new(true);
     let mut document = Document::default();

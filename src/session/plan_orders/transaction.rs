@@ -85,7 +85,9 @@ pub(super) enum Outcome {
     Unsupported,
     /// The vehicle was silent; nothing was written.
     Unread,
-    /// The vehicle was silent after something was written, or accepted neither list.
+    /// The vehicle holds neither the new list nor the old one.
+    Neither(Vec<Item>),
+    /// The vehicle was silent after something was written.
     Unknown,
 }
 
@@ -233,7 +235,7 @@ impl Transaction {
         if known.is_some_and(|known| !compare::is_same(self.kind, known, &items)) {
             return Some(Outcome::Changed(items));
         }
-        if compare::is_held(self.kind, new, &items) {
+        if compare::is_identical(self.kind, new, &items) {
             return Some(Outcome::Same(items));
         }
         let is_empty = compare::own(self.kind, &items).is_empty();
@@ -336,7 +338,7 @@ impl Transaction {
             return Some(Outcome::Restored(held, reason));
         }
         if self.writes == RESTORES {
-            return Some(Outcome::Unknown);
+            return Some(Outcome::Neither(held));
         }
         self.write(desk);
         None

@@ -76,8 +76,7 @@ fn read_mission(mission: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
             height.number_or_null()? as f32,
         );
         if (x, y) != (0, 0) || z.abs() > 0.0 {
-            parsed.document.home = Some(Home { x, y, z });
-            parsed.places.home = Some(node.span.clone());
+            parsed.set_home(Home { x, y, z }, node.span.clone());
         }
     }
     parsed.document.origin = Some(read_origin(mission)?);

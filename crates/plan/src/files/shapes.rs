@@ -117,8 +117,7 @@ impl Reader {
     fn take_home(&mut self, feature: &Feature) -> Result<(), Fault> {
         let (x, y) = feature.point()?;
         let z = feature.number("z")? as f32;
-        self.parsed.document.home = Some(Home { x, y, z });
-        self.parsed.places.home = Some(feature.span.clone());
+        self.parsed.set_home(Home { x, y, z }, feature.span.clone());
         Ok(())
     }
 

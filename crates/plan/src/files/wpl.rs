@@ -27,9 +27,8 @@ pub(super) fn parse(text: &str) -> Result<Parsed, Vec<Fault>> {
             Ok(line) if index == 0 && line.is_home() => {
                 has_home = true;
                 let Item { x, y, z, .. } = line.item;
-                if (x, y) != (0, 0) || z != 0.0 {
-                    parsed.document.home = Some(Home { x, y, z });
-                    parsed.places.home = Some(line.span);
+                if (x, y) != (0, 0) || z.abs() > 0.0 {
+                    parsed.set_home(Home { x, y, z }, line.span);
                 }
             }
             Ok(line) => {

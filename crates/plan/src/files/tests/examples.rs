@@ -168,6 +168,20 @@ fn a_file_without_home_counts_its_jumps_without_it() {
 }
 
 #[test]
+fn a_home_without_a_height_counts_as_at_sea_level_and_is_noted() {
+    let unknown = PLAN.replace("[50.4501, 30.5234, 170]", "[50.4501, 30.5234, null]");
+    for file in [unknown, WPL.replace("170.000000", "nan")] {
+        let read = loaded(file.as_bytes());
+        assert_eq!(read.document.home, Some(Home { z: 0.0, ..HOME }));
+        assert!(
+            read.notes
+                .iter()
+                .any(|note| note.kind == NoteKind::HomeHeightMissing)
+        );
+    }
+}
+
+#[test]
 fn a_plan_file_has_all_lists_with_the_items_of_its_survey() {
     let found = loaded(PLAN.as_bytes());
     assert_eq!(found.format, SourceFormat::QgcPlan);
