@@ -95,6 +95,7 @@ impl Film {
             areas: mission.areas(),
             processes: None,
             speedup: 1.0,
+            is_again: false,
         })));
         film.tell(LinkEvent::Summaries(vec![LinkSummary {
             name: "simulator".to_owned(),

@@ -33,6 +33,7 @@ coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
 coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
+coverage-advice-lines = Fly lines over the whole zone, no further apart than the width of the sensor's strip.
 
 # Keeping a distance from a structure.
 standoff-result = right distance { $share } % of { $near } s, too close { $close } s
@@ -44,7 +45,10 @@ deliver-kits = { $done } helped, { $lost } too late
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target } people
 deliver-nodes-target = { $target } nodes
-deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: for { $lost }, help came too late.
+deliver-kits-advice = { $lost ->
+    [0] Drop a kit within 8 m of each person.
+   *[other] Find people sooner and drop the kit within 8 m of them: for { $lost }, help came too late.
+}
 deliver-nodes-advice = Drop the nodes within 6 m of their places.
 people-kit-reached = delivered to a person { $distance } m away
 people-kit-lost = no one within { $distance } m

@@ -120,6 +120,7 @@ deed-launched = only possible before takeoff
 deed-no-position = its position is unknown
 deed-other-kind = this mission needs no reports of `{ $kind }`; report { $kinds }
 deed-no-contacts = all such contacts have been reported already
+deed-no-contacts-yet = there are no contacts yet
 deed-no-mark = no report within 15 m of that place
 deed-marked-before = reported already
 deed-marked = { $count } reported

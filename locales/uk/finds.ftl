@@ -33,6 +33,7 @@ coverage-result = обстежено { $swept } % (випадковий пошу
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
 coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б, щоб покрити зону { $coverage } раза.
+coverage-advice-lines = Обстежте всю зону лініями, відстань між якими не перевищує ширини смуги датчика.
 
 # Дотримання відстані.
 standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
@@ -44,7 +45,10 @@ deliver-kits = вчасно: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
 deliver-kits-target = допомогти людям: { $target }
 deliver-nodes-target = установити вузлів: { $target }
-deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них; не дочекалися допомоги: { $lost }.
+deliver-kits-advice = { $lost ->
+    [0] Скиньте набір не далі як за 8 m від кожної людини.
+   *[other] Знаходьте людей швидше й скидайте набір не далі як за 8 m від них; не дочекалися допомоги: { $lost }.
+}
 deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
 people-kit-reached = доставлено людині за { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає

@@ -127,6 +127,7 @@ deed-launched = можна лише до зльоту
 deed-no-position = позиція невідома
 deed-other-kind = у цьому завданні не повідомляють про `{ $kind }`; повідомляйте про { $kinds }
 deed-no-contacts = про всі такі контакти вже повідомлено
+deed-no-contacts-yet = контактів ще немає
 deed-no-mark = у межах 15 m від того місця повідомлень немає
 deed-marked-before = про це вже повідомлено
 deed-marked = повідомлень: { $count }

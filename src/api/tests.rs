@@ -26,6 +26,7 @@ fn console() -> App {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     };
     hear(&mut app, SessionEvent::Started(Box::new(started)));
     for system in [1, 2] {

@@ -284,4 +284,6 @@ pub struct Started {
     pub processes: Option<usize>,
     /// The speed-up of simulated time over the wall clock.
     pub speedup: f64,
+    /// Whether the user restarted the previous session; then a mission begins without its brief.
+    pub is_again: bool,
 }

@@ -212,6 +212,7 @@ impl Film {
             areas: Vec::new(),
             processes: None,
             speedup: head.map_or(1.0, |it| it.speedup),
+            is_again: false,
         };
         if let (Some(mission), Some(run)) = (mission, &self.run) {
             started.activity = Activity::Mission {

@@ -10,7 +10,7 @@ use super::Console;
 use super::career::today;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
-use crate::app::event::{Event, SessionEvent};
+use crate::app::event::{Event, SessionEvent, Started};
 use crate::campaign::{
     Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, PracticeReason, Stake,
 };
@@ -49,7 +49,8 @@ impl Console {
         let terms = self.terms(&mission, wanted, chosen);
         let reasons = terms.practice_reasons();
         self.attempt = terms.decide();
-        self.start(SessionPlan::Mission(mission)).await?;
+        let started = self.start(SessionPlan::Mission(mission)).await?;
+        self.begun(started);
         self.tell_practice(&reasons);
         Ok(())
     }
@@ -91,7 +92,9 @@ impl Console {
     /// Starts a session other than a mission.
     pub(super) async fn start_afresh(&mut self, plan: SessionPlan) -> Result<(), Text> {
         self.attempt = Attempt::practice(self.options.seed);
-        self.start(plan).await
+        let started = self.start(plan).await?;
+        self.begun(started);
+        Ok(())
     }
 
     /// Starts the current session again: with a new seed, unless the user has chosen one or asks for the same. A
@@ -109,11 +112,19 @@ impl Console {
             SessionPlan::Free(_) | SessionPlan::Connect(_) => self.attempt,
         };
         let pledge = self.running.as_ref().and_then(RunningSession::open_pledge);
-        let outcome = self.start(plan).await;
+        let started = self.start(plan).await?;
         if let (Some(running), Some(pledge)) = (&mut self.running, pledge) {
             running.renew(pledge);
         }
-        outcome
+        self.begun(Started {
+            is_again: true,
+            ..started
+        });
+        Ok(())
+    }
+
+    fn begun(&mut self, started: Started) {
+        self.post(SessionEvent::Started(Box::new(started)));
     }
 
     /// Ends the session. Its processes may take a while: the next session, or the end of the program, waits for
@@ -159,7 +170,8 @@ impl Console {
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
 
-    async fn start(&mut self, plan: SessionPlan) -> Result<(), Text> {
+    /// Ends the session and starts another one, which has to be passed to [`Self::begun`].
+    async fn start(&mut self, plan: SessionPlan) -> Result<Started, Text> {
         let is_something_open = self.running.is_some() || self.replaying.is_some();
         // The old session ends first: the new one may need its ports.
         self.end_session();
@@ -189,8 +201,7 @@ impl Console {
         }
         let (running, started) = begun?;
         self.running = Some(running);
-        self.post(SessionEvent::Started(Box::new(started)));
-        Ok(())
+        Ok(started)
     }
 }
 

@@ -54,6 +54,7 @@ mod tests {
             areas: Vec::new(),
             processes: None,
             speedup: 1.0,
+            is_again: false,
         };
         let _effects = app.update(SessionEvent::Started(Box::new(started)));
         assert_eq!(

@@ -95,6 +95,7 @@ impl Console {
             areas: Vec::new(),
             processes: None,
             speedup: 1.0,
+            is_again: false,
         }
     }
 

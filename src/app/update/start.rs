@@ -24,9 +24,7 @@ pub fn opened(state: &mut State, view: ReplayView, started: Started) {
 /// Begins a session, of a recording if `replay` is given. Every session begins here, so that neither the previous
 /// session nor its replay stays on the screen.
 fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
-    let before = state.session.activity.take();
-    let is_repeat = state.replay.is_none() && before.as_ref() == Some(&started.activity);
-    let is_again = is_repeat || replay.is_some();
+    let is_again = started.is_again || replay.is_some();
     state.now = match replay {
         Some(_) => Duration::ZERO,
         None => state.clock,
@@ -86,5 +84,45 @@ fn first_room(session: &FlightView, is_again: bool, replay: Option<&ReplayView>)
         Room::Mission
     } else {
         Room::Fly
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::app::event::SessionEvent;
+    use crate::app::{App, Setup};
+    use crate::campaign::Stake;
+    use crate::store;
+
+    /// The room after a mission has begun twice, the second time by a restart or as the next mission.
+    fn second_room(is_again: bool) -> Room {
+        let mission = store::mission("01").expect("a mission of the course");
+        let mut app = App::new(Setup::default());
+        for is_again in [false, is_again] {
+            let started = Started {
+                activity: Activity::Mission {
+                    id: mission.id.clone(),
+                    title: mission.title.clone(),
+                    stake: Stake::Graded,
+                },
+                mission: Some(Box::new(mission.listing())),
+                places: BTreeMap::new(),
+                areas: Vec::new(),
+                processes: None,
+                speedup: 1.0,
+                is_again,
+            };
+            drop(app.update(SessionEvent::Started(Box::new(started))));
+        }
+        app.state().room()
+    }
+
+    #[test]
+    fn only_a_restart_leaves_out_the_brief() {
+        assert_eq!(second_room(true), Room::Fly);
+        assert_eq!(second_room(false), Room::Mission);
     }
 }

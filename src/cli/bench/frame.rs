@@ -143,6 +143,7 @@ fn swarm(vehicles: VehicleId) -> App {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     };
     feed(&mut app, SessionEvent::Started(Box::new(started)));
     for id in 1..=vehicles {

@@ -114,7 +114,11 @@ impl Search {
             }
         }
         if found.is_empty() {
-            return Err(text!("deed-no-contacts"));
+            return Err(if self.contacts.all().is_empty() {
+                text!("deed-no-contacts-yet")
+            } else {
+                text!("deed-no-contacts")
+            });
         }
         for &(at, kind) in &found {
             self.marks.add(Mark {

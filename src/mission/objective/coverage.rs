@@ -20,6 +20,8 @@ use crate::text;
 
 mod gaps;
 
+/// With this coverage or more, gaps come from the distance between lines, not from a flight that was too short.
+const MUCH_COVERAGE: f64 = 0.5;
 const MOST_CELLS: f64 = 40_000.0;
 
 #[derive(Debug)]
@@ -254,11 +256,15 @@ impl Tracker for Sweep {
             ),
             outlook: Some(text!("coverage-outlook", swept = percent(swept))),
             target: text!("coverage-target", target = percent(self.target.met_at)),
-            advice: text!(
-                "coverage-advice",
-                left = percent(1.0 - swept),
-                coverage = format!("{coverage:.2}"),
-            ),
+            advice: if coverage < MUCH_COVERAGE {
+                text!("coverage-advice-lines")
+            } else {
+                text!(
+                    "coverage-advice",
+                    left = percent(1.0 - swept),
+                    coverage = format!("{coverage:.2}"),
+                )
+            },
         }
     }
 }

@@ -305,6 +305,7 @@ fn started(activity: Activity) -> Started {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     }
 }
 

@@ -63,6 +63,7 @@ pub fn start(mut console: Console, activity: Activity, processes: usize) -> Cons
         areas: Vec::new(),
         processes: Some(processes),
         speedup: 1.0,
+        is_again: false,
     })));
     console
 }

@@ -109,6 +109,7 @@ fn what_cannot_be_paused_says_why() {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     })));
     let mut over = flying();
     over.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));

@@ -59,6 +59,7 @@ pub fn surveyed() -> Console {
         areas: areas.clone(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     })));
     for id in 3..=6 {
         console.vehicle(fixtures::parked(id));

@@ -42,6 +42,7 @@ impl Desk {
             areas: Vec::new(),
             processes: None,
             speedup: 1.0,
+            is_again: false,
         }))));
         let mut desk = Self { app };
         for id in [1, 2] {

@@ -36,6 +36,7 @@ fn an_alert_is_printed_when_it_is_raised_and_when_it_becomes_worse() {
         areas: Vec::new(),
         processes: None,
         speedup: 1.0,
+        is_again: false,
     };
     drop(app.update(SessionEvent::Started(Box::new(started))));
     let mut report = PlainReport::default();

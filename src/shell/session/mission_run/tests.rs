@@ -37,6 +37,7 @@ impl Console {
             areas: Vec::new(),
             processes,
             speedup: 1.0,
+            is_again: false,
         })));
         for &id in heard {
             console.hear(VehicleEvent::Telemetry(Vehicle::new(id, 1).into()));
