@@ -20,6 +20,7 @@ use crate::commands::{Act, Command, Destination, FlightCommand, Manoeuvre, Motio
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::plan::generate::USUAL_SPACING_M;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
@@ -45,6 +46,9 @@ pub use divided::{DividedWork, carrying};
 pub use drafts::base;
 use planner::Planner;
 
+/// Sensors with a narrower strip do not set the line spacing.
+const LEAST_SPACING_M: f64 = 0.3;
+
 /// The rules of all manoeuvres in a session.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rules {
@@ -67,6 +71,19 @@ impl Swath {
     /// At a height in metres.
     pub fn width_m(&self, height_m: f64) -> f64 {
         self.at_ground_m + self.per_metre * height_m.max(0.0)
+    }
+}
+
+impl Rules {
+    /// The width of the sensor's strip at a height, in metres, if the spacing of lines follows from it.
+    fn strip_m(&self, height_m: f64) -> Option<f64> {
+        let width_m = self.swath?.width_m(height_m);
+        (width_m >= LEAST_SPACING_M).then_some(width_m)
+    }
+
+    /// The default spacing of lines at a height, in metres: manoeuvres and plans use the same.
+    fn line_spacing_m(&self, height_m: f64) -> f64 {
+        self.strip_m(height_m).unwrap_or(USUAL_SPACING_M)
     }
 }
 

@@ -8,6 +8,7 @@ use super::world::World;
 use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
 use crate::scoring::{Component, Medals};
+use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -68,6 +69,8 @@ pub struct Listing {
     pub outlay: Outlay,
     /// Conditions for gold besides the points.
     pub gold_requires: Vec<Text>,
+    /// The rules for surveys and other manoeuvres.
+    pub swarm_rules: Rules,
 }
 
 impl Listing {
@@ -148,6 +151,7 @@ impl Mission {
                 .iter()
                 .map(crate::scoring::Gate::text)
                 .collect(),
+            swarm_rules: self.swarm_rules(),
         }
     }
 

@@ -1,21 +1,18 @@
 //! Makes a plan for each vehicle from a task; each plan begins where its vehicle stands.
 
-use super::planner::{SECTOR_RADIUS_M, SQUARE_TURNS, USUAL_SPACING_M};
+use super::planner::SQUARE_TURNS;
 use super::site::Site;
 use super::{Conductor, Rules};
 use crate::commands::{Datum, Ground, Pattern, PlanTask};
 use crate::geo::{LatLon, Outline};
-use crate::plan::generate::{GenerateError, Manner, Task, generate};
+use crate::plan::generate::{
+    GenerateError, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate,
+};
 use crate::plan::{Document, Home, Item};
 use crate::preflight::ungenerated;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
-
-/// The default height of the work above home, in metres.
-const USUAL_HEIGHT_M: f64 = 30.0;
-/// The default number of turns of an orbit.
-const USUAL_TURNS: u8 = 2;
 
 impl Conductor {
     /// The plan of each target that has something to do. They begin and end where the vehicles stand, or at home for those
@@ -128,11 +125,8 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The distance between lines: the requested one, the width that the sensor covers, or the usual one.
     fn spacing_m(&self, asked_m: Option<f64>, height_m: f64) -> f64 {
-        let seen = self.rules.swath.map(|swath| swath.width_m(height_m));
-        let seen = seen.filter(|width_m| *width_m >= 1.0);
-        asked_m.or(seen).unwrap_or(USUAL_SPACING_M)
+        asked_m.unwrap_or_else(|| self.rules.line_spacing_m(height_m))
     }
 
     fn place(&self, datum: Datum) -> Result<LatLon, Text> {
@@ -180,7 +174,7 @@ fn search(pattern: Pattern, datum: LatLon, radius_m: Option<f64>, spacing_m: f64
         },
         Pattern::Sector => Task::Sector {
             datum,
-            radius_m: radius_m.unwrap_or(SECTOR_RADIUS_M),
+            radius_m: radius_m.unwrap_or(USUAL_SECTOR_M),
         },
     }
 }

@@ -17,13 +17,8 @@ use crate::vehicle::{VehicleId, Vehicles};
 
 mod plans;
 
-/// The default spacing of lines.
-pub(super) const USUAL_SPACING_M: f64 = 20.0;
-/// Sensors with a narrower strip do not set the line spacing.
-const LEAST_SPACING_M: f64 = 0.3;
 /// The default distance between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
-pub(super) const SECTOR_RADIUS_M: f64 = 100.0;
 /// The default extent of an expanding square, in spacings.
 pub(super) const SQUARE_TURNS: f64 = 5.0;
 
@@ -197,11 +192,9 @@ impl<'a> Planner<'a> {
     /// The spacing between two lines at a height.
     fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
-            let seen = self.rules.swath.map(|swath| swath.width_m(up_m));
-            let swath = seen.filter(|metres| *metres >= LEAST_SPACING_M);
-            let metres = swath.unwrap_or(USUAL_SPACING_M);
+            let metres = self.rules.line_spacing_m(up_m);
             let figure = format!("{metres:.1}");
-            self.remarks.push(match swath {
+            self.remarks.push(match self.rules.strip_m(up_m) {
                 Some(_) => text!("swarm-swath-spacing", metres = figure),
                 None => text!("swarm-usual-spacing", metres = figure),
             });

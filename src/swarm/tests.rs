@@ -16,6 +16,7 @@ use crate::wire::{
 
 mod flown;
 mod outcome;
+mod plans;
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);
 

@@ -27,6 +27,15 @@ mod tour;
 use compose::compose;
 use field::Field;
 
+/// The default distance between two lines, in metres.
+pub const USUAL_SPACING_M: f64 = 20.0;
+/// The default length of a leg of a sector search, in metres.
+pub const USUAL_SECTOR_M: f64 = 100.0;
+/// The default number of turns of an orbit.
+pub const USUAL_TURNS: u8 = 2;
+/// The default height above home, in metres.
+pub const USUAL_HEIGHT_M: f64 = 30.0;
+
 /// The joint task of the vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {

@@ -6,7 +6,9 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use super::{Failure, invalid};
-use crate::plan::generate::{Course, GenerateError, Manner, Task, generate};
+use crate::plan::generate::{
+    Course, GenerateError, Manner, Task, USUAL_SECTOR_M, USUAL_SPACING_M, USUAL_TURNS, generate,
+};
 use crate::preflight::ungenerated;
 use crate::text::Locale;
 
@@ -23,7 +25,7 @@ pub(super) struct SurveyArguments {
     #[command(flatten)]
     area: ShapeArguments,
     /// Fly lines at most this far apart, in metres.
-    #[arg(long, value_name = "M", default_value_t = 20.0, value_parser = parse_gap)]
+    #[arg(long, value_name = "M", default_value_t = USUAL_SPACING_M, value_parser = parse_gap)]
     spacing: f64,
     /// Fly the lines in this direction: degrees, `best` (the least energy), `long` or `short` (along that side).
     #[arg(long, value_name = "DEG|WORD", default_value = "best", value_parser = parse_course)]
@@ -44,10 +46,10 @@ pub(super) struct SearchArguments {
     #[arg(long, allow_hyphen_values = true, value_name = "LAT,LON", value_parser = parse_degrees)]
     datum: Option<Degrees>,
     /// Search within this distance of the datum, in metres; for `sector`, the length of a leg.
-    #[arg(long, value_name = "M", default_value_t = 100.0, value_parser = parse_gap)]
+    #[arg(long, value_name = "M", default_value_t = USUAL_SECTOR_M, value_parser = parse_gap)]
     radius: f64,
     /// Fly tracks at most this far apart, in metres.
-    #[arg(long, value_name = "M", default_value_t = 20.0, value_parser = parse_gap)]
+    #[arg(long, value_name = "M", default_value_t = USUAL_SPACING_M, value_parser = parse_gap)]
     spacing: f64,
     #[command(flatten)]
     team: TeamArguments,
@@ -89,7 +91,7 @@ pub(super) struct OrbitArguments {
     #[arg(long, value_name = "M", default_value_t = 40.0, value_parser = parse_gap)]
     radius: f64,
     /// Fly this many turns.
-    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = USUAL_TURNS, value_parser = clap::value_parser!(u8).range(1..))]
     turns: u8,
     #[command(flatten)]
     team: TeamArguments,

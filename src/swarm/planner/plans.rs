@@ -2,10 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{FORMATION_SPACING_M, Made, Planner, SECTOR_RADIUS_M, SQUARE_TURNS};
+use super::{FORMATION_SPACING_M, Made, Planner, SQUARE_TURNS};
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
+use crate::plan::generate::USUAL_SECTOR_M;
 use crate::plan::pattern::{self, NoLanes};
 use crate::swarm::act::places::{is_staggered, members, route, share_lanes, take_places};
 use crate::swarm::act::{ActiveManoeuvre, Chain, Tail, Work};
@@ -190,7 +191,7 @@ impl Planner<'_> {
                 pattern::pieces(&pattern::square(spacing_m, radius_m), count)
             }
             Pattern::Sector => {
-                let radius_m = radius_m.unwrap_or(SECTOR_RADIUS_M);
+                let radius_m = radius_m.unwrap_or(USUAL_SECTOR_M);
                 let turn = |index: usize| 60.0 * index as f64 / count as f64;
                 (0..count)
                     .map(|index| pattern::sector(radius_m, turn(index)))

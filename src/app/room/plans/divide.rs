@@ -50,7 +50,9 @@ pub(super) fn divide(
     vehicles: &[VehicleId],
 ) -> Result<(), Text> {
     let task = task(state, work)?;
-    let conductor = Conductor::new(Rules::default());
+    let mission = state.flown_mission();
+    let rules = mission.map_or_else(Rules::default, |mission| mission.swarm_rules);
+    let conductor = Conductor::new(rules);
     let plans = conductor.plans(&task, vehicles, &state.session.vehicles)?;
     let idle: Vec<VehicleId> = vehicles
         .iter()

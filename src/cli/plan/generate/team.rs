@@ -7,7 +7,7 @@ use clap::Args;
 use super::super::rehearse::AirArguments;
 use super::super::{Failure, invalid, load, parse_height};
 use super::place::{Degrees, parse_degrees, parse_places};
-use crate::plan::generate::source;
+use crate::plan::generate::{USUAL_HEIGHT_M, source};
 use crate::plan::{Home, Item, ReadOptions};
 use crate::text;
 use crate::text::Locale;
@@ -28,7 +28,7 @@ pub(super) struct TeamArguments {
     #[arg(long, allow_hyphen_values = true, value_name = "PLACES|FILE", conflicts_with_all = ["vehicles", "home"])]
     homes: Option<String>,
     /// Work at this height above the first home, in metres.
-    #[arg(long, value_name = "M", default_value_t = 30.0, value_parser = parse_height)]
+    #[arg(long, value_name = "M", default_value_t = USUAL_HEIGHT_M as f32, value_parser = parse_height)]
     pub(super) height: f32,
     /// Keep the heights at which vehicles cross this far apart, in metres.
     #[arg(long, value_name = "M", default_value_t = 6.0, value_parser = super::super::deconflict::parse_layer)]

@@ -371,3 +371,32 @@ fn vehicles_without_a_part_now_are_named_in_a_notice() {
     let vehicles: Vec<Option<VehicleId>> = drafts.map(Draft::vehicle).collect();
     assert_eq!(vehicles, [None, Some(1)], "their drafts are closed");
 }
+
+#[test]
+fn in_a_mission_lines_lie_as_close_as_its_sensors_need() {
+    let toml = include_str!("../../../../../missions/07-clearance.toml");
+    let mission = crate::mission::Mission::parse(toml).expect("it is good");
+    let mut desk = Desk::new();
+    let _ = desk
+        .app
+        .update(Event::Session(SessionEvent::Started(Box::new(Started {
+            activity: Activity::Free,
+            mission: Some(Box::new(mission.listing())),
+            places: std::collections::BTreeMap::new(),
+            areas: Vec::new(),
+            processes: None,
+            speedup: 1.0,
+        }))));
+    desk.press("E");
+    standing(&mut desk, 1);
+    desk.give("draft new strip");
+    desk.give("draft fence polygon n 50 e 0");
+    for corner in ["n 60 e 0", "n 60 e 8", "n 50 e 8"] {
+        desk.give(&format!("draft fence corner {corner}"));
+    }
+    desk.give("draft survey 1 up 1");
+    let items = desk.room().items().iter();
+    let lines = items.filter(|item| item.command == command::WAYPOINT && item.z == 1.0);
+    // Ten lines of 0.8 m with two ends each.
+    assert!(lines.count() >= 20, "{:?}", desk.room().items());
+}

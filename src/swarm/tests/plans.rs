@@ -1,0 +1,67 @@
+//! Plans for several vehicles.
+
+use super::*;
+use crate::commands::{Ground, PlanTask};
+use crate::plan::command;
+use crate::plan::generate::Course;
+use crate::vehicle::Place;
+
+/// A vehicle that stands at home.
+fn standing() -> Vehicles {
+    let mut vehicle = Vehicle::new(1, 1);
+    vehicle.home = Some(Place {
+        at_point: HOME,
+        altitude_amsl_m: 180.0,
+    });
+    vehicle.global = Some(GlobalPosition {
+        at_point: HOME,
+        altitude_amsl_m: 180.0,
+        altitude_m: 0.0,
+        north_m_s: 0.0,
+        east_m_s: 0.0,
+        down_m_s: 0.0,
+        heading_deg: None,
+        at: Duration::ZERO,
+    });
+    Vehicles::from([(1, Arc::new(vehicle))])
+}
+
+/// The distance between two lines of a planned survey of a field of 40 m by 40 m.
+fn planned_spacing_m(swath: Option<Swath>) -> f64 {
+    let corners = [(20.0, 0.0), (60.0, 0.0), (60.0, 40.0), (20.0, 40.0)];
+    let corners = corners.map(|(north_m, east_m)| HOME.moved(north_m, east_m));
+    let task = PlanTask::Survey {
+        ground: Ground::Outline(Outline::Polygon(corners.to_vec())),
+        spacing_m: None,
+        up_m: Some(0.7),
+        course: Course::Degrees(0.0),
+    };
+    let conductor = Conductor::new(Rules {
+        swath,
+        ..Rules::default()
+    });
+    let plans = conductor.plans(&task, &[1], &standing());
+    let plans = plans.expect("there are plans");
+    let items = plans[0].1.plan.iter();
+    let flown = items.filter(|item| item.command == command::WAYPOINT && item.z < 1.0);
+    let mut easts_m: Vec<f64> = flown
+        .map(|item| HOME.offset_to(LatLon::from_e7(item.x, item.y)).1)
+        .collect();
+    easts_m.sort_by(f64::total_cmp);
+    let gaps_m = easts_m.windows(2).map(|pair| pair[1] - pair[0]);
+    gaps_m.fold(0.0, f64::max)
+}
+
+#[test]
+fn planned_lines_lie_as_close_as_the_sensor_needs() {
+    let strip = |at_ground_m| {
+        planned_spacing_m(Some(Swath {
+            at_ground_m,
+            per_metre: 0.0,
+        }))
+    };
+    assert!((strip(0.8) - 0.8).abs() < 0.05, "{}", strip(0.8));
+    // Too narrow to set the spacing.
+    assert!((strip(0.2) - planned_spacing_m(None)).abs() < 1e-9);
+    assert!((planned_spacing_m(None) - 20.0).abs() < 0.05);
+}
