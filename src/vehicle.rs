@@ -29,7 +29,7 @@ pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use fence_switch::FenceSwitch;
 pub use leg::{LegSpeed, PlanLeg};
-pub use limits::Grade;
+pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,

@@ -14,7 +14,7 @@ pub enum Grade {
 }
 
 /// EKF test ratio of the failsafe: `FS_EKF_THRESH`, 0.8 by default; the arming checks use the same.
-const EKF_BAD: f32 = 0.8;
+pub const EKF_BAD: f32 = 0.8;
 /// A strict `FS_EKF_THRESH` (0.6 in its documentation's list of values).
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
@@ -28,7 +28,10 @@ const HORIZONTAL_BAD_M: f32 = 5.0;
 const VERTICAL_BAD_M: f32 = 7.5;
 /// Vibration: below 30 is normal, above 60 nearly always spoils the estimates (`ArduPilot`, "Measuring Vibration").
 const VIBRATION_POOR_M_S2: f32 = 30.0;
-const VIBRATION_BAD_M_S2: f32 = 60.0;
+pub const VIBRATION_BAD_M_S2: f32 = 60.0;
+/// Battery charges in percent: limits of this program for low and nearly empty.
+const BATTERY_POOR_PERCENT: u8 = 25;
+const BATTERY_BAD_PERCENT: u8 = 10;
 /// Clipping should be zero; more than 100 in a flight is severe (same page).
 const CLIPPING_BAD: u32 = 100;
 
@@ -106,6 +109,17 @@ impl Grade {
         Self::rising(level_m_s2, VIBRATION_POOR_M_S2, VIBRATION_BAD_M_S2)
     }
 
+    /// The grade of a battery's charge.
+    pub fn of_battery(left_percent: u8) -> Self {
+        if left_percent <= BATTERY_BAD_PERCENT {
+            Self::Bad
+        } else if left_percent <= BATTERY_POOR_PERCENT {
+            Self::Poor
+        } else {
+            Self::Good
+        }
+    }
+
     /// The grade of a count of clipped samples.
     pub fn of_clipping(count: u32) -> Self {
         match count {
@@ -138,6 +152,9 @@ mod tests {
             (Grade::of_fix(FixType::Fix3d), Grade::Good),
             (Grade::of_vibration(30.0), Grade::Poor),
             (Grade::of_vibration(60.0), Grade::Bad),
+            (Grade::of_battery(26), Grade::Good),
+            (Grade::of_battery(25), Grade::Poor),
+            (Grade::of_battery(10), Grade::Bad),
             (Grade::of_clipping(0), Grade::Good),
             (Grade::of_clipping(99), Grade::Poor),
             (Grade::of_clipping(100), Grade::Bad),

@@ -7,18 +7,12 @@ use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{
-    EkfFlags, FixType, HomeReach, LandedState, Severity, StatusText, SystemStatus, Vehicle,
+    EKF_BAD, EkfFlags, FixType, Grade, HomeReach, LandedState, Severity, StatusText, SystemStatus,
+    VIBRATION_BAD_M_S2, Vehicle,
 };
 
 /// How long a text about a failsafe counts as current.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
-/// Battery levels in percent for a warning and for a critical alert.
-const BATTERY_LOW: u8 = 25;
-const BATTERY_CRITICAL: u8 = 10;
-/// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
-const EKF_LIMIT: f32 = 0.8;
-/// The vibration above which estimates suffer, in m/s² (ArduPilot's documentation of VIBRATION).
-const VIBRATION_LIMIT: f32 = 60.0;
 
 /// A condition that needs attention now.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -155,7 +149,7 @@ fn filter(vehicle: &Vehicle) -> Option<Alert> {
     ];
     let known = parts.into_iter().filter(|(_, ratio)| ratio.is_finite());
     let (part, worst) = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    if worst < EKF_LIMIT {
+    if worst < EKF_BAD {
         return None;
     }
     let text = text!("alert-ekf", part = part, ratio = figure(worst, 1));
@@ -165,19 +159,17 @@ fn filter(vehicle: &Vehicle) -> Option<Alert> {
 fn battery(vehicle: &Vehicle) -> Option<Alert> {
     let left = vehicle.battery()?.remaining_percent?;
     let says = |severity, text| Some(condition(AlertKind::Battery, severity, text));
-    if left <= BATTERY_CRITICAL {
-        return says(
-            Severity::Critical,
-            text!("alert-battery-critical", percent = left),
-        );
-    }
-    if left <= BATTERY_LOW {
-        return says(
+    match Grade::of_battery(left) {
+        Grade::Good => None,
+        Grade::Poor => says(
             Severity::Warning,
             text!("alert-battery-low", percent = left),
-        );
+        ),
+        Grade::Bad => says(
+            Severity::Critical,
+            text!("alert-battery-critical", percent = left),
+        ),
     }
-    None
 }
 
 /// The alert that the way home needs nearly all the remaining battery, or more. A vehicle that is already returning or
@@ -217,7 +209,7 @@ fn vibration(vehicle: &Vehicle) -> Option<Alert> {
     let level = vehicle.vibration?.level_m_s2;
     let known = level.into_iter().filter(|level| level.is_finite());
     let worst = known.fold(0.0, f32::max);
-    if !vehicle.armed() || worst < VIBRATION_LIMIT {
+    if !vehicle.armed() || worst < VIBRATION_BAD_M_S2 {
         return None;
     }
     let text = text!("alert-vibration", level = figure(worst, 0));

@@ -4,11 +4,8 @@ use ratatui::text::Span;
 
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::vehicle::{HomeReach, LinkQuality};
+use crate::vehicle::{Grade, HomeReach, LinkQuality};
 
-/// The battery levels for low and nearly empty, in percent.
-const LOW_PERCENT: u8 = 25;
-const EMPTY_PERCENT: u8 = 10;
 /// The minimum share of messages received on a good link.
 const GOOD_PERCENT: u8 = 90;
 
@@ -53,12 +50,10 @@ impl Gauge {
 
 /// The role of a battery charge.
 pub fn battery_role(left_percent: u8) -> Role {
-    if left_percent <= EMPTY_PERCENT {
-        Role::Danger
-    } else if left_percent <= LOW_PERCENT {
-        Role::Warning
-    } else {
-        Role::Ok
+    match Grade::of_battery(left_percent) {
+        Grade::Good => Role::Ok,
+        Grade::Poor => Role::Warning,
+        Grade::Bad => Role::Danger,
     }
 }
 
