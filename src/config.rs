@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use strum::{EnumString, VariantNames};
 
 use crate::alert::AlertKind;
+use crate::rehearsal::{TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
 use crate::text::Language;
 use crate::vehicle_id::VehicleIds;
 
@@ -255,13 +256,14 @@ impl Default for Config {
 }
 
 impl Default for AlertsConfig {
+    /// In flight, vehicles are too close to each other where they would be in a rehearsal.
     fn default() -> Self {
         Self {
             bell: true,
             notify: false,
             mute: Vec::new(),
-            separation: 5,
-            separation_height: 3,
+            separation: TOO_NEAR_M as u16,
+            separation_height: TOO_NEAR_VERTICALLY_M as u16,
         }
     }
 }

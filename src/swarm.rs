@@ -21,6 +21,7 @@ use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::plan::generate::USUAL_SPACING_M;
+use crate::rehearsal::TOO_NEAR_M;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
@@ -88,10 +89,10 @@ impl Rules {
 }
 
 impl Default for Rules {
-    /// 5 m of separation, no sensor.
+    /// Without a sensor, and with the separation that rehearsals and alerts require.
     fn default() -> Self {
         Self {
-            separation_m: 5.0,
+            separation_m: TOO_NEAR_M,
             swath: None,
         }
     }
