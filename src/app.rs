@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::config::Config;
+use crate::config::{Config, DEFAULT_THEME};
 use crate::scoring::TryReport;
 use crate::text::Locale;
 use crate::workshop::Design;
@@ -61,7 +61,7 @@ impl Default for Setup {
             config: Config::default(),
             keymap: Keymap::default(),
             locale: Arc::default(),
-            theme: "dark".to_owned(),
+            theme: DEFAULT_THEME.to_owned(),
             themes: Vec::new(),
             missions: Vec::new(),
             tries: BTreeMap::new(),

@@ -28,6 +28,9 @@ pub use setting::{SETTINGS, Setting, SettingKind};
 pub use show::setting_reference;
 pub use table::{Column, TableConfig, TableSort};
 
+/// The name of the theme that is used if none is chosen; the others inherit from it.
+pub const DEFAULT_THEME: &str = "dark";
+
 /// The settings; each has a default.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -237,7 +240,7 @@ impl Default for Config {
         Self {
             lang: None,
             profile: None,
-            theme: "dark".to_owned(),
+            theme: DEFAULT_THEME.to_owned(),
             fps: 10,
             symbols: None,
             mouse: false,

@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 
 use ratatui::style::{Color, Modifier, Style};
 
+use crate::config::DEFAULT_THEME;
+
 mod colour;
 mod file;
 mod library;
@@ -210,7 +212,7 @@ impl Theme {
 
 impl Default for Theme {
     fn default() -> Self {
-        Self::named("dark").unwrap_or_else(|| Self {
+        Self::named(DEFAULT_THEME).unwrap_or_else(|| Self {
             name: "plain".to_owned(),
             styles: BTreeMap::from([(Role::Cursor, Style::new().add_modifier(Modifier::REVERSED))]),
         })

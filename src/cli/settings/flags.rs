@@ -78,3 +78,24 @@ impl Common {
         given.filter_map(|(setting, flag, value)| Some((setting, flag, value.as_deref()?)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Setting;
+    use crate::ui::Theme;
+
+    #[test]
+    fn the_texts_about_themes_name_all_that_come_with_the_program() {
+        let names: Vec<&str> = Theme::names().collect();
+        let command = Common::augment_args(clap::Command::new("sortie"));
+        let mut arguments = command.get_arguments();
+        let flag = arguments.find(|it| it.get_id() == "theme");
+        let help = flag.and_then(|it| it.get_help()).map(ToString::to_string);
+        let setting = Setting::named("theme").map(|it| it.about.to_owned());
+        for text in [help, setting] {
+            let text = text.expect("there is a text");
+            assert!(text.contains(&names.join(", ")), "{text}");
+        }
+    }
+}
