@@ -36,8 +36,12 @@ use work::{FtpDue, FtpNews, FtpWork};
 use super::gaps::{FileBytes, GapMap};
 use crate::hash::fnv1a;
 
-/// How long a request may stay unanswered before it is abandoned.
+/// How long a request may stay unanswered, or a file bring nothing new, before it is abandoned.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// `ArduPilot` ends a session that was idle for 3 s if another client needs one; each refusal counts as activity.
+const UNTIL_IDLE: Duration = Duration::from_millis(3500);
+/// After this many refusals, the server counts as busy for a long time.
+const MOST_REFUSALS: u8 = 4;
 /// How long to try to close a session; after that, it is left to the server's own time limit.
 const CLOSING: Duration = Duration::from_secs(3);
 /// The maximum length of a path in bytes: `ArduPilot` needs the last byte of a packet for itself.

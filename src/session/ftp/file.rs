@@ -5,13 +5,9 @@ use std::time::Duration;
 use super::exchange::Exchange;
 use super::flow::{FileFlow, Heard};
 use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence};
-use super::{FtpFault, FtpNak, PATIENCE};
+use super::{FtpFault, FtpNak, MOST_REFUSALS, PATIENCE, UNTIL_IDLE};
 use crate::session::gaps::{FileBytes, GapMap};
 
-/// `ArduPilot` ends a session that was idle for 3 s if another client needs one; each refusal counts as activity.
-const UNTIL_IDLE: Duration = Duration::from_millis(3500);
-/// After this many refusals, the server counts as busy for a long time.
-const MOST_REFUSALS: u8 = 4;
 /// After this many losses of the session in a row, further attempts are pointless.
 const MOST_LOSSES: u8 = 3;
 

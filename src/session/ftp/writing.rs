@@ -4,12 +4,7 @@ use std::time::Duration;
 
 use super::exchange::Exchange;
 use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
-use super::{FtpFault, FtpNak, PATIENCE};
-
-/// `ArduPilot` ends a session that was idle for 3 s if another client needs one; each refusal counts as activity.
-const UNTIL_IDLE: Duration = Duration::from_millis(3500);
-/// After this many refusals, the server counts as busy for a long time.
-const MOST_REFUSALS: u8 = 4;
+use super::{FtpFault, FtpNak, MOST_REFUSALS, PATIENCE, UNTIL_IDLE};
 
 /// A file that is being written, one packet at a time: the server repeats an answer that was lost, and a packet is
 /// therefore never written out of order.
