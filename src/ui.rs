@@ -3,7 +3,7 @@
 use ratatui::Frame;
 
 use crate::app::State;
-use crate::app::state::{Overlay, SMALLEST};
+use crate::app::state::{Overlay, is_too_small};
 use crate::config::Symbols;
 use crate::ui::panel::Panel;
 
@@ -37,7 +37,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     for cell in &mut frame.buffer_mut().content {
         cell.set_style(style);
     }
-    if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
+    if is_too_small((area.width, area.height)) {
         screen::small::draw(state, Panel::new(look, area), frame.buffer_mut());
         return;
     }

@@ -51,7 +51,7 @@ pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
 pub use column::SortKey;
-pub use display::{Display, SMALLEST};
+pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView};
 pub use flown_mission::FlownMission;

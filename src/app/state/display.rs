@@ -5,6 +5,11 @@ use crate::geo::GridSize;
 /// The smallest terminal that the console fits into: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);
 
+/// Whether a terminal of this size, in columns and rows, is too small to show anything.
+pub fn is_too_small((columns, rows): (u16, u16)) -> bool {
+    columns < SMALLEST.0 || rows < SMALLEST.1
+}
+
 /// The terminal's size and speed, and its theme.
 #[derive(Debug, Clone)]
 pub struct Display {
@@ -32,9 +37,9 @@ impl Display {
         GridSize::new(columns, rows)
     }
 
-    /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
+    /// Whether the terminal is too small, so that keys would be pressed blindly.
     pub fn is_too_small(&self) -> bool {
-        self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
+        is_too_small(self.size)
     }
 
     /// The bytes per second that the line to the terminal carries, while it cannot keep up.
