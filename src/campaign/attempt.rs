@@ -70,11 +70,7 @@ pub struct AttemptMeans {
 /// Whether a flight does not count as an attempt: practice, or flown by a script. Records without a source of commands
 /// were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
-    let by_hand = match flown_by {
-        None | Some(FlownBy::Hand) => true,
-        Some(FlownBy::Script | FlownBy::BundledPilot) => false,
-    };
-    stake == Stake::Practice || !by_hand
+    stake == Stake::Practice || !flown_by.unwrap_or_default().is_by_hand()
 }
 
 /// The number of the attempt after these, from 1. Unfinished flights and practice do not count, and use up no free
@@ -173,10 +169,7 @@ impl AttemptTerms<'_> {
                 Some(PracticeReason::AlteredMission)
             }
         });
-        reasons.extend(match flown_by {
-            FlownBy::Hand => None,
-            FlownBy::Script | FlownBy::BundledPilot => Some(PracticeReason::Script),
-        });
+        reasons.extend((!flown_by.is_by_hand()).then_some(PracticeReason::Script));
         reasons.extend(has_own_airframes.then_some(PracticeReason::OwnAirframes));
         reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));
         reasons

@@ -78,14 +78,10 @@ pub enum AttemptRefusal {
 impl AttemptRefusal {
     /// The refusal of an attempt with these means, if there is one.
     pub fn of(wanted: Stake, flown_by: FlownBy, speedup: f64) -> Option<Self> {
-        let is_by_hand = match flown_by {
-            FlownBy::Hand => true,
-            FlownBy::Script | FlownBy::BundledPilot => false,
-        };
         match wanted {
-            Stake::Exam if !is_by_hand => Some(Self::ExamByScript),
+            Stake::Exam if !flown_by.is_by_hand() => Some(Self::ExamByScript),
             Stake::Exam if speedup > 1.0 => Some(Self::ExamSpedUp),
-            Stake::Daily if !is_by_hand => Some(Self::DailyByScript),
+            Stake::Daily if !flown_by.is_by_hand() => Some(Self::DailyByScript),
             Stake::Exam | Stake::Daily | Stake::Graded | Stake::Practice => None,
         }
     }

@@ -120,6 +120,16 @@ pub enum FlownBy {
     BundledPilot,
 }
 
+impl FlownBy {
+    /// Whether a person gave the commands.
+    pub fn is_by_hand(self) -> bool {
+        match self {
+            Self::Hand => true,
+            Self::Script | Self::BundledPilot => false,
+        }
+    }
+}
+
 /// How the text of a mission compares with that of the course's mission with the same id.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, strum::Display)]
 #[serde(rename_all = "kebab-case")]
