@@ -7,12 +7,11 @@ use super::place::{found, known, place, refused};
 use super::{fence, plan};
 use crate::geo::LatLon;
 use crate::plan::edit::{self, HeightChange};
+use crate::plan::generate::USUAL_HEIGHT_M;
 use crate::plan::{Document, Home, Item, ListKind, command, field};
 use crate::text;
 use crate::text::Text;
 
-/// The height of a first rally point that is given none, in metres above home.
-const USUAL_HEIGHT_M: f32 = 30.0;
 /// The smallest radius that a change to a circle leaves, in metres.
 const LEAST_RADIUS_M: f32 = 1.0;
 
@@ -192,7 +191,10 @@ fn move_home(document: &mut Document, spot: Spot, around: &Surroundings) -> Resu
 
 fn add_rally(document: &mut Document, place: LatLon, height_m: Option<f32>) -> usize {
     let (x, y) = place.to_e7();
-    let usual_m = document.rally.last().map_or(USUAL_HEIGHT_M, |item| item.z);
+    let usual_m = document
+        .rally
+        .last()
+        .map_or(USUAL_HEIGHT_M as f32, |item| item.z);
     document.rally.push(Item {
         command: command::RALLY_POINT,
         frame: PlanFrame::Home.number(),

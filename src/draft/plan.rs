@@ -4,11 +4,9 @@ use super::edit::{Insertion, Items, NewItem, PlanEdit, PlanFrame, Spot, Surround
 use super::place::{found, known, place, refused};
 use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::{self, FrameChange};
+use crate::plan::generate::USUAL_HEIGHT_M;
 use crate::plan::{Document, Item, command};
 use crate::text::Text;
-
-/// The height of a first item that is given none, in metres above home.
-const USUAL_HEIGHT_M: f32 = 30.0;
 
 /// Changes the plan, and returns the item that the change is about.
 ///
@@ -82,7 +80,7 @@ fn built(
     let frame = new.frame.or_else(|| flown.and_then(PlanFrame::of));
     let usual_m = match new.command {
         command::LAND | command::VTOL_LAND => 0.0,
-        _ => flown.map_or(USUAL_HEIGHT_M, |item| item.z),
+        _ => flown.map_or(USUAL_HEIGHT_M as f32, |item| item.z),
     };
     let height_m = new.height_m.unwrap_or(usual_m);
     Ok(Item {

@@ -18,7 +18,7 @@ use crate::workshop::{Air, Design, Figures, GOOD_THRUST, LEAST_THRUST, Part, par
 /// The margin on the range: paths are not straight, and wind and headings are unknown.
 const REACH: f64 = 1.3;
 /// The usual height of a flight, unless the mission sets a lower one.
-const USUAL_HEIGHT_M: f64 = 20.0;
+pub(super) const USUAL_HEIGHT_M: f64 = 20.0;
 /// Wind above this has gusts that need [`GUSTY_THRUST`].
 const CALM_M_S: f64 = 3.0;
 /// Thrust over weight needed to hold a position, and to hold it in gusts without saturating the motors.

@@ -1,10 +1,9 @@
 //! Manoeuvres of several vehicles, by the rules of a mission.
 
 use super::Mission;
+use super::needs::USUAL_HEIGHT_M;
 use crate::swarm::{Rules, Swath};
 
-/// The height at which the strips of several sensors are compared; the narrowest strip counts.
-const USUAL_HEIGHT_M: f64 = 20.0;
 /// The default separation between vehicles.
 const USUAL_SEPARATION_M: f64 = 2.0;
 /// The minimum separation in joint manoeuvres, even where a mission sets none: vehicles are a metre wide.
@@ -27,6 +26,7 @@ impl Mission {
                 per_metre: sensor.swath_m(1.0)? - at_ground_m,
             })
         });
+        // The narrowest strip counts.
         let width = |swath: &Swath| swath.width_m(USUAL_HEIGHT_M);
         let usual = Rules::default();
         let separation_m = self
