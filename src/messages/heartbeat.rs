@@ -9,8 +9,6 @@ use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleCl
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
 /// The autopilot type of a component that is not a flight controller.
 const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
-/// The autopilot whose mode numbers this program has names for.
-const AUTOPILOT_ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 const FLAG_ARMED: u8 = MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED.bits();
 
 /// The numbers of a HEARTBEAT, even those without a name in the dialect.
@@ -74,7 +72,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotic
         autopilot: beat.autopilot,
         class,
         mode: Mode {
-            class: if beat.autopilot == AUTOPILOT_ARDUPILOT {
+            class: if beat.autopilot == Heartbeat::ARDUPILOT {
                 class
             } else {
                 VehicleClass::Other

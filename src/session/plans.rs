@@ -9,9 +9,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{
-    MISSION_CURRENT_DATA, MavAutopilot, MavMessage, MavProtocolCapability,
-};
+use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MavMessage, MavProtocolCapability};
 
 use crate::plan::{Item, ListKind};
 use crate::vehicle::{FencePlan, Plan, RallyPlan, Transfer, Vehicle};
@@ -386,11 +384,10 @@ fn transfer(vehicle: &mut Vehicle, kind: ListKind) -> &mut Transfer {
 }
 
 fn store(vehicle: &mut Vehicle, kind: ListKind, items: Vec<Item>) {
-    /// HEARTBEAT's autopilot of `ArduPilot`, whose item 0 is home.
-    const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+    // Item 0 of `ArduPilot` is home.
     let home_first = vehicle
         .heartbeat
-        .is_some_and(|heartbeat| heartbeat.autopilot == ARDUPILOT);
+        .is_some_and(|heartbeat| heartbeat.is_ardupilot());
     let plans = &mut vehicle.plans;
     match kind {
         ListKind::Plan => {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSysStatusSensor;
+use mavlink::dialects::ardupilotmega::{MavAutopilot, MavSysStatusSensor};
 
 use super::{EkfFlags, FixType, Mode, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
@@ -13,16 +13,27 @@ use crate::geo::maths;
 pub struct Heartbeat {
     /// `MAV_TYPE` as sent, known to this program or not.
     pub mav_type: u8,
-    /// `MAV_AUTOPILOT` as sent; 3 is ArduPilot.
+    /// `MAV_AUTOPILOT` as sent, known to this program or not.
     pub autopilot: u8,
-    /// The class that decides the mode table.
+    /// The class by `MAV_TYPE`, whatever the autopilot; what `mode.class` says decides the names of modes.
     pub class: VehicleClass,
+    /// The mode. Its class is [`VehicleClass::Other`] unless the autopilot is `ArduPilot`, whose modes alone have names.
     pub mode: Mode,
     /// Whether the motors are armed.
     pub armed: bool,
     /// The autopilot's own summary of its state.
     pub status: SystemStatus,
     pub at: Duration,
+}
+
+impl Heartbeat {
+    /// The `MAV_AUTOPILOT` of `ArduPilot`.
+    pub const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+
+    /// Whether the autopilot is `ArduPilot`.
+    pub fn is_ardupilot(&self) -> bool {
+        self.autopilot == Self::ARDUPILOT
+    }
 }
 
 /// The attitude of the vehicle (ATTITUDE).

@@ -1,7 +1,5 @@
 //! The list that an order sends, or why it cannot be sent.
 
-use mavlink::dialects::ardupilotmega::MavAutopilot;
-
 use super::list::Wanted;
 use super::{Desk, PlanOnFile, PlanShelf, judging};
 use crate::commands::{PlanCommand, PlanDeed, PlanSource};
@@ -9,9 +7,6 @@ use crate::plan::{Document, ListKind};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
-
-/// HEARTBEAT's autopilot of `ArduPilot`.
-const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 
 /// The list that an order is to put on board a vehicle.
 ///
@@ -23,9 +18,7 @@ pub(super) fn wanted(
     desk: &Desk<'_>,
 ) -> Result<Wanted, Text> {
     let vehicle = &*desk.vehicle;
-    let is_ardupilot = vehicle
-        .heartbeat
-        .is_some_and(|it| it.autopilot == ARDUPILOT);
+    let is_ardupilot = vehicle.heartbeat.is_some_and(|it| it.is_ardupilot());
     if command.deed.writes() && !is_ardupilot {
         return Err(text!("refused-plan-autopilot"));
     }
