@@ -9,7 +9,7 @@ mod place;
 mod terrain;
 
 pub(crate) use place::is_crossed;
-pub use terrain::{Leg, check_terrain, legs};
+pub use terrain::{Leg, USUAL_CLEARANCE_M, check_terrain, legs};
 
 /// The kind of vehicle, which decides the commands that it carries out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

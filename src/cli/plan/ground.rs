@@ -8,7 +8,7 @@ use super::{Failure, invalid};
 use crate::draft::squares;
 use crate::geo::Terrain;
 use crate::plan::Document;
-use crate::plan::check::{Finding, check_terrain, legs};
+use crate::plan::check::{Finding, USUAL_CLEARANCE_M, check_terrain, legs};
 use crate::store;
 use crate::text;
 use crate::text::Locale;
@@ -20,7 +20,7 @@ pub(super) struct GroundArguments {
     #[arg(long, value_name = "DIR")]
     terrain: Option<PathBuf>,
     /// Fly at least this far above the ground, in metres.
-    #[arg(long, value_name = "M", default_value_t = 10.0, requires = "terrain", value_parser = parse_clearance)]
+    #[arg(long, value_name = "M", default_value_t = USUAL_CLEARANCE_M, requires = "terrain", value_parser = parse_clearance)]
     clearance: f64,
 }
 

@@ -7,6 +7,8 @@ use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
 /// The distance between the points of a leg that are checked, in metres: a third of the spacing of the finest files.
 const STEP_M: f64 = 10.0;
+/// The default of the smallest height of a leg above the ground, in metres.
+pub const USUAL_CLEARANCE_M: f64 = 10.0;
 /// A home whose height differs from that of the ground by more than this is reported, in metres.
 const HOME_SLACK_M: f64 = 30.0;
 /// `RTL_ALT`, in metres above home.

@@ -7,11 +7,9 @@ use crate::app::State;
 use crate::app::effect::{Effect, FileEffect};
 use crate::draft::{Draft, squares};
 use crate::geo::{LatLon, Square, Terrain};
+use crate::plan::check::USUAL_CLEARANCE_M;
 use crate::text;
 use crate::vehicle::Severity;
-
-/// The height above the ground below which a leg is a fault, in metres.
-pub(super) const CLEARANCE_M: f64 = 10.0;
 
 /// The ground that the room knows.
 #[derive(Debug, Clone, Default)]
@@ -74,7 +72,7 @@ pub fn ground_read(state: &mut State, folder: &str, terrain: Terrain) {
             let text = text!(
                 "draft-ground-read",
                 path = folder,
-                clearance = CLEARANCE_M as i64
+                clearance = USUAL_CLEARANCE_M as i64
             );
             (Severity::Info, text)
         } else {

@@ -1,9 +1,10 @@
 //! The faults of a draft by the vehicle's rules, and the speeds at which the vehicle would fly it.
 
-use super::ground::CLEARANCE_M;
 use crate::app::State;
 use crate::plan::Document;
-use crate::plan::check::{CheckOptions, Finding, FindingKind, check, check_terrain};
+use crate::plan::check::{
+    CheckOptions, Finding, FindingKind, USUAL_CLEARANCE_M, check, check_terrain,
+};
 use crate::plan::effort::Pace;
 use crate::vehicle::check_rules;
 
@@ -47,7 +48,7 @@ pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     let ground = state.rooms.plans.ground();
     if !ground.is_empty() {
         let height = |place| ground.height_m(place);
-        findings.extend(check_terrain(document, &height, CLEARANCE_M));
+        findings.extend(check_terrain(document, &height, USUAL_CLEARANCE_M));
         findings.sort_by_key(|finding| (finding.list, finding.item));
     }
     counted_once(findings)
