@@ -30,7 +30,7 @@ impl Verb {
         Self {
             name,
             danger: Danger::None,
-            retry: Retry::new(1, 1000, 3000),
+            retry: Retry::ONCE,
             precedence: Precedence::InTurn,
             movement: Movement::None,
             counts_as: CountsAs::Word,
@@ -60,6 +60,9 @@ pub struct Retry {
 }
 
 impl Retry {
+    /// A single attempt.
+    pub const ONCE: Self = Self::new(1, 1000, 3000);
+
     /// Retries with times in milliseconds.
     pub const fn new(tries: u8, every_ms: u64, deadline_ms: u64) -> Self {
         Self {

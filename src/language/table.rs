@@ -68,7 +68,7 @@ const ASK: Retry = Retry::new(3, 1000, 4000);
 /// For setpoints, which have no answer and are repeated until the effect shows.
 const SETPOINT: Retry = Retry::new(3, 1000, 4000);
 /// For commands that must not take effect twice.
-const ONCE: Retry = Retry::new(1, 1000, 3000);
+const ONCE: Retry = Retry::ONCE;
 
 type Built = Result<Meaning, Problem>;
 
