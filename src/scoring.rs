@@ -34,7 +34,7 @@ use safety::SafetyAdvice;
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
 pub use truth::{MarkReport, ObjectKind, ObjectReport, SquareReport, TrackReport, TruthReport};
-pub use utilisation::{VehicleUse, utilisation_value};
+pub use utilisation::{IDLE_AFTER, VehicleUse, utilisation_value};
 pub use workload::{
     OverloadedStretch, VehicleLoad, WorkloadAnswer, WorkloadCourse, WorkloadReport,
     workload_question,

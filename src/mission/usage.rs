@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::TICK;
 use crate::geo::maths;
-use crate::scoring::{SwarmTimes, VehicleLoad, VehicleUse};
+use crate::scoring::{IDLE_AFTER, SwarmTimes, VehicleLoad, VehicleUse};
 use crate::vehicle::VehicleId;
 
 /// Movement within this distance counts as standing still: a vehicle drifts with the wind and its receiver's errors.
@@ -13,8 +13,6 @@ const STILL_WITHIN_M: f64 = 2.0;
 const PAUSE: Duration = Duration::from_secs(10);
 /// How long a vehicle that hovered may take to move after a command.
 const START: Duration = Duration::from_secs(3);
-/// A vehicle without a task for longer than this idles.
-const IDLE_AFTER: Duration = Duration::from_secs(30);
 
 /// The observation of a vehicle in one tick.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -264,7 +264,7 @@ pub struct UseReport {
     pub airborne_s: f64,
     /// The part of the air time with a task.
     pub productive_s: f64,
-    /// The part of the air time without a task for more than 30 s at a time.
+    /// The part of the air time without a task for more than [`IDLE_AFTER`](crate::scoring::IDLE_AFTER) at a time.
     pub idle_s: f64,
     /// Whether it fell or was made to fall.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -13,6 +13,9 @@ const FULL_SHARE: f64 = 0.5;
 /// The share of idle time at which a vehicle earns no points for being busy.
 const MOST_IDLE: f64 = 0.3;
 
+/// A vehicle without a task for longer than this idles.
+pub const IDLE_AFTER: Duration = Duration::from_secs(30);
+
 /// The times of one vehicle in the air, with a task and without.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleUse {
@@ -21,7 +24,7 @@ pub struct VehicleUse {
     pub airborne: Duration,
     /// The part of the air time with a task: travelling, in a manoeuvre, sampling.
     pub productive: Duration,
-    /// The part of the air time without a task for more than 30 s at a time.
+    /// The part of the air time without a task for more than [`IDLE_AFTER`] at a time.
     pub idle: Duration,
 }
 
