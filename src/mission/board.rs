@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::geo::maths;
-use crate::plan::{Document, Home, Item, command};
+use crate::plan::{Document, Home, Item, command, frame};
 use crate::session::Want;
 use crate::text;
 use crate::text::Text;
@@ -20,9 +20,6 @@ const STREAM: u64 = 1 << 39;
 const ASTRAY_M: f64 = 400.0;
 /// The duration of a hold that drains any battery, in seconds.
 const LONG_STAY_S: f32 = 3000.0;
-/// The frame of heights above home, and that of heights above sea level.
-const ABOVE_HOME: u8 = 3;
-const ABOVE_SEA: u8 = 0;
 /// The fence of heights and that of areas, as bits of `FENCE_TYPE`.
 const HEIGHTS_AND_AREAS: f64 = 5.0;
 
@@ -180,7 +177,7 @@ impl Mission {
         let (x, y) = self.site.origin.place(at).to_e7();
         Item {
             command,
-            frame: ABOVE_HOME,
+            frame: frame::ABOVE_HOME,
             auto_continue: true,
             params: [0.0; 4],
             x,
@@ -195,7 +192,7 @@ impl Mission {
         let takeoff = self.item(command::TAKEOFF, pad, route.up_m);
         let back = Item {
             command: command::RETURN_TO_LAUNCH,
-            frame: ABOVE_HOME,
+            frame: frame::ABOVE_HOME,
             auto_continue: true,
             ..Item::default()
         };
@@ -212,7 +209,7 @@ impl Mission {
         let last = route.points.len().saturating_sub(1).max(2);
         let middle = random.random_range(1..last);
         match fault {
-            PlanFault::SeaLevel => plan[middle + 1].frame = ABOVE_SEA,
+            PlanFault::SeaLevel => plan[middle + 1].frame = frame::SEA_LEVEL,
             PlanFault::Outside => {
                 let at = route.points[middle];
                 let [east, north] = [at[0] - pad[0], at[1] - pad[1]];

@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 
 use sortie_geo::LatLon;
 
+use crate::frame::{ABOVE_HOME, ABOVE_TERRAIN, MISSION, SEA_LEVEL};
 use crate::{HeightFrame, Item, ListKind, command};
 
 mod misheld;
@@ -14,11 +15,6 @@ mod sent;
 
 pub use misheld::{Misheld, misheld};
 pub use sent::as_sent;
-
-const SEA_LEVEL: u8 = 0;
-const MISSION: u8 = 2;
-const ABOVE_HOME: u8 = 3;
-const ABOVE_TERRAIN: u8 = 10;
 
 /// Why the vehicle refuses an item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

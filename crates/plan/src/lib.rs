@@ -30,6 +30,7 @@ pub mod effort;
 mod fault;
 pub mod field;
 mod files;
+pub mod frame;
 pub mod generate;
 mod hash;
 mod item;

@@ -1,6 +1,6 @@
 //! Uploaded lists: the mission, the fence and the rally points, item by item.
 
-pub(super) use sortie_plan::{Item, ListKind};
+pub(super) use sortie_plan::{Item, ListKind, frame};
 
 /// The three lists of a vehicle. They survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]

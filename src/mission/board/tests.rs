@@ -50,7 +50,7 @@ fn faults_are_what_their_names_say() {
         let (plan, sound) = plans(&with_only("sea_level"), seed);
         let changed = plan.iter().zip(&sound).filter(|(a, b)| a != b);
         let frames: Vec<u8> = changed.map(|(item, _)| item.frame).collect();
-        assert_eq!(frames, [ABOVE_SEA]);
+        assert_eq!(frames, [frame::SEA_LEVEL]);
         let (plan, sound) = plans(&with_only("gap"), seed);
         assert_eq!(plan.len() + 2, sound.len());
         let (plan, _) = plans(&with_only("no_return"), seed);

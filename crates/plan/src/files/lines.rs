@@ -3,10 +3,7 @@
 use super::Parsed;
 use super::number::{Word, lines};
 use crate::fault::{Fault, FaultKind};
-use crate::{Item, ListKind, command};
-
-const SEA_LEVEL: u8 = 0;
-const ABOVE_HOME: u8 = 3;
+use crate::{Item, ListKind, command, frame};
 
 pub(super) fn is_rally(text: &str) -> bool {
     let first = lines(text).next();
@@ -54,7 +51,7 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     let z = height.number()? as f32;
     Ok(point(
         command::RALLY_POINT,
-        ABOVE_HOME,
+        frame::ABOVE_HOME,
         0.0,
         lat.fixed(7)?,
         lon.fixed(7)?,
@@ -93,12 +90,19 @@ pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut parsed = Parsed::default();
     for (index, ((x, y), span)) in points.into_iter().enumerate() {
         let item = if index < first {
-            point(command::FENCE_RETURN_POINT, SEA_LEVEL, 0.0, x, y, 0.0)
+            point(
+                command::FENCE_RETURN_POINT,
+                frame::SEA_LEVEL,
+                0.0,
+                x,
+                y,
+                0.0,
+            )
         } else {
             let count = corners as f32;
             point(
                 command::FENCE_POLYGON_INCLUSION,
-                SEA_LEVEL,
+                frame::SEA_LEVEL,
                 count,
                 x,
                 y,

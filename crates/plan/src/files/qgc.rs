@@ -11,11 +11,9 @@ use super::Parsed;
 use super::json::Node;
 use super::number::{decimals, decimals_of};
 use crate::fault::{Expected, Fault, FaultKind, NoteKind, Unwritable};
-use crate::{Document, HeightFrame, Home, Item, ListKind, Origin, command};
+use crate::{Document, HeightFrame, Home, Item, ListKind, Origin, command, frame};
 
 mod fence;
-
-const ABOVE_HOME: u8 = 3;
 
 /// Whether a document is in this format.
 pub(super) fn is_plan(root: &Node) -> bool {
@@ -188,7 +186,7 @@ fn read_rally(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
         let [lat, lon, height] = point.array::<3>()?;
         let item = Item {
             command: command::RALLY_POINT,
-            frame: ABOVE_HOME,
+            frame: frame::ABOVE_HOME,
             auto_continue: true,
             params: [0.0; 4],
             x: lat.fixed(7)?,

@@ -11,11 +11,7 @@ use std::ops::Range;
 use super::number::{decimals, decimals_of, fixed, unfixed, whole};
 use super::{Parsed, ReadOptions};
 use crate::fault::{Expected, Fault, FaultKind, NoteKind};
-use crate::{Document, Home, Item, ListKind, command};
-
-const SEA_LEVEL: u8 = 0;
-const ABOVE_HOME: u8 = 3;
-const ABOVE_TERRAIN: u8 = 10;
+use crate::{Document, Home, Item, ListKind, command, frame};
 
 /// The key whose value is the kind of a feature written by this program.
 const KIND: &str = "sortie";
@@ -158,7 +154,7 @@ impl Reader {
 
     fn item(&self, shape: &Shape, command: u16, at: &Position) -> Result<Item, Fault> {
         let (x, y) = valid(at, &shape.span)?;
-        let (frame, z) = height(shape, at).unwrap_or((ABOVE_HOME, self.options.height_m));
+        let (frame, z) = height(shape, at).unwrap_or((frame::ABOVE_HOME, self.options.height_m));
         Ok(plain(command, frame, 0.0, (x, y), z))
     }
 
@@ -183,7 +179,7 @@ impl Reader {
         };
         let count = corners.len() as f32;
         for at in corners {
-            let item = plain(command, SEA_LEVEL, count, at, 0.0);
+            let item = plain(command, frame::SEA_LEVEL, count, at, 0.0);
             self.parsed.push(ListKind::Fence, item, shape.span.clone());
         }
         Ok(())
@@ -194,8 +190,8 @@ impl Reader {
 fn height(shape: &Shape, at: &Position) -> Option<(u8, f32)> {
     let height_m = at.height_m? as f32;
     match shape.heights {
-        Heights::SeaLevel => Some((SEA_LEVEL, height_m)),
-        Heights::Terrain => Some((ABOVE_TERRAIN, height_m)),
+        Heights::SeaLevel => Some((frame::SEA_LEVEL, height_m)),
+        Heights::Terrain => Some((frame::ABOVE_TERRAIN, height_m)),
         Heights::Unset => None,
     }
 }

@@ -5,12 +5,10 @@ use glam::DVec2;
 use super::tour::length_m;
 use super::{Circle, GenerateError, Manner, Part, Scene, Work};
 use crate::effort::{Effort, Pace};
-use crate::{Document, Home, Item, command};
+use crate::{Document, Home, Item, command, frame};
 
 /// `CIRCLE_RATE`: degrees per second.
 const CIRCLE_RATE_DEG_S: f64 = 20.0;
-/// The frame of heights above home.
-const ABOVE_HOME: u8 = 3;
 
 /// The paths from home to the work and back, over the ground.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -120,7 +118,7 @@ impl Writer<'_> {
         if let Some(speed_m_s) = speed_m_s {
             self.items.push(Item {
                 command: command::DO_CHANGE_SPEED,
-                frame: ABOVE_HOME,
+                frame: frame::ABOVE_HOME,
                 auto_continue: true,
                 // Type 1: the speed over ground; the throttle stays as it is.
                 params: [1.0, speed_m_s as f32, -1.0, 0.0],
@@ -154,7 +152,7 @@ impl Writer<'_> {
         let (x, y) = self.scene.origin.moved(at.x, at.y).to_e7();
         self.items.push(Item {
             command,
-            frame: ABOVE_HOME,
+            frame: frame::ABOVE_HOME,
             auto_continue: true,
             params: [0.0; 4],
             x,

@@ -2,13 +2,11 @@
 
 use serde::Serialize;
 
-use super::{ABOVE_HOME, check_version, degrees};
+use super::{check_version, degrees};
 use crate::fault::{Fault, FaultKind, Unwritable};
 use crate::files::Parsed;
 use crate::files::json::{Node, Value};
-use crate::{Item, ListKind, command};
-
-const SEA_LEVEL: u8 = 0;
+use crate::{Item, ListKind, command, frame};
 
 pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     check_version(node, &[2], "2")?;
@@ -27,7 +25,7 @@ pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
         let at = (lat.fixed(7)?, lon.fixed(7)?);
         parsed.push(
             ListKind::Fence,
-            item(command, SEA_LEVEL, radius, at, 0.0),
+            item(command, frame::SEA_LEVEL, radius, at, 0.0),
             circle.span.clone(),
         );
     }
@@ -36,7 +34,13 @@ pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
         let [lat, lon, height] = point.array::<3>()?;
         let at = (lat.fixed(7)?, lon.fixed(7)?);
         let height_m = height.number_or_null()? as f32;
-        let item = item(command::FENCE_RETURN_POINT, ABOVE_HOME, 0.0, at, height_m);
+        let item = item(
+            command::FENCE_RETURN_POINT,
+            frame::ABOVE_HOME,
+            0.0,
+            at,
+            height_m,
+        );
         parsed.push(ListKind::Fence, item, point.span.clone());
     }
     Ok(())
@@ -59,7 +63,7 @@ fn read_polygon(polygon: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     for corner in corners {
         let [lat, lon] = corner.array::<2>()?;
         let at = (lat.fixed(7)?, lon.fixed(7)?);
-        let item = item(command, SEA_LEVEL, corners.len() as f32, at, 0.0);
+        let item = item(command, frame::SEA_LEVEL, corners.len() as f32, at, 0.0);
         parsed.push(ListKind::Fence, item, corner.span.clone());
     }
     Ok(())

@@ -12,14 +12,11 @@ use super::{
 use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::mode;
-use crate::plan::{Item, ListKind};
+use crate::plan::{Item, ListKind, frame};
 use crate::radio::SimpleMode;
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
 use crate::task::{LineEnd, Route, Task};
 
-/// `MAV_FRAME_GLOBAL` and `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
-const ABOVE_SEA: u8 = 0;
-const ABOVE_HOME: u8 = 3;
 /// The lowest takeoff that is saved.
 const TAKEOFF_MIN_M: f32 = 1.0;
 
@@ -83,7 +80,7 @@ impl Autopilot {
             // Its height is stored without the reference.
             vehicle.plans.mission.push(Item {
                 command: cmd::NAV_TAKEOFF,
-                frame: ABOVE_SEA,
+                frame: frame::SEA_LEVEL,
                 z: height_m.max(TAKEOFF_MIN_M),
                 auto_continue: true,
                 ..Item::default()
@@ -95,7 +92,7 @@ impl Autopilot {
             } else {
                 cmd::NAV_WAYPOINT
             },
-            frame: ABOVE_HOME,
+            frame: frame::ABOVE_HOME,
             auto_continue: true,
             x,
             y,
