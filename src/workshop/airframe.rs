@@ -7,10 +7,9 @@ use super::figures::{Air, Figures};
 use super::pack::Pack;
 use super::part::Chemistry;
 use crate::geo::maths;
+use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
 use crate::text::rounded;
 
-const GRAVITY_M_S2: f64 = 9.806_65;
-const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The lean of the reference flight in the frame file.
 const REFERENCE_LEAN_DEG: f64 = 30.0;
 /// The share of the squared term in thrust over command; the autopilot has the same value.

@@ -3,8 +3,8 @@
 use super::design::Drive;
 use super::pack::Pack;
 use crate::geo::maths;
+use crate::sim::GRAVITY_M_S2;
 
-const GRAVITY_M_S2: f64 = 9.806_65;
 const INCH_M: f64 = 0.0254;
 /// The resistance of warm copper, relative to the data sheet.
 const WARM_COPPER: f64 = 1.10;

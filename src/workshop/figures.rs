@@ -9,13 +9,13 @@ use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
 use crate::geo::maths;
+use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
 
 /// The thrust over weight below which a drone cannot hold its position in wind.
 pub const LEAST_THRUST: f64 = 1.3;
 /// The thrust over weight below which gusts saturate the motors.
 pub const GOOD_THRUST: f64 = 1.8;
 
-const GRAVITY_M_S2: f64 = 9.806_65;
 /// Thrust is stated at this charge in percent, as in the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
 /// The maximum lean of any drone, in degrees; low thrust reduces it, since a tenth is kept for control.
@@ -52,7 +52,7 @@ impl Default for Air {
 impl Air {
     /// The density in kilograms per cubic metre (standard atmosphere, corrected for the temperature).
     pub fn density(&self) -> f64 {
-        let standard = 1.225 * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
+        let standard = SEA_LEVEL_DENSITY * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
         standard * 288.15 / (273.15 + self.temperature_c)
     }
 }

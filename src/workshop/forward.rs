@@ -3,8 +3,8 @@
 use super::design::Drive;
 use super::drive::Turning;
 use crate::geo::maths;
+use crate::sim::GRAVITY_M_S2;
 
-const GRAVITY_M_S2: f64 = 9.806_65;
 /// The induced power of a real rotor relative to the ideal one.
 const INDUCED: f64 = 1.15;
 /// The share of the theoretical saving at speed that is assumed. One half gives a known folding drone its best

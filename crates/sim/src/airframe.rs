@@ -20,7 +20,7 @@ use super::kinematics::GRAVITY_M_S2;
 use sortie_geo::maths;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
-const SEA_LEVEL_DENSITY: f64 = 1.225;
+pub const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The share of the required throttle that remains after the autopilot's compensation of density and voltage: fitted
 /// to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
 const COMPENSATED: f64 = 0.9777;

@@ -1,7 +1,7 @@
 //! Shared by all parts that move: gravity, the time step, the distance to a target.
 
 /// Standard gravity, in metres per second squared.
-pub(super) const GRAVITY_M_S2: f64 = 9.806_65;
+pub const GRAVITY_M_S2: f64 = 9.806_65;
 /// The step of the simulation, in seconds.
 pub(super) const STEP_S: f64 = 0.01;
 

@@ -119,13 +119,14 @@ pub use mavlink;
 pub use sortie_geo as geo;
 pub use sortie_wire as wire;
 
-pub use self::airframe::{Airframe, AirframeError};
+pub use self::airframe::{Airframe, AirframeError, SEA_LEVEL_DENSITY};
 use self::autopilot::Autopilot;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::inventory::Inventory;
+pub use self::kinematics::GRAVITY_M_S2;
 pub use self::parameters::{AliasSense, other_name};
 use self::plan::{Item, ListKind};
 use self::slot::VehicleSlot;
