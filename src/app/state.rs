@@ -12,7 +12,7 @@ use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
-mod alarms;
+mod active_alerts;
 mod alert;
 mod bell;
 mod career;
@@ -45,7 +45,7 @@ use super::Setup;
 pub use super::keymap::Keymap;
 pub use super::room_list::Room;
 pub use crate::mission::Listing as MissionListing;
-pub use alarms::{Alarms, Pressing, Standing};
+pub use active_alerts::{ActiveAlerts, Pressing, Standing};
 pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;

@@ -202,7 +202,7 @@ impl Lookout {
 
     /// Adds the alerts that have been raised.
     fn alarm(&mut self, at: Duration, state: &State) {
-        let open = state.session().alarms().open();
+        let open = state.session().alerts().open();
         let mut now = BTreeSet::new();
         for (vehicle, one) in open {
             let key = (vehicle, one.alert.kind);

@@ -55,7 +55,7 @@ fn known(state: &State) -> String {
         session.vehicles(),
         session.ledger(),
         state.notices().lines().collect::<Vec<_>>(),
-        session.alarms(),
+        session.alerts(),
         session.paths(),
         state.rooms().fly().rows(),
         state.rooms().parameters().lists(),

@@ -233,7 +233,7 @@ const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/state/overlay.rs", "Confirm"),
     ("src/app/state/overlay.rs", "Prompt"),
     ("src/app/state/notices.rs", "NoticeLog"),
-    ("src/app/state/alarms.rs", "Alarms"),
+    ("src/app/state/active_alerts.rs", "ActiveAlerts"),
     ("src/app/state/hangar.rs", "Hangar"),
     ("src/app/room.rs", "Rooms"),
 ];

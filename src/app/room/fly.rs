@@ -263,14 +263,14 @@ pub fn tick(state: &mut State) -> bool {
 
 /// Acknowledges the alerts on the alert line.
 pub fn acknowledge_pressing(state: &mut State) {
-    let pressing = state.session.alarms.pressing();
+    let pressing = state.session.alerts.pressing();
     let kind = pressing.map(|pressing| pressing.first.alert.kind);
     acknowledge(state, |_, known| Some(known) == kind);
 }
 
 /// Acknowledges the alerts that `which` selects, and shows their number.
 pub fn acknowledge(state: &mut State, which: impl Fn(VehicleId, AlertKind) -> bool) {
-    let count = state.session.alarms.acknowledge(which);
+    let count = state.session.alerts.acknowledge(which);
     state.say(Severity::Info, text!("alert-acknowledged", count = count));
 }
 

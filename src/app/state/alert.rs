@@ -1,4 +1,4 @@
-//! The current alerts of a vehicle.
+//! The alerts of a vehicle that its telemetry gives now. [`ActiveAlerts`](super::ActiveAlerts) keeps since when they last.
 
 use std::time::Duration;
 

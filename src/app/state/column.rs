@@ -98,7 +98,7 @@ impl Column {
             Self::Latitude => place.map(|place| place.lat_deg),
             Self::Longitude => place.map(|place| place.lon_deg),
             Self::Alert => session
-                .alarms
+                .alerts
                 .worst(vehicle.id)
                 .map(|one| seriousness(session, one)),
         }
@@ -150,7 +150,7 @@ fn armed(vehicle: &Vehicle) -> f64 {
 
 /// The most serious first; acknowledged after unacknowledged.
 fn seriousness(session: &FlightView, one: &Standing) -> f64 {
-    let calm = if session.alarms.is_calm(one) {
+    let calm = if session.alerts.is_calm(one) {
         10.0
     } else {
         0.0

@@ -108,7 +108,7 @@ fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -
         || mode.is_some_and(|mode| mode.split_whitespace().any(begins))
         || states(vehicle).any(begins)
         || session
-            .alarms
+            .alerts
             .of(vehicle.id)
             .any(|one| says_alert(start, &one.alert, locale))
 }
@@ -168,7 +168,7 @@ mod tests {
                 remaining_percent: Some(id * 5),
                 at: std::time::Duration::ZERO,
             });
-            session.alarms.observe(&vehicle, std::time::Duration::ZERO);
+            session.alerts.observe(&vehicle, std::time::Duration::ZERO);
             session.insert(vehicle.into());
         }
         session.choice.groups.insert("red".to_owned(), vec![1, 7]);

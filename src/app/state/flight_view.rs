@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use super::alert::alert;
 use super::{
-    Alarms, Alert, Choice, Connections, FlownMission, Hangar, Histories, SessionLedger, Timing,
+    ActiveAlerts, Alert, Choice, Connections, FlownMission, Hangar, Histories, SessionLedger,
+    Timing,
 };
 use crate::app::room_list::Room;
 use crate::commands::{Act, Command, Order, PlanFlight};
@@ -35,7 +36,7 @@ pub struct FlightView {
     pub(in crate::app) vehicles: Vehicles,
     /// The histories of their readings.
     pub(in crate::app) histories: Histories,
-    pub(in crate::app) alarms: Alarms,
+    pub(in crate::app) alerts: ActiveAlerts,
     /// The planned paths of vehicles in a joint manoeuvre.
     pub(in crate::app) paths: Vec<Path>,
     /// Where vehicles come too close to each other in the newest rehearsal.
@@ -230,11 +231,11 @@ impl FlightView {
 
     /// A vehicle's most serious condition now, if it has any.
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-        let is_down = self.alarms.down.contains(&vehicle.id);
+        let is_down = self.alerts.down.contains(&vehicle.id);
         let process = is_down.then(super::alert::process_ended);
         process
             .into_iter()
-            .chain(self.alarms.separation(vehicle.id))
+            .chain(self.alerts.separation(vehicle.id))
             .chain(alert(vehicle, now))
             .min_by_key(|alert| alert.severity)
     }
@@ -274,7 +275,7 @@ impl FlightView {
         self.commands.forget(vehicle, now);
         self.vehicles.remove(&vehicle);
         self.histories.forget(vehicle);
-        self.alarms.forget(vehicle);
+        self.alerts.forget(vehicle);
         self.choice.forget(vehicle, &self.vehicles);
     }
 

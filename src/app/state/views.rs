@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Activity, Alarms, Display, FlightView, ForwardSummary, Hangar, Histories, Keymap, LinkSummary,
-    NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow, Training,
-    Typing,
+    ActiveAlerts, Activity, Display, FlightView, ForwardSummary, Hangar, Histories, Keymap,
+    LinkSummary, NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow,
+    Training, Typing,
 };
 use crate::config::Config;
 use crate::debrief::WorkloadStrips;
@@ -115,8 +115,8 @@ impl FlightView {
         &self.histories
     }
 
-    pub fn alarms(&self) -> &Alarms {
-        &self.alarms
+    pub fn alerts(&self) -> &ActiveAlerts {
+        &self.alerts
     }
 
     /// The selected vehicles; without any, commands go to the one under the cursor.

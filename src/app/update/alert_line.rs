@@ -41,7 +41,7 @@ fn mute(state: &mut State, kind: Option<AlertKind>) {
             text!("alert-muted-list", kinds = names.join(" "))
         }
     };
-    state.session.alarms.mute(&state.config.alerts.mute);
+    state.session.alerts.mute(&state.config.alerts.mute);
     state.say(Severity::Notice, text);
 }
 
@@ -52,6 +52,6 @@ fn unmute(state: &mut State, kind: Option<AlertKind>) {
     };
     let muted = &mut state.config.alerts.mute;
     muted.retain(|known| kind.is_some_and(|kind| kind != *known));
-    state.session.alarms.mute(&state.config.alerts.mute);
+    state.session.alerts.mute(&state.config.alerts.mute);
     state.say(Severity::Notice, text);
 }

@@ -30,9 +30,9 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
         }
     }
     let crashed = instances.iter().filter(|one| one.has_crashed());
-    state.session.alarms.down = crashed.map(|one| one.vehicle).collect();
+    state.session.alerts.down = crashed.map(|one| one.vehicle).collect();
     for vehicle in state.session.vehicles.values() {
-        state.session.alarms.observe(vehicle, state.now);
+        state.session.alerts.observe(vehicle, state.now);
     }
     hangar::keep_cursor(state);
     if begins {

@@ -138,12 +138,12 @@ pub fn fall_back(state: &State, reason: Text) -> Effects {
 }
 
 fn open_alerts(state: &State) -> BTreeSet<(VehicleId, AlertKind)> {
-    let open = state.session.alarms.open();
+    let open = state.session.alerts.open();
     open.map(|(id, one)| (id, one.alert.kind)).collect()
 }
 
 fn new_alert(state: &State, known: &BTreeSet<(VehicleId, AlertKind)>) -> Option<Text> {
-    let open = state.session.alarms.open();
+    let open = state.session.alerts.open();
     let (vehicle, one) = open
         .filter(|(id, one)| !known.contains(&(*id, one.alert.kind)))
         .min_by_key(|(_, one)| one.alert.severity)?;

@@ -54,7 +54,7 @@ fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     };
     state.overlay = None;
     state.hush();
-    state.session.alarms.mute(&state.config.alerts.mute);
+    state.session.alerts.mute(&state.config.alerts.mute);
 }
 
 /// The session before anything is known of its vehicles.

@@ -69,7 +69,7 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
         return;
     }
     let id = vehicle.id;
-    session.alarms.observe(&vehicle, state.now);
+    session.alerts.observe(&vehicle, state.now);
     let is_new = !session.vehicles.contains_key(&id);
     session.insert(vehicle);
     map::heard(state, id);
@@ -88,7 +88,7 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
 /// Adds notices of alerts that no message has announced.
 fn note_begun(state: &mut State) {
     let since = state.now.saturating_sub(ANNOUNCED_WITHIN);
-    for (vehicle, alert) in state.session.alarms.take_begun() {
+    for (vehicle, alert) in state.session.alerts.take_begun() {
         if !state.notices.reports(alert.kind, vehicle, since) {
             state.notices.push(Notice {
                 kind: Some(alert.kind),
@@ -107,7 +107,7 @@ fn watch_separation(state: &mut State) {
     ) {
         let limits = SeparationLimits::of(&state.config.alerts);
         let close = too_close(&session.vehicles, limits);
-        session.alarms.note_close(close);
+        session.alerts.note_close(close);
     }
 }
 
@@ -115,14 +115,14 @@ fn watch_separation(state: &mut State) {
 fn watch(state: &mut State) {
     let session = &mut state.session;
     for vehicle in session.vehicles.values() {
-        session.alarms.observe(vehicle, state.now);
+        session.alerts.observe(vehicle, state.now);
     }
     note_begun(state);
 }
 
 /// The signals that are due.
 pub fn signals(state: &mut State) -> Effects {
-    let due = state.session.alarms.due(state.now);
+    let due = state.session.alerts.due(state.now);
     if state.replay.is_some() {
         // The bell rang during the flight itself.
         return Effects::none();
@@ -151,7 +151,7 @@ pub fn notice(state: &mut State, notice: &Notice) {
             text: notice.text.clone(),
             worse: false,
         };
-        state.session.alarms.hear(state.now, call);
+        state.session.alerts.hear(state.now, call);
     }
 }
 
@@ -302,18 +302,18 @@ mod tests {
         let mut state = State::new(Setup::default());
         state.session = FlightView::new(activity, std::collections::BTreeMap::new());
         prepare(&mut state);
-        state.session.alarms.mute(&state.config.alerts.mute);
+        state.session.alerts.mute(&state.config.alerts.mute);
         for (id, east_m) in [(1, 0.0), (2, 3.0)] {
             vehicle(&mut state, flying(id, east_m));
         }
         pass(&mut state, Duration::from_secs(2));
-        let alert = state.session.alarms.pressing()?;
+        let alert = state.session.alerts.pressing()?;
         assert_eq!(alert.first.alert.kind, AlertKind::Separation);
         assert_eq!(alert.vehicles, [1, 2]);
         let text = alert.first.alert.text.to_string();
         vehicle(&mut state, flying(2, 30.0));
         pass(&mut state, Duration::from_secs(3));
-        assert!(state.session.alarms.pressing().is_none(), "they are apart");
+        assert!(state.session.alerts.pressing().is_none(), "they are apart");
         Some(text)
     }
 

@@ -15,12 +15,12 @@ use crate::vehicle_id::ranges;
 
 /// The rows of the line; 0 without an alert.
 pub fn height(state: &State) -> u16 {
-    u16::from(state.session().alarms().open().next().is_some())
+    u16::from(state.session().alerts().open().next().is_some())
 }
 
 /// Draws the line if there is an alert.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(pressing) = state.session().alarms().pressing() else {
+    let Some(pressing) = state.session().alerts().pressing() else {
         return;
     };
     let clock = short_clock(state.session().time(pressing.first.since));

@@ -109,7 +109,7 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let is_shown = state.room() != Room::Fly && !session.is_over();
-    let count = session.alarms().open().filter(|_| is_shown).count();
+    let count = session.alerts().open().filter(|_| is_shown).count();
     (count > 0).then(|| text!("alert-header", count = count))
 }
 

@@ -97,11 +97,11 @@ fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
 /// The vehicle's alerts with their durations, the worst first.
 fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> Vec<Line<'static>> {
     let session = state.session();
-    let mut alerts: Vec<&Standing> = session.alarms().of(vehicle.id).collect();
-    alerts.sort_by_key(|one| (session.alarms().is_calm(one), one.alert.severity));
+    let mut alerts: Vec<&Standing> = session.alerts().of(vehicle.id).collect();
+    alerts.sort_by_key(|one| (session.alerts().is_calm(one), one.alert.severity));
     let told = alerts.into_iter().take(MOST_ALERTS);
     let lines = told.flat_map(|one| {
-        let role = if session.alarms().is_calm(one) {
+        let role = if session.alerts().is_calm(one) {
             Role::Muted
         } else {
             severity_role(one.alert.severity)

@@ -81,7 +81,7 @@ fn alerts_are_acknowledged_by_kind_and_by_vehicle() {
         console.vehicle(silent(id, 7));
     }
     let open = |console: &Console| {
-        let pressing = console.state().session().alarms().pressing();
+        let pressing = console.state().session().alerts().pressing();
         pressing.map_or(0, |pressing| pressing.vehicles.len())
     };
     assert_eq!(open(&console), 3);

@@ -61,7 +61,7 @@ fn vehicles_whose_link_is_lost_can_be_forgotten() {
     assert_eq!(selection(&console), [2]);
     let session = console.state().session();
     assert!(session.ledger().entries().all(LedgerEntry::is_final));
-    assert!(session.alarms().pressing().is_none());
+    assert!(session.alerts().pressing().is_none());
     for (line, reason) in [
         ("forget", "no vehicle has lost its link"),
         ("forget 7", "no vehicle 7"),

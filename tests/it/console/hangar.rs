@@ -186,7 +186,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     let worst = console
         .state()
         .session()
-        .alarms()
+        .alerts()
         .worst(2)
         .expect("it alarms");
     assert_eq!(worst.alert.kind, AlertKind::Process);
@@ -227,7 +227,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         console
             .state()
             .session()
-            .alarms()
+            .alerts()
             .of(2)
             .all(|one| one.alert.kind != AlertKind::Process)
     );

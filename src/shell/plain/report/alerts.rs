@@ -28,7 +28,7 @@ impl PrintedAlerts {
         let session = state.session();
         let mut standing = BTreeSet::new();
         let mut raised: Vec<(&Alert, Vec<VehicleId>)> = Vec::new();
-        for (vehicle, one) in session.alarms().open() {
+        for (vehicle, one) in session.alerts().open() {
             let printed = PrintedAlert {
                 vehicle,
                 kind: one.alert.kind,

@@ -180,7 +180,7 @@ fn armed(row: &Row<'_>) -> Cell {
 
 /// Whether the vehicle has crashed, whatever its arming checks report.
 fn has_crashed(row: &Row<'_>) -> bool {
-    let mut alerts = row.state.session().alarms().of(row.vehicle.id);
+    let mut alerts = row.state.session().alerts().of(row.vehicle.id);
     alerts.any(|one| one.alert.kind == AlertKind::Crash)
 }
 
@@ -279,10 +279,10 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
 /// The worst alert and its duration, with a mark before it until it is acknowledged.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let session = row.state.session();
-    let Some(one) = session.alarms().worst(row.vehicle.id) else {
+    let Some(one) = session.alerts().worst(row.vehicle.id) else {
         return (String::new(), Role::Text);
     };
-    let calm = session.alarms().is_calm(one);
+    let calm = session.alerts().is_calm(one);
     let is_serious = one.alert.severity <= Severity::Error;
     let mark = if is_serious && !calm { "!" } else { "" };
     let role = if calm {

@@ -39,7 +39,7 @@ pub struct Pressing<'a> {
 
 /// All alerts of a session.
 #[derive(Debug, Clone, Default)]
-pub struct Alarms {
+pub struct ActiveAlerts {
     standing: BTreeMap<VehicleId, Vec<Standing>>,
     bell: Bell,
     /// Vehicles whose processes have ended.
@@ -51,7 +51,7 @@ pub struct Alarms {
     begun: Vec<(VehicleId, Alert)>,
 }
 
-impl Alarms {
+impl ActiveAlerts {
     /// Sets the muted kinds.
     pub fn mute(&mut self, kinds: &[AlertKind]) {
         self.muted = kinds.to_vec();
