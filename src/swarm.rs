@@ -30,7 +30,6 @@ use crate::verb::Verb;
 
 mod act;
 mod divided;
-mod drafts;
 mod geometry;
 mod guard;
 mod lanes;
@@ -38,14 +37,15 @@ mod march;
 mod planner;
 mod site;
 mod slots;
+mod tasks;
 #[cfg(test)]
 mod tests;
 mod transit;
 
 use act::{ActiveManoeuvre, WorldView};
 pub use divided::{DividedWork, carrying};
-pub use drafts::base;
 use planner::Planner;
+pub use tasks::base;
 
 /// Sensors with a narrower strip do not set the line spacing.
 const LEAST_SPACING_M: f64 = 0.3;

@@ -13,7 +13,8 @@ pub enum Manoeuvre {
     /// Fly parallel lines over an area, each vehicle over a part of it.
     Survey {
         ground: Ground,
-        /// The line spacing; `None` for the width that the sensor covers.
+        /// The line spacing in metres; `None` for the width of the sensor's strip at the height of the lines, and for 20 m
+        /// without a sensor, or with a strip below 0.3 m.
         spacing_m: Option<f64>,
         /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
@@ -50,7 +51,7 @@ pub enum Manoeuvre {
         datum: Datum,
         /// The radius of the search.
         radius_m: Option<f64>,
-        /// The spacing of the square's turns; `None` for the width that the sensor covers.
+        /// The spacing of the square's turns in metres; `None` as in [`Self::Survey`].
         spacing_m: Option<f64>,
         /// The lowest height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,

@@ -11,7 +11,7 @@ pub enum PlanTask {
     /// Parallel lines over an area.
     Survey {
         ground: Ground,
-        /// The line spacing; `None` for the width that the sensor covers.
+        /// The line spacing in metres; `None` as in [`Manoeuvre::Survey`](super::Manoeuvre::Survey).
         spacing_m: Option<f64>,
         /// Height above home; `None` for the usual one.
         up_m: Option<f64>,
@@ -25,7 +25,7 @@ pub enum PlanTask {
         datum: Datum,
         /// The radius of the search.
         radius_m: Option<f64>,
-        /// The spacing of the square's turns; `None` for the width that the sensor covers.
+        /// The spacing of the square's turns in metres; `None` as for a survey.
         spacing_m: Option<f64>,
         /// Height above home; `None` for the usual one.
         up_m: Option<f64>,

@@ -1,4 +1,5 @@
-//! Makes a plan for each vehicle from a task; each plan begins where its vehicle stands.
+//! Makes a plan for each vehicle from a task, for `plan survey` and for `draft survey`: where each plan begins, its default
+//! height and spacing, and its fence. [`generate`] does the rest.
 
 use super::planner::SQUARE_TURNS;
 use super::site::Site;
@@ -26,15 +27,15 @@ impl Conductor {
         targets: &[VehicleId],
         vehicles: &Vehicles,
     ) -> Result<Vec<(VehicleId, Document)>, Text> {
-        let draft = Draft::new(self.rules, targets, vehicles)?;
-        let (task, height_m) = draft.task(task)?;
+        let team = TaskTeam::new(self.rules, targets, vehicles)?;
+        let (task, height_m) = team.task(task)?;
         let manner = Manner {
             height_m,
             layer_m: self.rules.clearance().above_m,
             speed_m_s: None,
-            fence: draft.fence(),
+            fence: team.fence(),
         };
-        let plans = generate(&task, &draft.homes, &manner).map_err(|error| {
+        let plans = generate(&task, &team.homes, &manner).map_err(|error| {
             let number = match error {
                 GenerateError::NoWay(vehicle) => targets.get(vehicle).copied(),
                 GenerateError::NoVehicle
@@ -53,14 +54,14 @@ impl Conductor {
 }
 
 /// The vehicles of a task.
-struct Draft<'a> {
+struct TaskTeam<'a> {
     rules: Rules,
     first: &'a Vehicle,
     homes: Vec<Home>,
     site: Site,
 }
 
-impl<'a> Draft<'a> {
+impl<'a> TaskTeam<'a> {
     fn new(rules: Rules, targets: &[VehicleId], vehicles: &'a Vehicles) -> Result<Self, Text> {
         let unheard = || text!("refused-not-heard");
         let all: Option<Vec<&Vehicle>> = targets
