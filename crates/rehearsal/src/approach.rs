@@ -8,7 +8,7 @@ pub const TOO_NEAR_M: f64 = 5.0;
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
 /// The distance at the start below which two vehicles have a smaller horizontal limit, as a factor on the usual limit.
-const NEIGHBOURS: f64 = 1.3;
+const NEIGHBOURS_FACTOR: f64 = 1.3;
 /// That limit as a share of their distance at the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
 /// The smallest horizontal limit, in metres.
@@ -65,7 +65,7 @@ pub(crate) fn limit_m(starts_m: f64) -> f64 {
 /// The horizontal limit of two vehicles whose pads are `pads_m` apart, in metres; `usual_m` is that of vehicles from
 /// distant pads. Pads less than a metre apart count as the same place, for which the usual limit applies.
 pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
-    if (LEAST_LIMIT_M..usual_m * NEIGHBOURS).contains(&pads_m) {
+    if (LEAST_LIMIT_M..usual_m * NEIGHBOURS_FACTOR).contains(&pads_m) {
         (pads_m * NEIGHBOURS_SHARE).max(LEAST_LIMIT_M).min(usual_m)
     } else {
         usual_m

@@ -30,7 +30,7 @@ const OPEN_END: &str = " ...";
 
 /// A row of a file: the meaning of a key in a context; `None` disables the key.
 #[derive(Debug)]
-struct KeyRow {
+struct FileRow {
     press: Press,
     place: Place,
     meaning: Option<Meaning>,
@@ -69,14 +69,14 @@ impl Keymap {
         }
     }
 
-    fn lay(&mut self, rows: Vec<KeyRow>) {
+    fn lay(&mut self, rows: Vec<FileRow>) {
         let replaced = |binding: &Binding| {
             let mut rows = rows.iter();
             rows.any(|row| row.press == binding.press && row.place == binding.place)
         };
         let others = self.bindings.drain(..).filter(|binding| !replaced(binding));
         let kept: Vec<Binding> = others.collect();
-        for KeyRow {
+        for FileRow {
             press,
             place,
             meaning,
@@ -108,7 +108,7 @@ pub(super) fn contexts() -> impl Iterator<Item = &'static str> {
 struct KeymapReading<'a> {
     source: &'a str,
     themes: &'a [String],
-    rows: Vec<KeyRow>,
+    rows: Vec<FileRow>,
     faults: Vec<Diagnostic>,
 }
 
@@ -153,7 +153,7 @@ impl KeymapReading<'_> {
         place: Place,
         key: Spanned<String>,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<KeyRow, Diagnostic> {
+    ) -> Result<FileRow, Diagnostic> {
         let fault = |text| Diagnostic::new(key.span(), text);
         let press = Press::read(key.get_ref()).map_err(fault)?;
         let mut rows = self.rows.iter();
@@ -176,7 +176,7 @@ impl KeymapReading<'_> {
             let name = key.get_ref().as_str();
             return Err(fault(text!("keymap-is-text", key = name)));
         }
-        Ok(KeyRow {
+        Ok(FileRow {
             press,
             place,
             meaning,
@@ -186,7 +186,7 @@ impl KeymapReading<'_> {
 
     /// Reports a room's key that the same file also binds under `anywhere`; disabling a key in a room is allowed.
     fn shadows(&mut self) {
-        let general = |row: &&KeyRow| row.place == Place::Anywhere && row.meaning.is_some();
+        let general = |row: &&FileRow| row.place == Place::Anywhere && row.meaning.is_some();
         for row in &self.rows {
             if !matches!(row.place, Place::In(_)) || row.meaning.is_none() {
                 continue;

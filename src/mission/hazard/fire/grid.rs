@@ -24,7 +24,7 @@ const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
 const EMBERS_SPREAD_DEG: f64 = 20.0;
 
 /// The neighbours of a cell, in columns and rows.
-const NEIGHBOURS: [(isize, isize); 8] = [
+const NEIGHBOUR_CELLS: [(isize, isize); 8] = [
     (-1, -1),
     (0, -1),
     (1, -1),
@@ -185,12 +185,12 @@ impl FireGrid {
 
     /// The advance of the fastest front on each cell in reach, as a share of the distance.
     fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
-        let ways = NEIGHBOURS.map(|(column, row)| [column as f64, row as f64]);
+        let ways = NEIGHBOUR_CELLS.map(|(column, row)| [column as f64, row as f64]);
         let shares =
             ways.map(|way| share_of_rate(wind, way) / (maths::hypot(way[0], way[1]) * self.side_m));
         let mut reached = std::collections::BTreeMap::new();
         for &from in burning {
-            for ((column, row), share) in NEIGHBOURS.into_iter().zip(shares) {
+            for ((column, row), share) in NEIGHBOUR_CELLS.into_iter().zip(shares) {
                 let Some(to) = self.neighbour(from, column, row) else {
                     continue;
                 };
