@@ -19,7 +19,7 @@ use ratatui::{Terminal, TerminalOptions, Viewport};
 
 mod backend;
 mod capability;
-mod colours;
+mod escape_codes;
 pub mod input;
 mod keyboard;
 mod pace;

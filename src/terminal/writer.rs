@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::{Duration, Instant};
 
-use super::colours;
+use super::escape_codes;
 
 /// The output to the terminal.
 #[derive(Debug, Default)]
@@ -121,7 +121,7 @@ impl Write for FrameWriter {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        let frame = colours::basic(&self.frame);
+        let frame = escape_codes::with_basic_colours(&self.frame);
         self.frame.clear();
         self.traffic
             .bytes

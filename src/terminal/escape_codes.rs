@@ -1,13 +1,14 @@
-//! The sixteen basic colours in the codes that every terminal supports.
+//! Writes the sixteen basic colours of a frame in the escape codes that every terminal supports. Which colours a frame
+//! has is decided earlier, in `ui::theme`.
 //!
-//! The terminal library writes them as colours of the 256 (`38;5;1`), which terminals with sixteen colours misread,
+//! The terminal library writes basic colours as colours of the 256 (`38;5;1`), which terminals with sixteen colours misread,
 //! and ends every frame with resets of which the last one includes the others.
 
 /// The library's code at the end of a frame, and its basic equivalent.
 const RESETS: (&[u8], &[u8]) = (b"\x1b[39m\x1b[49m\x1b[59m\x1b[0m", b"\x1b[0m");
 
-/// The same frame with basic colours as `31` and `101`.
-pub fn basic(frame: &[u8]) -> Vec<u8> {
+/// The same frame with its basic colours as `31` and `101`.
+pub fn with_basic_colours(frame: &[u8]) -> Vec<u8> {
     let mut written = Vec::with_capacity(frame.len());
     let mut rest = frame;
     while let Some(at) = rest.iter().position(|&byte| byte == 0x1b) {
@@ -99,7 +100,7 @@ mod tests {
             ("висота\u{1b}", "висота\u{1b}"),
         ];
         for (library, terminal) in cases {
-            let written = basic(library.as_bytes());
+            let written = with_basic_colours(library.as_bytes());
             assert_eq!(String::from_utf8_lossy(&written), terminal);
         }
     }
