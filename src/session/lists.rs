@@ -1,4 +1,5 @@
-//! The lists that a vehicle carries: reading them, and the orders about them.
+//! Decides whose turn it is with the lists of a vehicle: the background reading ([`plans`](super::plans)) makes way for the
+//! orders ([`plan_orders`](super::plan_orders)).
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! Orders about the lists that a vehicle carries: its plan, its fence and its rally points.
+//! Carries out an operator's orders about the plan, the fence and the rally points of a vehicle: `upload`, `download`,
+//! `clear`, `show`.
 //!
 //! These orders are separate from the line of commands, one at a time. An upload is a [`Transaction`]: afterwards the
 //! vehicle holds the new list or the old one. It survives a lost link and a reboot of the vehicle.

@@ -1,4 +1,5 @@
-//! Reads the plan, the fence and the rally points of a vehicle: once it is ready, and again after changes.
+//! Reads the plan, the fence and the rally points of a vehicle in the background: once it is ready, and again after changes.
+//! What an operator orders about them is in [`plan_orders`](super::plan_orders).
 //!
 //! Only one list is read at a time, and only one question is open. A list has changed when `MISSION_CURRENT` gives
 //! another count or id, or when the vehicle has accepted another program's upload. `ArduPilot` gives no ids, but

@@ -1,5 +1,5 @@
-//! The lists on board a vehicle: its plan, its fence and its rally points, each a separate list in the mission
-//! protocol (`MAV_MISSION_TYPE`).
+//! What is known of the lists on board a vehicle, as part of its model: their items, and how far their transfer has come.
+//! `session` reads and writes them; each is a separate list in the mission protocol (`MAV_MISSION_TYPE`).
 
 use std::sync::Arc;
 
