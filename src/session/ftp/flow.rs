@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::time::Duration;
 
 use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
-use super::{FtpFault, FtpNak};
+use super::{FtpFault, FtpNak, PATIENCE};
 use crate::session::gaps::{FileBytes, GapMap};
 
 /// Bytes in one packet.
@@ -20,8 +20,6 @@ const PIECE_COST: Duration = Duration::from_millis(60);
 const SLOW: f64 = 4000.0;
 /// If nothing arrives for this long, a request was lost or a burst has ended.
 const SILENCE: Duration = Duration::from_millis(600);
-/// If nothing new arrives for this long, nothing more will come.
-const PATIENCE: Duration = Duration::from_secs(10);
 /// If this many bursts bring nothing, and none has brought anything before, the server does not support bursts.
 const MOST_DRY_BURSTS: u8 = 4;
 /// The largest distance of an answer's number from that of the newest request, in either direction.
