@@ -23,11 +23,11 @@
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
 //! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
 //! | | [`debrief`] | a report as text |
-//! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events |
+//! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events, the trainee's workload, vehicles without attention |
 //! | | [`scoring`] | points, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
-//! | | [`record`] | what a session stores besides the frames of its links: the journal (a mission's own record is in [`mission`]) |
+//! | | [`record`] | the record of a session: the frames of its links (`.tlog`), and the journal of everything else (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
 //! | | [`forward`] | sharing links with other ground stations: which frame goes where, and who commanded what |

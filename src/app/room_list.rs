@@ -1,4 +1,5 @@
-//! The list of rooms. A new room needs a line here, a module in `app::room`, and one in `ui::screen`.
+//! The list of rooms. A new room needs a line here, and a module with its `pub mod` line in `app::room` and in
+//! `ui::screen`.
 
 use strum::EnumIter;
 
