@@ -2,6 +2,7 @@
 
 refused-not-heard = not in contact yet
 refused-not-guided = { $verb } needs GUIDED: it is in { $mode }; use `{ $vehicle } guided` first
+refused-guided-autopilot = { $verb } needs GUIDED, a mode of ArduPilot, which this vehicle does not run
 refused-not-armed = { $verb } needs an armed vehicle: use `{ $vehicle } arm` first
 refused-taking-off = still taking off: wait until `takeoff` shows `effect seen`, then { $verb }
 refused-on-the-ground = { $verb } needs a flying vehicle: it is on the ground; use `{ $vehicle } takeoff 10` first, and wait until it has climbed
@@ -11,6 +12,7 @@ refused-no-position = no position received yet
 refused-no-heading = no heading received yet
 refused-no-height = no height received yet
 refused-no-mode = it has no mode { $mode }
+refused-mode-autopilot = it does not run ArduPilot: its modes are not known by name; use `land` or `rtl`
 refused-arm-in-the-air = it is in the air: arm it on the ground
 refused-logs-armed = it is armed: disarm it before reading logs
 refused-logs-nowhere = logs are kept only by a console with a data folder

@@ -2,6 +2,7 @@
 
 refused-not-heard = апарат ще не виходив на зв'язок
 refused-not-guided = { $verb } потребує GUIDED, а зараз { $mode }; спершу дайте `{ $vehicle } guided`
+refused-guided-autopilot = { $verb } потребує режиму GUIDED, який є лише в ArduPilot, а на цьому апараті інший автопілот
 refused-not-armed = { $verb } потребує активних двигунів: спершу дайте `{ $vehicle } arm`
 refused-taking-off = зліт ще триває: дочекайтеся «takeoff виконано», потім { $verb }
 refused-on-the-ground = { $verb } потребує польоту, а апарат на землі; спершу дайте `{ $vehicle } takeoff 10` і зачекайте, доки він набере висоту
@@ -11,6 +12,7 @@ refused-no-position = позиція ще невідома
 refused-no-heading = курс ще невідомий
 refused-no-height = висота ще невідома
 refused-no-mode = немає режиму { $mode }
+refused-mode-autopilot = на апараті не ArduPilot: назви його режимів невідомі; скористайтеся `land` або `rtl`
 refused-arm-in-the-air = апарат у повітрі: активуйте двигуни на землі
 refused-logs-armed = двигуни активні: деактивуйте їх перед читанням журналів
 refused-logs-nowhere = журнали зберігає лише консоль із текою даних

@@ -24,10 +24,12 @@ pub enum FlightCommand {
         /// Height above home to climb to.
         altitude_m: f64,
     },
-    /// Land at the current position.
+    /// Land at the current position. Done on the ground in LAND; without names of modes, when it is accepted.
     Land,
+    /// Return and land at the launch position. Done on the ground in RTL; without names of modes, when it is accepted.
     ReturnToLaunch,
-    /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).
+    /// Stop and stay. A copter pauses in GUIDED and AUTO and enters BRAKE from other modes; a plane enters LOITER, a rover
+    /// HOLD, a sub POSHOLD. A vehicle whose modes have no names is asked to pause.
     Hold,
     /// Resume after a hold.
     Resume,

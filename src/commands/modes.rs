@@ -2,7 +2,7 @@
 
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, Vehicle, VehicleClass};
+use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass};
 
 /// The mode that holds the position; `None` if pausing does that.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
@@ -18,6 +18,9 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 }
 
 /// The number of a mode; a plain number is used as it is.
+///
+/// # Errors
+/// The vehicle was not heard, it has no such mode, or the names of its autopilot's modes are unknown.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
         return Ok(u32::from(number));
@@ -25,16 +28,21 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     let Some(heartbeat) = vehicle.heartbeat else {
         return Err(text!("refused-not-heard"));
     };
-    heartbeat
-        .class
-        .mode(name)
-        .map(|mode| mode.number)
-        .ok_or_else(|| text!("refused-no-mode", mode = name))
+    let mode = heartbeat.mode.class.mode(name);
+    mode.map(|mode| mode.number).ok_or_else(|| {
+        if heartbeat.is_ardupilot() {
+            text!("refused-no-mode", mode = name)
+        } else {
+            text!("refused-mode-autopilot")
+        }
+    })
 }
 
-/// A mode by name, or by a plain number; `None` if this vehicle has no such mode.
+/// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or shows its modes by other numbers
+/// than those that set them, as autopilots other than `ArduPilot` do.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
-    let class = vehicle.heartbeat?.class;
+    let heartbeat = vehicle.heartbeat.filter(Heartbeat::is_ardupilot)?;
+    let class = heartbeat.mode.class;
     let number = mode_number(vehicle, name).ok()?;
     Some(Mode { class, number })
 }

@@ -144,6 +144,9 @@ pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), 
     if heartbeat.class == VehicleClass::Other {
         return Ok(());
     }
+    if !heartbeat.is_ardupilot() {
+        return Err(text!("refused-guided-autopilot", verb = verb));
+    }
     if !heartbeat.mode.is("GUIDED") {
         return Err(text!(
             "refused-not-guided",

@@ -14,8 +14,8 @@ pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
             let Command::Flight(FlightCommand::SetMode { name }) = &order.command else {
                 return false;
             };
-            let class = vehicle.heartbeat.map(|heartbeat| heartbeat.class);
-            let mode = class.and_then(|class| class.mode(name));
+            let current = vehicle.mode();
+            let mode = current.and_then(|current| current.class.mode(name));
             mode.is_some_and(|mode| mode.comes_down() || mode.stops())
         }
     }

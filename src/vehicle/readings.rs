@@ -15,7 +15,7 @@ pub struct Heartbeat {
     pub mav_type: u8,
     /// `MAV_AUTOPILOT` as sent, known to this program or not.
     pub autopilot: u8,
-    /// The class by `MAV_TYPE`, whatever the autopilot; what `mode.class` says decides the names of modes.
+    /// The class by `MAV_TYPE`, whatever the autopilot. Names of modes follow the class of `mode` instead.
     pub class: VehicleClass,
     /// The mode. Its class is [`VehicleClass::Other`] unless the autopilot is `ArduPilot`, whose modes alone have names.
     pub mode: Mode,
