@@ -1,5 +1,7 @@
 use sortie_geo::LatLon;
 
+use crate::frame;
+
 /// The kind of a list: each is uploaded, downloaded and cleared separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ListKind {
@@ -71,9 +73,9 @@ impl HeightFrame {
     /// The reference of a `MAV_FRAME`, given by its number. Older autopilots use the `_INT` variants.
     pub const fn of(frame: u8) -> Self {
         match frame {
-            0 | 5 => Self::SeaLevel,
-            3 | 6 => Self::Home,
-            10 | 11 => Self::Terrain,
+            frame::SEA_LEVEL | 5 => Self::SeaLevel,
+            frame::ABOVE_HOME | 6 => Self::Home,
+            frame::ABOVE_TERRAIN | 11 => Self::Terrain,
             _ => Self::Other,
         }
     }

@@ -1,7 +1,7 @@
 //! Lists as vehicles carry them and as files contain them.
 
 use super::compare;
-use crate::plan::{Document, Home, Item, ListKind, command};
+use crate::plan::{Document, Home, Item, ListKind, command, frame};
 use crate::text::Text;
 
 /// The state that an order should reach.
@@ -18,7 +18,7 @@ pub(super) fn whole(document: &Document, kind: ListKind) -> Vec<Item> {
     let home = document.home.unwrap_or(Home { x: 0, y: 0, z: 0.0 });
     let first = Item {
         command: command::WAYPOINT,
-        frame: 0,
+        frame: frame::SEA_LEVEL,
         auto_continue: true,
         params: [0.0; 4],
         x: home.x,

@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::Parsed;
 use super::number::{Word, decimals, decimals_of, lines, unfixed};
 use crate::fault::{Fault, FaultKind, NoteKind, Unwritable};
-use crate::{Document, Home, Item, ListKind, command};
+use crate::{Document, Home, Item, ListKind, command, frame};
 
 const FIELDS: usize = 12;
 
@@ -138,7 +138,7 @@ pub(super) fn write(document: &Document, kind: ListKind) -> Result<String, Unwri
         let Home { x, y, z } = document.home.unwrap_or(Home { x: 0, y: 0, z: 0.0 });
         Item {
             command: command::WAYPOINT,
-            frame: 0,
+            frame: frame::SEA_LEVEL,
             auto_continue: true,
             params: [0.0; 4],
             x,
