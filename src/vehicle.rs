@@ -41,7 +41,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
-pub use way_home::{HomeReach, MeanCurrent, WayHome};
+pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
 /// A home farther away than this is not the home of this flight.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;

@@ -13,8 +13,8 @@ const LOAD_TIME_S: f32 = 15.0;
 const IDLE_A: f32 = 1.0;
 /// Charge is reported in whole percent, so the capacity cannot be estimated until this much is used.
 const USED_AT_LEAST: f32 = 2.0;
-/// The battery reserve after landing, in percent.
-const RESERVE_PERCENT: f64 = 20.0;
+/// The battery reserve after landing, in percent, where no mission sets another.
+pub const USUAL_RESERVE_PERCENT: f64 = 20.0;
 
 /// The mean current of a vehicle over the last seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,11 +59,11 @@ impl MeanCurrent {
 }
 
 impl WayHome {
-    /// The result for a vehicle that is not on its way home yet.
-    pub fn reach(&self) -> HomeReach {
+    /// The result for a vehicle that is not on its way home yet, and has to land with a reserve.
+    pub fn reach(&self, reserve_percent: f64) -> HomeReach {
         if self.left_percent < self.needed_percent {
             HomeReach::OutOfReach
-        } else if self.left_percent < self.needed_percent + RESERVE_PERCENT {
+        } else if self.left_percent < self.needed_percent + reserve_percent {
             HomeReach::TurnBack
         } else {
             HomeReach::Ample
@@ -166,8 +166,9 @@ mod tests {
             left_percent,
             left: Duration::from_secs(200),
         };
-        assert_eq!(with(15.0, 36.0).reach(), HomeReach::Ample);
-        assert_eq!(with(15.0, 34.0).reach(), HomeReach::TurnBack);
-        assert_eq!(with(15.0, 14.0).reach(), HomeReach::OutOfReach);
+        assert_eq!(with(15.0, 36.0).reach(20.0), HomeReach::Ample);
+        assert_eq!(with(15.0, 36.0).reach(25.0), HomeReach::TurnBack);
+        assert_eq!(with(15.0, 34.0).reach(20.0), HomeReach::TurnBack);
+        assert_eq!(with(15.0, 14.0).reach(20.0), HomeReach::OutOfReach);
     }
 }

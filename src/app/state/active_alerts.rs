@@ -67,12 +67,14 @@ impl ActiveAlerts {
         self.close.get(&vehicle).map(separation)
     }
 
-    /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. Returns whether anything changed.
-    pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
+    /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. The vehicle has to land with a reserve of
+    /// its battery. Returns whether anything changed.
+    pub fn observe(&mut self, vehicle: &Vehicle, reserve_percent: f64, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
         // The lost link is a consequence of that.
         let process = is_down.then(process_ended);
-        let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
+        let others = alerts(vehicle, reserve_percent, now)
+            .filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let close = self.separation(vehicle.id);
         let mut present = process.into_iter().chain(close).chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {

@@ -24,13 +24,17 @@ pub struct Alert {
     pub text: Text,
 }
 
-/// A vehicle's most serious condition, if it has any.
-pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-    alerts(vehicle, now).min_by_key(|alert| alert.severity)
+/// A vehicle's most serious condition, if it has any. It has to land with a reserve of its battery.
+pub fn alert(vehicle: &Vehicle, reserve_percent: f64, now: Duration) -> Option<Alert> {
+    alerts(vehicle, reserve_percent, now).min_by_key(|alert| alert.severity)
 }
 
 /// All conditions of a vehicle, at most one per kind.
-pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
+pub fn alerts(
+    vehicle: &Vehicle,
+    reserve_percent: f64,
+    now: Duration,
+) -> impl Iterator<Item = Alert> {
     let found = [
         crashed(vehicle),
         link_lost(vehicle),
@@ -38,7 +42,7 @@ pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
         gps(vehicle),
         filter(vehicle),
         battery(vehicle),
-        way_home(vehicle),
+        way_home(vehicle, reserve_percent),
         fence(vehicle),
         vibration(vehicle),
         prearm(vehicle),
@@ -174,11 +178,11 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
 
 /// The alert that the way home needs nearly all the remaining battery, or more. A vehicle that is already returning or
 /// landing is not told to turn back; the alert that home is out of reach ends only in LAND.
-fn way_home(vehicle: &Vehicle) -> Option<Alert> {
+fn way_home(vehicle: &Vehicle, reserve_percent: f64) -> Option<Alert> {
     let way_home = vehicle.way_home()?;
     let mode = vehicle.mode()?;
     let says = |severity, text| Some(condition(AlertKind::WayHome, severity, text));
-    match way_home.reach() {
+    match way_home.reach(reserve_percent) {
         HomeReach::OutOfReach if !mode.is("LAND") => {
             says(Severity::Critical, text!("alert-out-of-reach"))
         }

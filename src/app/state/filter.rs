@@ -168,7 +168,9 @@ mod tests {
                 remaining_percent: Some(id * 5),
                 at: std::time::Duration::ZERO,
             });
-            session.alerts.observe(&vehicle, std::time::Duration::ZERO);
+            session
+                .alerts
+                .observe(&vehicle, 20.0, std::time::Duration::ZERO);
             session.insert(vehicle.into());
         }
         session.choice.groups.insert("red".to_owned(), vec![1, 7]);

@@ -21,7 +21,7 @@ use crate::plan::ContentHash;
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
+use crate::vehicle::{USUAL_RESERVE_PERCENT, Vehicle, VehicleClass, VehicleId, Vehicles};
 
 /// The console's view of a session: its vehicles, its mission, the selection and the commands.
 #[derive(Debug, Clone, Default)]
@@ -229,6 +229,12 @@ impl FlightView {
         self.hangar.as_ref().is_some_and(|hangar| !hangar.begun)
     }
 
+    /// The charge that a vehicle has to keep for after its landing, in percent.
+    pub fn reserve_percent(&self) -> f64 {
+        let mission = self.task.listing.as_ref();
+        mission.map_or(USUAL_RESERVE_PERCENT, |it| it.land_reserve_percent)
+    }
+
     /// A vehicle's most serious condition now, if it has any.
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         let is_down = self.alerts.down.contains(&vehicle.id);
@@ -236,7 +242,7 @@ impl FlightView {
         process
             .into_iter()
             .chain(self.alerts.separation(vehicle.id))
-            .chain(alert(vehicle, now))
+            .chain(alert(vehicle, self.reserve_percent(), now))
             .min_by_key(|alert| alert.severity)
     }
 

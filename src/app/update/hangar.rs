@@ -31,8 +31,10 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     }
     let crashed = instances.iter().filter(|one| one.has_crashed());
     state.session.alerts.down = crashed.map(|one| one.vehicle).collect();
-    for vehicle in state.session.vehicles.values() {
-        state.session.alerts.observe(vehicle, state.now);
+    let reserve_percent = state.session.reserve_percent();
+    let session = &mut state.session;
+    for vehicle in session.vehicles.values() {
+        session.alerts.observe(vehicle, reserve_percent, state.now);
     }
     hangar::keep_cursor(state);
     if begins {

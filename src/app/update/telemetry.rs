@@ -69,7 +69,8 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
         return;
     }
     let id = vehicle.id;
-    session.alerts.observe(&vehicle, state.now);
+    let reserve_percent = session.reserve_percent();
+    session.alerts.observe(&vehicle, reserve_percent, state.now);
     let is_new = !session.vehicles.contains_key(&id);
     session.insert(vehicle);
     map::heard(state, id);
@@ -114,8 +115,9 @@ fn watch_separation(state: &mut State) {
 /// Checks all vehicles again, because some alerts end as time passes.
 fn watch(state: &mut State) {
     let session = &mut state.session;
+    let reserve_percent = session.reserve_percent();
     for vehicle in session.vehicles.values() {
-        session.alerts.observe(vehicle, state.now);
+        session.alerts.observe(vehicle, reserve_percent, state.now);
     }
     note_begun(state);
 }

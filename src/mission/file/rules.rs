@@ -6,9 +6,9 @@ use toml::Spanned;
 
 use crate::mission::FlightRules;
 use crate::mission::format::{FileTable, flag, list, number, text};
+use crate::vehicle::USUAL_RESERVE_PERCENT;
 
 const USUAL_MAX_HEIGHT_M: f64 = 120.0;
-const USUAL_RESERVE_PERCENT: f64 = 20.0;
 const USUAL_SPEEDUP: f64 = 8.0;
 
 /// The rules if the file does not have the section. The time limit is in another section of the file.

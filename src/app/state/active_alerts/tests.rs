@@ -1,5 +1,5 @@
 use super::*;
-use crate::vehicle::Battery;
+use crate::vehicle::{Battery, USUAL_RESERVE_PERCENT};
 
 fn at(seconds: u64) -> Duration {
     Duration::from_secs(seconds)
@@ -30,14 +30,14 @@ fn silent(id: u8, heard_s: u64) -> Vehicle {
 #[test]
 fn an_alert_stands_since_it_became_as_serious_as_it_is() {
     let mut alerts = ActiveAlerts::default();
-    alerts.observe(&charged(1, 20), at(10));
-    alerts.observe(&charged(1, 19), at(40));
+    alerts.observe(&charged(1, 20), USUAL_RESERVE_PERCENT, at(10));
+    alerts.observe(&charged(1, 19), USUAL_RESERVE_PERCENT, at(40));
     assert_eq!(alerts.worst(1).map(|one| one.since), Some(at(10)));
     assert_eq!(alerts.acknowledge(|_, _| true), 1);
-    alerts.observe(&charged(1, 9), at(70));
+    alerts.observe(&charged(1, 9), USUAL_RESERVE_PERCENT, at(70));
     let worst = alerts.worst(1).expect("it is worse now");
     assert_eq!((worst.since, worst.acknowledged), (at(70), false));
-    alerts.observe(&silent(2, 55), at(60));
+    alerts.observe(&silent(2, 55), USUAL_RESERVE_PERCENT, at(60));
     let since = alerts.worst(2).map(|one| one.since);
     assert_eq!(since, Some(at(55)), "since it was heard last");
 }
@@ -45,27 +45,27 @@ fn an_alert_stands_since_it_became_as_serious_as_it_is() {
 #[test]
 fn what_is_acknowledged_stays_but_presses_nobody_and_does_not_ring_again() {
     let mut alerts = ActiveAlerts::default();
-    alerts.observe(&silent(1, 1), at(5));
+    alerts.observe(&silent(1, 1), USUAL_RESERVE_PERCENT, at(5));
     assert!(alerts.due(at(5)).ring);
     alerts.acknowledge(|_, _| true);
     assert_eq!(alerts.pressing(), None);
-    alerts.observe(&Vehicle::new(1, 1), at(8));
+    alerts.observe(&Vehicle::new(1, 1), USUAL_RESERVE_PERCENT, at(8));
     assert_eq!(alerts.worst(1), None, "it has ended");
-    alerts.observe(&silent(1, 8), at(12));
+    alerts.observe(&silent(1, 8), USUAL_RESERVE_PERCENT, at(12));
     assert!(alerts.worst(1).is_some_and(|one| one.acknowledged));
     assert!(!alerts.due(at(30)).ring, "it only flickered");
-    alerts.observe(&Vehicle::new(1, 1), at(40));
-    alerts.observe(&Vehicle::new(1, 1), at(51));
-    alerts.observe(&silent(1, 52), at(55));
+    alerts.observe(&Vehicle::new(1, 1), USUAL_RESERVE_PERCENT, at(40));
+    alerts.observe(&Vehicle::new(1, 1), USUAL_RESERVE_PERCENT, at(51));
+    alerts.observe(&silent(1, 52), USUAL_RESERVE_PERCENT, at(55));
     assert!(alerts.due(at(55)).ring, "a new one");
 }
 
 #[test]
 fn the_worst_kind_presses_with_all_its_vehicles() {
     let mut alerts = ActiveAlerts::default();
-    alerts.observe(&charged(1, 20), at(1));
+    alerts.observe(&charged(1, 20), USUAL_RESERVE_PERCENT, at(1));
     for id in [4, 2, 3] {
-        alerts.observe(&silent(id, 1), at(5));
+        alerts.observe(&silent(id, 1), USUAL_RESERVE_PERCENT, at(5));
     }
     let pressing = alerts.pressing().expect("four alerts");
     assert_eq!(pressing.vehicles, [2, 3, 4]);
@@ -78,11 +78,11 @@ fn the_worst_kind_presses_with_all_its_vehicles() {
 fn a_muted_kind_is_shown_but_neither_rings_nor_presses() {
     let mut alerts = ActiveAlerts::default();
     alerts.mute(&[AlertKind::LinkLost]);
-    alerts.observe(&silent(1, 1), at(5));
+    alerts.observe(&silent(1, 1), USUAL_RESERVE_PERCENT, at(5));
     assert!(alerts.worst(1).is_some());
     assert_eq!(alerts.pressing(), None);
     assert_eq!(alerts.due(at(30)), Due::default());
-    alerts.observe(&charged(1, 20), at(6));
+    alerts.observe(&charged(1, 20), USUAL_RESERVE_PERCENT, at(6));
     let worst = alerts.worst(1).map(|one| one.alert.kind);
     assert_eq!(
         worst,
@@ -94,7 +94,7 @@ fn a_muted_kind_is_shown_but_neither_rings_nor_presses() {
 #[test]
 fn a_text_about_an_alert_that_stands_does_not_ring_too() {
     let mut alerts = ActiveAlerts::default();
-    alerts.observe(&silent(1, 1), at(5));
+    alerts.observe(&silent(1, 1), USUAL_RESERVE_PERCENT, at(5));
     assert!(alerts.due(at(5)).ring);
     let call = |kind| BellCall {
         kind,

@@ -1,6 +1,8 @@
 use super::*;
 use crate::text::said::without_words;
-use crate::vehicle::{Battery, Fence, Health, Heartbeat, StatusText, VehicleClass};
+use crate::vehicle::{
+    Battery, Fence, Health, Heartbeat, StatusText, USUAL_RESERVE_PERCENT, VehicleClass,
+};
 
 fn vehicle() -> Vehicle {
     let mut vehicle = Vehicle::new(1, 1);
@@ -27,7 +29,8 @@ fn heartbeat(status: SystemStatus) -> Heartbeat {
 }
 
 fn text_of(vehicle: &Vehicle) -> Option<String> {
-    alert(vehicle, Duration::from_secs(10)).map(|alert| alert.text.to_string())
+    alert(vehicle, USUAL_RESERVE_PERCENT, Duration::from_secs(10))
+        .map(|alert| alert.text.to_string())
 }
 
 #[test]
@@ -87,7 +90,9 @@ fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
         });
     };
     let long_after = Duration::from_secs(1000);
-    let shown = |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text.to_string());
+    let shown = |vehicle: &Vehicle| {
+        alert(vehicle, USUAL_RESERVE_PERCENT, long_after).map(|alert| alert.text.to_string())
+    };
     let mut vehicle = vehicle();
     hear(&mut vehicle, "SIM Hit ground at 0.48 m/s");
     assert_eq!(shown(&vehicle), None, "a landing");
@@ -194,7 +199,8 @@ fn the_kind_of_an_alert_does_not_depend_on_the_words() {
     let kinds = || -> Vec<Vec<(AlertKind, Severity)>> {
         let all = troubled();
         let kinds = all.iter().map(|vehicle| {
-            alerts(vehicle, Duration::from_secs(10)).map(|it| (it.kind, it.severity))
+            alerts(vehicle, USUAL_RESERVE_PERCENT, Duration::from_secs(10))
+                .map(|it| (it.kind, it.severity))
         });
         kinds.map(Iterator::collect).collect()
     };
@@ -239,7 +245,8 @@ fn the_way_home_is_watched_until_the_vehicle_is_on_it() {
             remaining_percent: Some(left),
             at: now,
         }];
-        let found = alerts(&vehicle, now).find(|alert| alert.kind == AlertKind::WayHome);
+        let found = alerts(&vehicle, USUAL_RESERVE_PERCENT, now)
+            .find(|alert| alert.kind == AlertKind::WayHome);
         found.map(|alert| (alert.severity, alert.text.to_string()))
     };
     assert_eq!(said("GUIDED", 60), None);

@@ -80,7 +80,7 @@ pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading
         Reading::new("telemetry-speed", speed(vehicle)).needed(Need::Least),
         Reading::new("telemetry-battery", battery(vehicle, detail)).with(charge(vehicle)),
         Reading::new("telemetry-return", way_home(vehicle))
-            .with(way_home_share(vehicle))
+            .with(way_home_share(vehicle, state.session().reserve_percent()))
             .needed(Need::Always),
         Reading::new("telemetry-link", link(vehicle, state)).with(Some(heard)),
         Reading::new("telemetry-home", home(vehicle)),
@@ -209,12 +209,12 @@ fn battery(vehicle: &Vehicle, detail: Detail) -> Text {
 }
 
 /// The share of the remaining charge that is needed for the way home.
-fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
+fn way_home_share(vehicle: &Vehicle, reserve_percent: f64) -> Option<Gauge> {
     let way_home = vehicle.way_home()?;
     Some(Gauge {
         share: way_home.needed_percent / way_home.left_percent.max(1.0),
         mark: None,
-        role: reach_role(way_home.reach()),
+        role: reach_role(way_home.reach(reserve_percent)),
     })
 }
 

@@ -386,6 +386,7 @@ fn in_a_mission_lines_lie_as_close_as_its_sensors_need() {
             areas: Vec::new(),
             processes: None,
             speedup: 1.0,
+            is_again: false,
         }))));
     desk.press("E");
     standing(&mut desk, 1);
