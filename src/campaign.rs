@@ -30,8 +30,7 @@ pub use attempt::{
     PracticeReason, SettledFlight, is_practice, next_try, script_stake,
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
-pub use daily::daily_seed;
-pub use daily::exam_seed;
+pub use daily::{ExamKey, daily_seed, exam_seed};
 pub use economy::{STARTER_PARTS, licence_price};
 pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Lack, MASTERY_CHANCE, Mastery};

@@ -31,7 +31,7 @@ home-exam = exam
 home-practise = practice
 home-seed-none = a seed is a whole number, 0 or more
 ask-exam = START the exam
-ask-exam-reason = one seed for all trainees, real time, no hints, no pause; the result counts
+ask-exam-reason = a layout of your own, real time, no hints, no pause; the result counts
 
 # The role of a mission in the career: labels and values.
 mission-career = for your career

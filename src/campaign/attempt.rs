@@ -6,15 +6,14 @@ mod reason;
 pub use claim::{FlightClaim, SettledFlight, day_and_stake};
 pub use reason::{AttemptRefusal, PracticeReason};
 
-use super::{CareerStanding, MissionCourse, MissionStage, Stake, daily_seed, exam_seed};
+use super::daily::FRESH_SEEDS;
+use super::{CareerStanding, ExamKey, MissionCourse, MissionStage, Stake, daily_seed, exam_seed};
 use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, TryReport};
 use crate::workshop::Design;
 
 /// The seed of the first attempt without a chosen seed and without a profile.
 const FIRST_SEED: u64 = 1;
-/// The upper limit of random seeds: small enough to be typed.
-const FRESH_SEEDS: u64 = 1_000_000;
 
 /// An attempt at a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,6 +51,8 @@ pub struct AttemptTrainee<'a> {
     pub standing: &'a CareerStanding,
     /// The missions of the career.
     pub course: &'a MissionCourse,
+    /// Makes the trainee's exams differ from those of others.
+    pub exams: ExamKey,
 }
 
 /// The circumstances of an attempt that decide how it counts.
@@ -178,20 +179,27 @@ impl AttemptTerms<'_> {
     /// The seed that the circumstances require; `None` for any.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
-            Stake::Exam => {
-                let mission = &self.mission;
-                let standing = self.trainee.as_ref().map(|it| it.standing);
-                let taken = standing.map_or(0, |standing| standing.exams(&mission.id));
-                Some(exam_seed(&mission.id, mission.rev, taken))
-            }
+            Stake::Exam => Some(self.exam_seed()),
             Stake::Daily => Some(daily_seed(self.day)),
             Stake::Graded => self.seed.or_else(|| self.fresh_seed()),
             Stake::Practice => self.seed,
         }
     }
 
-    /// A random layout, almost certainly new to the trainee; `None` without a profile, whose layouts follow a fixed
-    /// sequence.
+    fn exam_seed(&self) -> u64 {
+        let Mission { id, rev, .. } = self.mission;
+        match &self.trainee {
+            Some(trainee) => exam_seed(trainee.exams, id, *rev, trainee.standing.exams(id)),
+            None => exam_seed(
+                ExamKey::of_guest(self.random.unwrap_or_default()),
+                id,
+                *rev,
+                0,
+            ),
+        }
+    }
+
+    /// A layout that the trainee has not flown; without a profile, always the same sequence.
     fn fresh_seed(&self) -> Option<u64> {
         self.trainee?;
         self.random.map(|random| random % FRESH_SEEDS)

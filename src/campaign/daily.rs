@@ -1,26 +1,61 @@
-//! Seeds that are the same for all trainees.
+//! Seeds that the program gives: those of days, the same for all trainees, and those of exams, which each belong to one
+//! trainee.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+/// The upper limit of the seeds of practice, graded flights and days: small enough to be typed.
+pub(super) const FRESH_SEEDS: u64 = 1_000_000;
+/// The seeds of exams. No other flight gets one of them unless it is typed.
+const EXAM_SEEDS: Range<u64> = 100_000_000..1_000_000_000;
+
+/// Makes the exams of a trainee differ from those of all others.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ExamKey(u64);
+
+impl ExamKey {
+    /// The key of a profile with this name, created at this time.
+    pub fn of(name: &str, since: &str) -> Self {
+        let name = name.to_lowercase();
+        Self(scattered_text(scattered_text(0, &name), since))
+    }
+
+    /// The key of a single flight without a profile.
+    pub fn of_guest(random: u64) -> Self {
+        Self(random)
+    }
+}
 
 /// The seed of a day (days since 1970, UTC): the same for all trainees, it changes daily.
 pub fn daily_seed(day: i64) -> u64 {
-    mixed(day as u64 ^ 0x7361_696c_7964_6179)
+    scattered(day as u64 ^ 0x7361_696c_7964_6179) % FRESH_SEEDS
 }
 
-/// The seed of a mission's exam. It is the same for all trainees and does not change until the mission is revised. Each
-/// exam that a trainee takes changes the seed, because its debrief shows the truth.
-pub fn exam_seed(mission: &str, revision: u32, taken: u32) -> u64 {
-    let first = mission
-        .bytes()
-        .fold(mixed(u64::from(revision)), |seed, byte| {
-            mixed(seed ^ u64::from(byte))
-        });
-    (0..taken).fold(first, |seed, _| mixed(seed ^ u64::from(taken)))
+/// The seed of a trainee's exam. Each trainee gets another one, so that the layout of a colleague's exam can be
+/// practised without an advantage. Each exam taken leads to another seed, because the debrief has shown the truth of the
+/// last one.
+pub fn exam_seed(key: ExamKey, mission: &str, revision: u32, taken: u32) -> u64 {
+    let of_mission = scattered_text(key.0, mission);
+    let of_exam = [revision, taken]
+        .into_iter()
+        .fold(of_mission, |seed, part| scattered(seed ^ u64::from(part)));
+    EXAM_SEEDS.start + of_exam % (EXAM_SEEDS.end - EXAM_SEEDS.start)
 }
 
-/// Scatters neighbouring values (the finaliser of `SplitMix64`). The result is small enough to be typed.
-fn mixed(value: u64) -> u64 {
+fn scattered_text(start: u64, text: &str) -> u64 {
+    let bytes = text.bytes();
+    bytes.fold(scattered(start), |seed, byte| {
+        scattered(seed ^ u64::from(byte))
+    })
+}
+
+/// Scatters neighbouring values (the finaliser of `SplitMix64`).
+fn scattered(value: u64) -> u64 {
     let mut mixed = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
     for (shift, factor) in [(30, 0xbf58_476d_1ce4_e5b9), (27, 0x94d0_49bb_1331_11eb)] {
         mixed = (mixed ^ (mixed >> shift)).wrapping_mul(factor);
     }
-    (mixed ^ (mixed >> 31)) % 1_000_000
+    mixed ^ (mixed >> 31)
 }

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, EvidenceBasis,
-    ExamResult, Knowledge, Lack, LockReason, Mastery, MissionCourse, MissionStage, Offer,
+    ExamKey, ExamResult, Knowledge, Lack, LockReason, Mastery, MissionCourse, MissionStage, Offer,
     PartState, PurchaseRefusal, STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::{Mission, Requires};
@@ -340,13 +340,21 @@ fn starter_parts_exist_and_fly() {
 }
 
 #[test]
-fn common_seeds_differ_by_day_and_mission() {
+fn seeds_differ_by_day_and_exam() {
     let days: BTreeSet<u64> = (20_000..20_400).map(daily_seed).collect();
     assert!(days.len() >= 399);
-    assert_ne!(exam_seed("one", 1, 0), exam_seed("two", 1, 0));
-    assert_ne!(exam_seed("one", 1, 0), exam_seed("one", 2, 0));
-    assert_eq!(exam_seed("one", 1, 0), exam_seed("one", 1, 0));
-    let tries: BTreeSet<u64> = (0..50).map(|taken| exam_seed("one", 1, taken)).collect();
+    let exam = |mission, revision, taken| {
+        exam_seed(
+            ExamKey::of("Anna", "2026-11-20T08:00:00Z"),
+            mission,
+            revision,
+            taken,
+        )
+    };
+    assert_ne!(exam("one", 1, 0), exam("two", 1, 0));
+    assert_ne!(exam("one", 1, 0), exam("one", 2, 0));
+    assert_eq!(exam("one", 1, 0), exam("one", 1, 0));
+    let tries: BTreeSet<u64> = (0..50).map(|taken| exam("one", 1, taken)).collect();
     assert_eq!(tries.len(), 50);
 }
 

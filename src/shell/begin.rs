@@ -70,6 +70,7 @@ impl Console {
             trainee: career.map(|career| AttemptTrainee {
                 standing: &career.standing,
                 course: &career.course,
+                exams: career.exams,
             }),
             means: AttemptMeans {
                 mission_file: store::mission_file(mission),

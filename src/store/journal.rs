@@ -238,6 +238,7 @@ impl<'a> LeftRun<'a> {
         claim.settle(AttemptTrainee {
             standing,
             course: &super::course(),
+            exams: self.profile.exam_key(),
         })
     }
 

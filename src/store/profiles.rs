@@ -26,7 +26,7 @@ use rusqlite::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::campaign::Aids;
+use crate::campaign::{Aids, ExamKey};
 use crate::notice::sanitised;
 use crate::store::sharing;
 
@@ -69,6 +69,16 @@ pub struct ProfileSettings {
     /// The language of the screens, if one was chosen: `en` or `uk`.
     pub lang: Option<String>,
     pub aids: Aids,
+    /// The key that the profile's exams had under the name with which it was created.
+    pub exams: Option<ExamKey>,
+}
+
+impl Profile {
+    /// Makes the trainee's exams differ from those of others.
+    pub fn exam_key(&self) -> ExamKey {
+        let kept = self.settings.exams;
+        kept.unwrap_or_else(|| ExamKey::of(&self.name, &self.since))
+    }
 }
 
 impl Profiles {
@@ -223,9 +233,13 @@ impl Profiles {
     /// The name is taken or not valid, or the database cannot be written.
     pub fn create(&self, name: &str, when: &str) -> Result<Profile, ProfileError> {
         let name = checked_name(name)?;
+        let settings = ProfileSettings {
+            exams: Some(ExamKey::of(name, when)),
+            ..ProfileSettings::default()
+        };
         let added = self.connection.execute(
             "INSERT INTO profiles (name, since, settings) VALUES (?1, ?2, ?3) ON CONFLICT DO NOTHING",
-            params![name, when, json(&ProfileSettings::default())],
+            params![name, when, json(&settings)],
         );
         match added.map_err(|error| self.fault(error))? {
             0 => Err(ProfileError::Exists {

@@ -1,7 +1,7 @@
 //! The trainee's career, as the console shows it.
 
 use crate::campaign::{
-    Aids, CareerEntry, CareerStanding, Growth, LockReason, MissionCourse, MissionStage,
+    Aids, CareerEntry, CareerStanding, ExamKey, Growth, LockReason, MissionCourse, MissionStage,
 };
 use crate::text;
 use crate::text::{Language, Text};
@@ -25,6 +25,8 @@ pub struct Career {
     pub designs: Vec<Design>,
     /// Today, in days since 1970 (UTC).
     pub day: i64,
+    /// Makes the trainee's exams differ from those of others.
+    pub exams: ExamKey,
     /// The level of automatic advice.
     pub aids: Aids,
     /// The trainee's language; `None` keeps the one in use.
@@ -47,6 +49,7 @@ impl Career {
             course,
             designs: Vec::new(),
             day: 0,
+            exams: ExamKey::default(),
             aids: Aids::default(),
             language: None,
         }

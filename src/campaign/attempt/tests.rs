@@ -1,5 +1,7 @@
 //! The stakes of attempts.
 
+use std::collections::BTreeSet;
+
 use proptest::prelude::*;
 use proptest::sample::select;
 
@@ -29,6 +31,10 @@ struct Newcomer {
     standing: CareerStanding,
 }
 
+fn anna() -> ExamKey {
+    ExamKey::of("Anna", "2026-11-20T08:00:00Z")
+}
+
 impl Newcomer {
     fn new() -> Self {
         let (open, locked) = (mission(FIRST_FLIGHT), mission(FORMATION));
@@ -44,6 +50,7 @@ impl Newcomer {
         AttemptTrainee {
             standing: &self.standing,
             course: &self.course,
+            exams: anna(),
         }
     }
 
@@ -67,7 +74,7 @@ fn a_try_counts_as_wanted_on_the_layout_of_its_stake() {
     for (wanted, seed) in [
         (Stake::Graded, 77),
         (Stake::Practice, FIRST_SEED),
-        (Stake::Exam, exam_seed(&open.id, open.rev, 0)),
+        (Stake::Exam, exam_seed(anna(), &open.id, open.rev, 0)),
         (Stake::Daily, daily_seed(20_000)),
     ] {
         let attempt = trainee.terms(wanted).decide();
@@ -102,6 +109,70 @@ fn an_exam_that_was_taken_is_never_given_again() {
     let second = trainee.terms(Stake::Exam).decide();
     assert_eq!(second.stake, Stake::Exam);
     assert_ne!(second.seed, first.seed);
+}
+
+/// The layout of a colleague's exam may be practised: it is never that of one's own.
+#[test]
+fn no_two_trainees_get_the_same_exam() {
+    let newcomer = Newcomer::new();
+    let exam_of = |name: &str, since: &str| {
+        let trainee = AttemptTrainee {
+            exams: ExamKey::of(name, since),
+            ..newcomer.trainee()
+        };
+        let terms = AttemptTerms {
+            trainee: Some(trainee),
+            ..newcomer.terms(Stake::Exam)
+        };
+        terms.decide().seed
+    };
+    let since = "2026-11-20T08:00:00Z";
+    let colleagues = (0..500).map(|number| exam_of(&format!("trainee {number}"), since));
+    let seeds: BTreeSet<u64> = colleagues.collect();
+    assert_eq!(seeds.len(), 500);
+    assert_eq!(exam_of("Anna", since), exam_of("anna", since));
+    // A profile that was deleted and created again.
+    assert_ne!(
+        exam_of("Anna", since),
+        exam_of("Anna", "2026-11-20T08:00:01Z")
+    );
+}
+
+#[test]
+fn a_guest_gets_another_exam_each_time() {
+    let newcomer = Newcomer::new();
+    let seeds: BTreeSet<u64> = (0..50)
+        .map(|random| {
+            let terms = AttemptTerms {
+                trainee: None,
+                random: Some(random),
+                ..newcomer.terms(Stake::Exam)
+            };
+            terms.decide().seed
+        })
+        .collect();
+    assert_eq!(seeds.len(), 50);
+}
+
+proptest! {
+    /// Seeds that the console draws for any other flight, or that a trainee types for practice.
+    #[test]
+    fn a_seed_that_was_practised_is_never_drawn_as_an_exam(
+        random in any::<u64>(),
+        day in 0_i64..40_000,
+        name in "[a-z]{1,12}",
+        taken in 0_u32..100,
+    ) {
+        let newcomer = Newcomer::new();
+        let drawn = |wanted| {
+            let terms = AttemptTerms { random: Some(random), day, ..newcomer.terms(wanted) };
+            terms.decide().seed
+        };
+        let exam = exam_seed(ExamKey::of(&name, "2026-11-20T08:00:00Z"), &newcomer.open.id, 1, taken);
+        for stake in [Stake::Graded, Stake::Daily, Stake::Practice] {
+            prop_assert_ne!(drawn(stake), exam, "{:?}", stake);
+        }
+    }
 }
 
 #[test]
@@ -165,6 +236,7 @@ fn a_locked_mission_and_one_of_nobodys_course_are_practice() {
         trainee: Some(AttemptTrainee {
             standing: &trainee.standing,
             course: &none,
+            exams: anna(),
         }),
         ..trainee.terms(Stake::Exam)
     };
@@ -233,7 +305,8 @@ proptest! {
         prop_assert_eq!((first.stake, first.wanted), (expected, wanted));
         // The stake does not change the layout.
         match wanted {
-            Stake::Exam | Stake::Daily => prop_assert!(first.seed < FRESH_SEEDS),
+            Stake::Exam => prop_assert!(first.seed >= FRESH_SEEDS),
+            Stake::Daily => prop_assert!(first.seed < FRESH_SEEDS),
             Stake::Graded | Stake::Practice => match seed {
                 Some(chosen) => prop_assert_eq!(first.seed, chosen),
                 None => prop_assert!(first.seed < FRESH_SEEDS),
@@ -289,7 +362,7 @@ fn claim(newcomer: &Newcomer, stake: Stake, seed: u64) -> FlightClaim<'_> {
 fn a_claim_holds_only_if_the_career_would_have_allowed_it() {
     let newcomer = Newcomer::new();
     let mission = &newcomer.open;
-    let exam = exam_seed(&mission.id, mission.rev, 0);
+    let exam = exam_seed(anna(), &mission.id, mission.rev, 0);
     for (stake, seed, expected) in [
         (Stake::Graded, 5, Stake::Graded),
         (Stake::Practice, 5, Stake::Practice),

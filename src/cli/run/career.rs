@@ -107,6 +107,7 @@ impl<'a> RunTrainee<'a> {
         AttemptTrainee {
             standing: &self.standing,
             course: &self.course,
+            exams: self.profile.exam_key(),
         }
     }
 

@@ -189,6 +189,7 @@ impl Careers {
         Ok(Some(Career {
             designs: self.profiles.designs(profile)?,
             day: today(),
+            exams: profile.exam_key(),
             aids: profile.settings.aids,
             language: profile.settings.lang.as_deref().and_then(Language::of),
             ..Career::new(&profile.name, history, self.course.clone())

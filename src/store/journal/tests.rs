@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::*;
-use crate::campaign::{CareerEntry, CareerStanding, Evidence, exam_seed};
+use crate::campaign::{CareerEntry, CareerStanding, Evidence, ExamKey, exam_seed};
 use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
@@ -236,7 +236,7 @@ fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
 fn the_exam_seed() -> u64 {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Mission::parse(source).expect("no faults");
-    exam_seed(&mission.id, mission.rev, 0)
+    exam_seed(ExamKey::of("Anna", BEGUN), &mission.id, mission.rev, 0)
 }
 
 #[test]

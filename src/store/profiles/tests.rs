@@ -113,6 +113,7 @@ fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
     let settings = ProfileSettings {
         lang: Some("uk".to_owned()),
         aids: Aids::None,
+        ..anna.settings.clone()
     };
     profiles.set_settings(&anna, &settings).expect("stored");
     assert_eq!(profiles.find("Anna").expect("there").settings, settings);

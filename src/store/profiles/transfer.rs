@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::RunRow;
 use super::{Profile, ProfileError, ProfileSettings, Profiles, checked_name, json};
-use crate::campaign::CareerEntry;
+use crate::campaign::{CareerEntry, ExamKey};
 use crate::notice::sanitised;
 use crate::scoring::Report;
 use crate::store::runs::is_moment;
@@ -134,6 +134,12 @@ impl ProfileFile {
             .or_else(|| designs.find_map(|row| faulty_line("design", &row.name)))
     }
 
+    /// Makes the trainee's exams differ from those of others.
+    fn exam_key(&self) -> ExamKey {
+        let kept = self.settings.exams;
+        kept.unwrap_or_else(|| ExamKey::of(&self.name, &self.since))
+    }
+
     pub fn write(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
@@ -238,10 +244,15 @@ fn import(
     file: &ProfileFile,
     name: &str,
 ) -> rusqlite::Result<()> {
+    let settings = ProfileSettings {
+        // Also under another name, the exams that were taken have to keep their seeds.
+        exams: Some(file.exam_key()),
+        ..file.settings.clone()
+    };
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     transaction.execute(
         "INSERT INTO profiles (name, since, settings) VALUES (?1, ?2, ?3)",
-        params![name, file.since, json(&file.settings)],
+        params![name, file.since, json(&settings)],
     )?;
     let key = transaction.last_insert_rowid();
     for row in &file.entries {

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 
 use super::{EntryDocument, ProfileFile, RunDocument};
 use crate::campaign::{
-    AttemptTrainee, CareerEntry, CareerFlight, CareerStanding, FlightClaim, MissionCourse, Offer,
-    PracticeReason, Purchase, Stake,
+    AttemptTrainee, CareerEntry, CareerFlight, CareerStanding, ExamKey, FlightClaim, MissionCourse,
+    Offer, PracticeReason, Purchase, Stake,
 };
 use crate::mission::Mission;
 use crate::notice::sanitised;
@@ -25,7 +25,9 @@ impl ProfileFile {
     pub fn borne_out(self) -> (Self, Vec<Text>) {
         let missions = course_missions();
         let course = MissionCourse::new(missions.iter().map(Offer::of));
+        let exams = self.exam_key();
         let mut claims = Claims {
+            exams,
             missions: &missions,
             course: &course,
             standing: CareerStanding::default(),
@@ -63,6 +65,7 @@ impl ProfileFile {
 struct Claims<'a> {
     missions: &'a [Mission],
     course: &'a MissionCourse,
+    exams: ExamKey,
     /// The trainee's standing so far.
     standing: CareerStanding,
     ids: BTreeSet<String>,
@@ -134,6 +137,7 @@ impl Claims<'_> {
         let settled = claim.settle(AttemptTrainee {
             standing: &self.standing,
             course: self.course,
+            exams: self.exams,
         });
         if !settled.reduced.is_empty() {
             let why = PracticeReason::sentence(&settled.reduced);
