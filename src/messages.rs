@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::MessageData as _;
-use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage};
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavCmd, MavMessage};
 
 use crate::alert::AlertKind;
 use crate::notice::{Notice, NoticeSource};
@@ -23,6 +23,7 @@ mod fence;
 mod gps;
 mod health;
 mod heartbeat;
+mod idle;
 mod landed;
 mod outputs;
 mod parameters;
@@ -38,6 +39,8 @@ mod version;
 mod vibration;
 
 const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
+/// The parameter for the time after which a vehicle on the ground disarms, in seconds; 0 for never.
+const DISARM_DELAY: &str = "DISARM_DELAY";
 
 /// The state of one vehicle's handlers beside the model: incomplete texts, parameters, and the state of its clock.
 #[derive(Debug, Clone, Default)]
@@ -54,6 +57,8 @@ pub struct Inbox {
     origin: Option<Place>,
     /// The progress through the plan on board.
     plan: plan::PlanWatch,
+    /// The time armed on the ground.
+    idle: idle::IdleWatch,
 }
 
 /// The notices of a handler, with their time.
@@ -125,7 +130,8 @@ impl Inbox {
                 self.dispatch(vehicle, message, &mut report);
             }
             Content::Undecoded { id, payload } if *id == HEARTBEAT_ID => {
-                heartbeat::apply(vehicle, heartbeat::Beat::from_payload(payload), &mut report);
+                let beat = heartbeat::Beat::from_payload(payload);
+                heartbeat::apply(vehicle, beat, &mut self.idle, &mut report);
             }
             Content::Undecoded { .. } | Content::Unknown { .. } => {}
         }
@@ -182,7 +188,12 @@ impl Inbox {
         use MavMessage as M;
         let now = report.now;
         match message {
-            M::HEARTBEAT(data) => heartbeat::apply(vehicle, data.into(), report),
+            M::HEARTBEAT(data) => {
+                heartbeat::apply(vehicle, data.into(), &mut self.idle, report);
+            }
+            M::COMMAND_ACK(data) if data.command == MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => {
+                self.idle.note_answer(vehicle, now);
+            }
             M::ATTITUDE(data) => attitude::apply(vehicle, data, now),
             M::GLOBAL_POSITION_INT(data) => position::apply_global(vehicle, data, now),
             M::LOCAL_POSITION_NED(data) => position::apply_local(vehicle, data, now),
@@ -219,7 +230,12 @@ impl Inbox {
             M::RC_CHANNELS(data) => outputs::apply_rc(vehicle, data),
             M::SERVO_OUTPUT_RAW(data) => outputs::apply_servos(vehicle, data),
             M::AUTOPILOT_VERSION(data) => version::apply(vehicle, data),
-            M::PARAM_VALUE(data) => parameters::apply(Arc::make_mut(&mut self.parameters), data),
+            M::PARAM_VALUE(data) => {
+                if data.param_id.to_str() == Ok(DISARM_DELAY) {
+                    self.idle.delay_s = Some(data.param_value);
+                }
+                parameters::apply(Arc::make_mut(&mut self.parameters), data);
+            }
             _ => {}
         }
     }
@@ -265,6 +281,7 @@ impl Inbox {
         self.pack_heard_at = None;
         self.origin = None;
         self.plan = plan::PlanWatch::default();
+        self.idle = idle::IdleWatch::default();
     }
 }
 

@@ -14,6 +14,7 @@ use crate::wire::{ComponentId, MavAddress, SystemId};
 mod carried;
 mod check_rules;
 mod fence_switch;
+mod idle_disarm;
 mod leg;
 mod limits;
 mod mode;
@@ -28,6 +29,7 @@ pub use crate::vehicle_id::VehicleId;
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use fence_switch::FenceSwitch;
+pub use idle_disarm::IdleDisarm;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
 pub use mode::{Mode, VehicleClass};
@@ -111,6 +113,8 @@ pub struct Vehicle {
     pub link: LinkQuality,
     /// Its position since it was last heard, in simulated radio. Never shown to the operator.
     pub unheard: Option<Unheard>,
+    /// Why it has disarmed by itself, where that is known; `None` once it is armed again.
+    pub idle_disarm: Option<IdleDisarm>,
     /// The last reported reasons not to arm, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
     /// The last few status texts, newest last.
@@ -157,6 +161,7 @@ impl Vehicle {
             boot_ms: None,
             link: LinkQuality::default(),
             unheard: None,
+            idle_disarm: None,
             prearm: Vec::new(),
             texts: Vec::new(),
         }

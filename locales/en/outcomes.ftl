@@ -40,6 +40,7 @@ outcome-not-seen = { $effect } was not seen
 outcome-not-seen-within = { $effect } not seen within { $seconds } s
 outcome-overtaken = by { $mode }
 outcome-disarmed = by disarming
+outcome-disarmed-idle = by disarming: { $reason }
 outcome-armed = by arming
 outcome-ended = ended { $by }
 outcome-not-sent = not sent: { $reason }

@@ -3,6 +3,9 @@
 heard-mode = mode { $mode }
 heard-armed = armed
 heard-disarmed = disarmed
+heard-disarmed-idle = disarmed: { $reason }
+idle-no-takeoff = no takeoff within { $seconds } s
+idle-on-ground = on the ground for { $seconds } s
 carried-most = { $count ->
     [one] 1 of { $all } carries
    *[other] { $count } of { $all } carry

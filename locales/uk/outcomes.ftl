@@ -41,6 +41,7 @@ outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-overtaken = режим { $mode }
 outcome-disarmed = двигуни деактивовано
+outcome-disarmed-idle = двигуни деактивовано: { $reason }
 outcome-armed = двигуни активовано
 outcome-ended = завершено: { $by }
 outcome-not-sent = не надіслано: { $reason }

@@ -46,7 +46,10 @@ impl Claim {
             return Some(text!("outcome-overtaken", mode = now.mode.to_string()));
         }
         match (self.armed, now.armed) {
-            (Some(true), false) => Some(text!("outcome-disarmed")),
+            (Some(true), false) => Some(match vehicle.idle_disarm {
+                Some(cause) => text!("outcome-disarmed-idle", reason = cause.text()),
+                None => text!("outcome-disarmed"),
+            }),
             (Some(false), true) => Some(text!("outcome-armed")),
             (Some(true), true) | (Some(false), false) | (None, _) => None,
         }

@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavModeFlag, MavType};
 
 use super::HandlerNotices;
+use super::idle::IdleWatch;
 use crate::text;
 use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
 
@@ -62,7 +63,12 @@ impl Beat {
 }
 
 /// Applies a heartbeat of the vehicle's autopilot component; others are ignored.
-pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotices<'_>) {
+pub(super) fn apply(
+    vehicle: &mut Vehicle,
+    beat: Beat,
+    idle: &mut IdleWatch,
+    report: &mut HandlerNotices<'_>,
+) {
     if !beat.is_autopilot() {
         return;
     }
@@ -92,6 +98,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotic
     if !vehicle.flies_plan() {
         vehicle.cruise = None;
     }
+    let cause = idle.note_heartbeat(vehicle, report.now);
     let Some(before) = before else { return };
     if before.mode != heartbeat.mode {
         report.say(
@@ -102,10 +109,11 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut HandlerNotic
         vehicle.target = None;
     }
     if before.armed != heartbeat.armed {
-        let text = if heartbeat.armed {
-            text!("heard-armed")
-        } else {
-            text!("heard-disarmed")
+        vehicle.idle_disarm = cause;
+        let text = match cause {
+            _ if heartbeat.armed => text!("heard-armed"),
+            Some(cause) => text!("heard-disarmed-idle", reason = cause.text()),
+            None => text!("heard-disarmed"),
         };
         report.say(Severity::Notice, text);
         if heartbeat.armed {

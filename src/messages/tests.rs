@@ -1,7 +1,8 @@
 use mavlink::dialects::ardupilotmega::{
-    ATTITUDE_DATA, EKF_STATUS_REPORT_DATA, EkfStatusFlags, FENCE_STATUS_DATA, FenceBreach,
-    GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA, GpsFixType, HEARTBEAT_DATA, HOME_POSITION_DATA,
-    MISSION_ITEM_REACHED_DATA, MavAutopilot, MavModeFlag, MavState, MavSysStatusSensor, MavType,
+    ATTITUDE_DATA, COMMAND_ACK_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
+    EkfStatusFlags, FENCE_STATUS_DATA, FenceBreach, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
+    GpsFixType, HEARTBEAT_DATA, HOME_POSITION_DATA, MISSION_ITEM_REACHED_DATA, MavAutopilot,
+    MavLandedState, MavModeFlag, MavState, MavSysStatusSensor, MavType, PARAM_VALUE_DATA,
     STATUSTEXT_DATA, SYS_STATUS_DATA,
 };
 use proptest::prelude::*;
@@ -78,6 +79,84 @@ fn changes_of_mode_and_arming_are_said_once() {
         bench.said(),
         ["mode GUIDED", "armed", "mode LAND", "disarmed"]
     );
+}
+
+/// `ArduCopter` disarms after `DISARM_DELAY` on the ground and sends no reason.
+#[test]
+fn a_vehicle_that_disarms_on_the_ground_gives_the_reason_that_its_delay_shows() {
+    let disarmed_after = |bench: &mut Bench, seconds: u64| {
+        bench.hear(MavMessage::HEARTBEAT(beat(4, true)));
+        bench.said();
+        for _ in 1..seconds {
+            bench.hear_after(1000, MavMessage::HEARTBEAT(beat(4, true)));
+        }
+        bench.hear_after(1000, MavMessage::HEARTBEAT(beat(4, false)));
+        bench.said()
+    };
+    let ready = || {
+        let mut bench = Bench::new();
+        bench.hear(MavMessage::HEARTBEAT(beat(4, false)));
+        bench
+    };
+    assert_eq!(
+        disarmed_after(&mut ready(), 10),
+        ["disarmed: no takeoff within 10 s"]
+    );
+    assert_eq!(disarmed_after(&mut ready(), 5), ["disarmed"]);
+    assert_eq!(disarmed_after(&mut ready(), 20), ["disarmed"]);
+    let mut patient = ready();
+    patient.hear(delay(20.0));
+    assert_eq!(
+        disarmed_after(&mut patient, 20),
+        ["disarmed: no takeoff within 20 s"]
+    );
+    let mut never = ready();
+    never.hear(delay(0.0));
+    assert_eq!(disarmed_after(&mut never, 10), ["disarmed"]);
+}
+
+#[test]
+fn after_a_flight_the_time_on_the_ground_counts_and_a_command_needs_no_reason() {
+    let landed = |landed_state| {
+        MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
+            landed_state,
+            ..Default::default()
+        })
+    };
+    let mut bench = Bench::new();
+    for armed in [false, true] {
+        bench.hear(MavMessage::HEARTBEAT(beat(4, armed)));
+    }
+    bench.hear(landed(MavLandedState::MAV_LANDED_STATE_IN_AIR));
+    bench.hear_after(30_000, MavMessage::HEARTBEAT(beat(4, true)));
+    bench.hear(landed(MavLandedState::MAV_LANDED_STATE_ON_GROUND));
+    bench.said();
+    bench.hear_after(10_000, MavMessage::HEARTBEAT(beat(4, false)));
+    assert_eq!(bench.said(), ["disarmed: on the ground for 10 s"]);
+    assert!(bench.vehicle.idle_disarm.is_some());
+
+    bench.hear(MavMessage::HEARTBEAT(beat(4, true)));
+    assert_eq!(bench.vehicle.idle_disarm, None);
+    bench.said();
+    bench.hear_after(
+        9500,
+        MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
+            command: MavCmd::MAV_CMD_COMPONENT_ARM_DISARM,
+            ..Default::default()
+        }),
+    );
+    bench.hear_after(500, MavMessage::HEARTBEAT(beat(4, false)));
+    assert_eq!(bench.said(), ["disarmed"]);
+}
+
+fn delay(seconds: f32) -> MavMessage {
+    MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
+        param_value: seconds,
+        param_count: 900,
+        param_index: 49,
+        param_id: DISARM_DELAY.into(),
+        ..Default::default()
+    })
 }
 
 #[test]

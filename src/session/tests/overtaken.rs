@@ -105,7 +105,7 @@ fn arming_that_was_done_ends_with_the_disarming() {
     scene.pass(ms(10_000));
     scene.heartbeat(STABILIZE, false);
     assert_eq!(last(&scene, 1), RowState::Overtaken);
-    assert_eq!(scene.explanation(1), "by disarming");
+    assert_eq!(scene.explanation(1), "by disarming: no takeoff within 10 s");
     let reported = scene.states(1).len();
     scene.heartbeat(STABILIZE, false);
     assert_eq!(scene.states(1).len(), reported, "it is said once");
