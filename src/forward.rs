@@ -5,9 +5,11 @@
 mod commands;
 mod routes;
 mod spec;
+mod stray;
 #[cfg(test)]
 mod tests;
 
 pub use commands::{Deed, StationId, deed_of, station_of_ack};
 pub use routes::{FrameFacts, Port, Reach, Route, Router};
 pub use spec::{ForwardFault, ForwardSpec};
+pub use stray::SentCommands;

@@ -64,3 +64,7 @@ foreign-parameter = { $station } set { $name } of { $vehicle } to { $value }
 foreign-plan = { $station } uploaded { $count } plan items to { $vehicle }
 foreign-no-plan = { $station } cleared the plan of { $vehicle }
 foreign-steering = { $station } steers { $vehicle }
+foreign-twin = another ground station uses the address of this console ({ $system }/{ $component }): { $vehicle } answers { $command }, which was not sent here; give that station another system id
+
+# The name of a link to a simulator that the console runs.
+link-simulator = simulator

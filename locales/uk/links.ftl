@@ -64,3 +64,7 @@ foreign-parameter = { $station }: параметр { $name } апарата { $v
 foreign-plan = { $station }: план для апарата { $vehicle }, пунктів { $count }
 foreign-no-plan = { $station }: план апарата { $vehicle } видалено
 foreign-steering = { $station } керує апаратом { $vehicle }
+foreign-twin = інша наземна станція має ту саму адресу, що й консоль ({ $system }/{ $component }): апарат { $vehicle } відповів на { $command }, якої звідси не надсилали; задайте тій станції інший номер системи
+
+# The name of a link to a simulator that the console runs.
+link-simulator = симулятор

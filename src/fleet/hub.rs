@@ -11,7 +11,7 @@ use super::keepers::{BlockingKeeper, BlockingShelf};
 use super::sharing::{Addressee, Sharing};
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
-use crate::forward::ForwardSpec;
+use crate::forward::{ForwardSpec, SentCommands};
 use crate::inspector::Census;
 use crate::ledger::RowState;
 use crate::link::{self, Address, Inbound, LinkHandle, LinkId, LinkPeer, StationNews, Transport};
@@ -363,6 +363,8 @@ impl Hub {
             events: self.events.clone(),
             backlog: VecDeque::new(),
             dropped: 0,
+            sent: SentCommands::default(),
+            is_twin_said: Arc::clone(&self.sharing.is_twin_said),
         };
         tokio::spawn(task.run(self.cancel.clone()));
         tracing::info!(system, link = from.link.0, "a vehicle is heard");
@@ -409,7 +411,7 @@ impl Hub {
         let peer = |census: &mut Census, _| census.peer_name(sender.peer.0).map(str::to_owned);
         match link.tap().look(peer) {
             Some(peer) => text!("heard-from-peer", link = name, peer = peer),
-            None => name.into(),
+            None => name,
         }
     }
 

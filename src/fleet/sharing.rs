@@ -1,6 +1,8 @@
 //! The forwards of a fleet: other ground stations that use its links, and what they command.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
@@ -18,7 +20,7 @@ const NEWS_KEPT: usize = 256;
 /// The maximum number of batches from forwards that wait for the hub, which ignores them: the relay has passed them on.
 const INBOUND_KEPT: usize = 16;
 /// The console's address on every link.
-const OWN: MavAddress = MavAddress {
+pub(super) const OWN: MavAddress = MavAddress {
     system: GROUND_STATION_SYSTEM,
     component: GROUND_STATION_COMPONENT,
 };
@@ -53,6 +55,8 @@ pub(super) struct Sharing {
     inbound: mpsc::Sender<Inbound>,
     /// The last deed of each station on each vehicle.
     said: BTreeMap<Exchange, (Deed, Duration)>,
+    /// Whether a station with the console's own address has been reported; shared with the tasks of the vehicles.
+    pub is_twin_said: Arc<AtomicBool>,
 }
 
 /// A vehicle that a station commands, with the class that names its modes.
@@ -85,6 +89,7 @@ impl Sharing {
             opened: 0,
             inbound,
             said: BTreeMap::new(),
+            is_twin_said: Arc::default(),
         };
         let overheard = Overheard {
             news: news_out,

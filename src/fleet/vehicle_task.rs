@@ -2,16 +2,21 @@
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use super::sharing::OWN;
 use super::{FleetClock, FleetEvent};
+use crate::forward::SentCommands;
 use crate::link::{LinkHandle, LinkPeer, To};
+use crate::notice::Notice;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::session::{Report, Session, Steering, VehicleCommand, Want};
-use crate::vehicle::Vehicle;
+use crate::text;
+use crate::vehicle::{Severity, Vehicle};
 use crate::wire::Frame;
 
 /// The maximum number of reports that a task keeps while the console does not read.
@@ -50,6 +55,10 @@ pub(super) struct VehicleTask {
     pub backlog: VecDeque<Report>,
     /// Reports dropped since the last notice.
     pub dropped: u64,
+    /// The commands sent to the vehicle.
+    pub sent: SentCommands,
+    /// Whether a station with the console's own address has been reported.
+    pub is_twin_said: Arc<AtomicBool>,
 }
 
 /// Publishes parameters while they arrive: as a list a few times a second, not one by one.
@@ -116,6 +125,7 @@ impl VehicleTask {
         match message {
             ToVehicle::Frames(frames) => {
                 for frame in &frames {
+                    self.look_for_twin(frame, now);
                     self.session.receive(frame, now);
                 }
             }
@@ -136,6 +146,29 @@ impl VehicleTask {
         }
     }
 
+    /// Reports once that another ground station has the console's address: its commands cannot be told from those of
+    /// this console by their answers.
+    fn look_for_twin(&mut self, frame: &Frame, now: Duration) {
+        let vehicle = self.session.vehicle().id;
+        let Some(command) = self.sent.stray(&frame.content, OWN, now) else {
+            return;
+        };
+        if self.is_twin_said.swap(true, Ordering::Relaxed) {
+            return;
+        }
+        let text = text!(
+            "foreign-twin",
+            system = OWN.system,
+            component = OWN.component,
+            vehicle = vehicle,
+            command = command
+        );
+        let notice = Notice::about(vehicle, now, Severity::Warning, text);
+        if self.events.try_send(FleetEvent::Warning(notice)).is_err() {
+            self.is_twin_said.store(false, Ordering::Relaxed);
+        }
+    }
+
     /// An impossible setpoint is not reported separately: the manoeuvre notices that the vehicle does not move.
     fn steer(&mut self, steering: &Steering, now: Duration) {
         if let Err(reason) = self.session.steer(steering, now) {
@@ -146,7 +179,9 @@ impl VehicleTask {
     /// Frames that a full link drops are counted there; a command's own retries repeat it.
     fn send(&mut self) {
         let (link, peer) = &self.route;
+        let now = self.clock.now();
         for message in self.session.take_outgoing() {
+            self.sent.note(&message, now);
             link.send(To::Peer(*peer), message);
         }
     }

@@ -129,7 +129,7 @@ fn command(command: MavCmd, param1: f32, param2: f32) -> Option<Deed> {
 
 /// The name of a command; `None` for one that only requests messages.
 #[expect(deprecated, reason = "ground stations still ask by the older commands")]
-fn named(command: MavCmd) -> Option<String> {
+pub(super) fn named(command: MavCmd) -> Option<String> {
     let is_question = matches!(
         command,
         MavCmd::MAV_CMD_REQUEST_MESSAGE

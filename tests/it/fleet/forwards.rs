@@ -143,4 +143,25 @@ async fn a_station_elsewhere_is_named_from_the_answers_to_it() {
         .await;
     let named = console.notices.iter().filter(|it| it.contains("GCS"));
     assert_eq!(named.count(), 1, "{:?}", console.notices);
+    // The landing was answered to this console's own address, which has not sent it.
+    let is_twin = |it: &&String| it.contains("another ground station uses the address");
+    let twins = |console: &Console| console.notices.iter().filter(is_twin).count();
+    console
+        .until(
+            "the other station with this address is noticed",
+            |console| twins(console) == 1,
+        )
+        .await;
+    for command in [MavCmd::MAV_CMD_NAV_LAND, MavCmd::MAV_CMD_DO_SET_MODE] {
+        let bytes = encoded(&mut encoder, ack(command, 255));
+        vehicle.write_all(&bytes).await.expect("writable");
+    }
+    let bytes = encoded(&mut encoder, ack(MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH, 252));
+    vehicle.write_all(&bytes).await.expect("writable");
+    console
+        .until("a later message has arrived", |console| {
+            console.notices.iter().any(|it| it.contains("GCS 252"))
+        })
+        .await;
+    assert_eq!(twins(&console), 1, "{:?}", console.notices);
 }
