@@ -157,6 +157,7 @@ hint-move = move
 hint-take = take
 hint-command = command
 hint-help = help
+hint-commands = commands
 hint-quit = quit
 hint-select = select
 hint-list = by number

@@ -158,6 +158,7 @@ hint-move = рух
 hint-take = взяти
 hint-command = команда
 hint-help = довідка
+hint-commands = команди
 hint-quit = вихід
 hint-select = вибрати
 hint-list = за номером

@@ -24,6 +24,8 @@ pub enum HintKeys {
     Actions(&'static [Action]),
     /// The key that opens the command line with this text.
     Words(&'static str),
+    /// The keys that open the command line with these texts.
+    Lines(&'static [&'static str]),
     /// The keys of a vehicle list, and the one that submits it.
     VehicleList,
 }
@@ -112,6 +114,13 @@ impl Keymap {
                 (!labels.is_empty()).then(|| labels.join(gap))
             }
             HintKeys::Words(words) => label(&Meaning::words(words)),
+            HintKeys::Lines(lines) => {
+                let labelled = lines
+                    .iter()
+                    .filter_map(|words| label(&Meaning::words(words)));
+                let labels: Vec<String> = labelled.collect();
+                (!labels.is_empty()).then(|| labels.join(" "))
+            }
             HintKeys::VehicleList => {
                 let list = label(&Meaning::Type)?;
                 let submit = label(&Meaning::Do(Action::Submit))?;
@@ -146,16 +155,18 @@ impl Keymap {
         let Place::In(_) = place else {
             return own.map(|binding| binding.press);
         };
-        // A key with another meaning in the room, or none, does not count.
-        let is_free = |press: Press| {
-            let is_silent = self.silent.contains(&(press, place));
-            !is_silent && at(place).all(|it| !it.press.covers(press))
-        };
         own.or_else(|| {
             let mut general = at(Place::Anywhere);
-            general.find(|it| it.meaning.leads_where(meaning) && is_free(it.press))
+            general.find(|it| it.meaning.leads_where(meaning) && self.is_general(it.press, place))
         })
         .map(|binding| binding.press)
+    }
+
+    /// Whether a key has its general meaning at a place: there, it has neither another one nor none.
+    pub fn is_general(&self, press: Press, place: Place) -> bool {
+        let is_silent = self.silent.contains(&(press, place));
+        let mut here = self.bindings.iter().filter(|it| it.place == place);
+        !is_silent && here.all(|it| !it.press.covers(press))
     }
 }
 

@@ -73,6 +73,14 @@ const LIST: KeyHint = KeyHint {
     about: "hint-list",
 };
 
+/// The keys of the commands to vehicles, the most useful first.
+const COMMANDS: KeyHint = KeyHint {
+    keys: HintKeys::Lines(&[
+        "arm", "takeoff", "goto", "land", "rtl", "hold", "mode", "disarm",
+    ]),
+    about: "hint-commands",
+};
+
 const LOOK_BACK: KeyHint = hint(
     &[Action::Show(Room::Ledger), Action::Notices],
     "hint-look-back",
@@ -92,6 +100,7 @@ const ROOMS: KeyHint = hint(
 const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
+    COMMANDS,
     hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     LIST,
     hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),
@@ -109,6 +118,7 @@ const MISSION_HINTS: &[KeyHint] = &[
     footer_keys::HELP,
     footer_keys::PAUSE,
     footer_keys::MISSION_HINT,
+    COMMANDS,
     hint(&[Action::Show(Room::Mission)], "room-mission"),
     hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     LIST,

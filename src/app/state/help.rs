@@ -252,6 +252,12 @@ impl HelpScene<'_> {
     /// The description of a key in the section of a place; `None` if it belongs to another, or has no effect.
     fn description(&self, binding: &Binding, place: Place) -> Option<Text> {
         let usual = || self.keymap.description(&binding.meaning);
+        // The section of general keys lists only those that the current room leaves as they are.
+        let is_changed_here = binding.place == Place::Anywhere
+            && !self.keymap.is_general(binding.press, Place::In(self.here));
+        if is_changed_here {
+            return None;
+        }
         if !self.is_replay {
             return (binding.place == place).then(usual);
         }
@@ -336,6 +342,33 @@ mod tests {
         }
         let pause = locale.say("action-pause-mission");
         assert!(all.iter().all(|(_, meaning)| *meaning != pause), "{all:#?}");
+    }
+
+    /// Home practises with `p`, which pauses in the other rooms.
+    #[test]
+    fn each_key_is_listed_once_with_the_meaning_that_it_has_in_the_room() {
+        let locale = Locale::new(Language::English);
+        let keymap = Keymap::default();
+        for room in Room::ALL {
+            let scene = flight(&keymap, room);
+            let here = [Place::In(room), Place::Anywhere];
+            let listed = keymap.bindings().iter().filter(|binding| {
+                let mut places = here.iter();
+                places.any(|&place| scene.description(binding, place).is_some())
+            });
+            let presses: Vec<Press> = listed.map(|binding| binding.press).collect();
+            for (at, press) in presses.iter().enumerate() {
+                assert!(!presses[..at].contains(press), "{room:?}: {press:?}");
+            }
+        }
+        let home = help_lines(flight(&keymap, Room::Home), &locale);
+        let pause = locale.say("action-pause-mission");
+        let end = home
+            .iter()
+            .position(|line| *line == HelpLine::Title(locale.say("help-commands")));
+        let is_pause =
+            |line: &HelpLine| matches!(line, HelpLine::Entry(_, meaning) if *meaning == pause);
+        assert!(!home[..end.expect("the commands")].iter().any(is_pause));
     }
 
     #[test]

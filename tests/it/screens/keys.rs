@@ -30,6 +30,12 @@ fn hinted(console: &Console) -> Vec<(Meaning, String)> {
                 let value = format!("{} ...", words.trim_end());
                 found.push((Meaning::words(words), value));
             }
+            HintKeys::Lines(lines) => {
+                found.extend(lines.iter().map(|words| {
+                    let value = format!("{} ...", words.trim_end());
+                    (Meaning::words(words), value)
+                }));
+            }
             HintKeys::VehicleList => {
                 found.push((
                     Meaning::Do(Action::Submit),
