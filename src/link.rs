@@ -179,8 +179,8 @@ pub struct Rates {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkStatus {
     pub id: LinkId,
-    /// Its address as text, or `pipe`.
-    pub name: String,
+    /// Its address, or a word for the console's own simulator.
+    pub name: Text,
     /// Whether it carries data.
     pub state: LinkState,
     /// The socket's local address, if it is open; it contains the port of a listener.
@@ -205,7 +205,7 @@ pub struct LinkStatus {
 }
 
 impl LinkStatus {
-    fn new(id: LinkId, name: String, state: LinkState) -> Self {
+    fn new(id: LinkId, name: Text, state: LinkState) -> Self {
         Self {
             id,
             name,
@@ -348,8 +348,11 @@ fn open_tapped(
     cancel: CancellationToken,
 ) -> LinkHandle {
     let (name, state) = match &transport {
-        Transport::Address(address) => (address.to_string(), LinkState::Connecting),
-        Transport::Pipe(_) => ("pipe".to_owned(), LinkState::Up),
+        Transport::Address(address) => {
+            let name = Text::verbatim(address.to_string());
+            (name, LinkState::Connecting)
+        }
+        Transport::Pipe(_) => (text!("link-simulator"), LinkState::Up),
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
     let outbox_len = if tap.is_forward() {

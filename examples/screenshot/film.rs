@@ -98,7 +98,7 @@ impl Film {
             is_again: false,
         })));
         film.tell(LinkEvent::Summaries(vec![LinkSummary {
-            name: "simulator".to_owned(),
+            name: "simulator".into(),
             state: "up".into(),
             up: true,
             ..LinkSummary::default()

@@ -29,7 +29,7 @@ detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look agai
 detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
 
 # Covering a zone.
-coverage-result = { $swept } % swept (random search: { $random } %)
+coverage-result = { $swept } % swept; a random search: { $random } %
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
 coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.

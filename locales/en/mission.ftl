@@ -61,7 +61,7 @@ mission-outside-fence = outside geofence { $fence }
 mission-off-pad = landed { $distance } m off the pad
 mission-low-reserve = landed with { $percent } % battery: needs { $needed } %
 mission-not-landed = in the air when the mission ended
-mission-end-reserve = { $percent } % battery when the mission ended
+mission-end-reserve = { $percent } % battery when the mission ended: needs { $needed } %
 mission-battery-critical = battery critical
 mission-battery-low = battery low
 

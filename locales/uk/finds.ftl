@@ -29,7 +29,7 @@ detect-advice-missed = пропущено { $missed }, хибних повідо
 detect-advice-wrong = хибних повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
 
 # Прохід над зоною.
-coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
+coverage-result = обстежено { $swept } %; випадковий пошук: { $random } %
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
 coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б, щоб покрити зону { $coverage } раза.

@@ -68,7 +68,7 @@ mission-outside-fence = поза геозоною { $fence }
 mission-off-pad = посадка за { $distance } m від майданчика
 mission-low-reserve = посадка із зарядом { $percent } %: потрібно { $needed } %
 mission-not-landed = у повітрі наприкінці завдання
-mission-end-reserve = заряд { $percent } % наприкінці завдання
+mission-end-reserve = заряд { $percent } % наприкінці завдання: треба { $needed } %
 mission-battery-critical = критичний заряд акумулятора
 mission-battery-low = низький заряд акумулятора
 

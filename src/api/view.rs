@@ -321,7 +321,7 @@ impl LinkView {
         let counters = link.counters.as_ref();
         let ms = |time: Duration| time.as_secs_f64() * 1e3;
         Self {
-            address: link.name.clone(),
+            address: link.name.to_string(),
             up: link.up,
             error: link.error.as_ref().map(|error| locale.text(error)),
             bytes_in_per_s: link.bytes_in_per_s,

@@ -280,7 +280,11 @@ impl Craft {
             breaches.push((SafetyKind::NotLanded, text!("mission-not-landed")));
         }
         if let Some(percent) = self.below_reserve(mission) {
-            let text = text!("mission-end-reserve", percent = format!("{percent:.0}"));
+            let text = text!(
+                "mission-end-reserve",
+                percent = format!("{percent:.0}"),
+                needed = format!("{:.0}", mission.rules.land_reserve_percent)
+            );
             breaches.push((SafetyKind::LowReserve, text));
         }
         breaches

@@ -357,7 +357,7 @@ impl Stage {
         let keys = wanted.watched.iter().map(|(_, key)| *key).collect();
         self.cast.census.watch(&keys);
         LinkTraffic {
-            name: self.film.name(),
+            name: self.film.name().into(),
             now: self.cast.now,
             census: wanted.census.then(|| self.cast.census.snapshot()),
             watched: self.cast.census.take_watched(),

@@ -44,7 +44,7 @@ fn check(name: &str, console: &Console) {
 
 fn link(name: &str, state: &str, up: bool) -> LinkSummary {
     LinkSummary {
-        name: name.to_owned(),
+        name: name.to_owned().into(),
         state: state.into(),
         up,
         bytes_in_per_s: 4123.0,

@@ -49,7 +49,7 @@ pub struct Messages {
 /// The messages of one link: their counts, and the frames of the fields drawn as graphs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkTraffic {
-    pub name: String,
+    pub name: Text,
     /// The time of the count, on the clock of the link's census.
     pub now: Duration,
     /// The counts; `None` if only graphs needed data.

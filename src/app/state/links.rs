@@ -66,7 +66,7 @@ pub struct ForwardSummary {
 /// The state, traffic and counters of a link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {
-    pub name: String,
+    pub name: Text,
     /// Its state as text, such as `up` or `down, next try in 4 s`.
     pub state: Text,
     /// Whether it carries data.

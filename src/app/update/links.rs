@@ -8,6 +8,7 @@ use crate::app::state::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::notice::Notice;
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// The time within which a vehicle on a new link should be heard.
@@ -72,7 +73,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         return;
     }
     let link = state.session.connections.links.get(finding.link);
-    let name = link.map_or_else(String::new, |link| link.name.clone());
+    let name = link.map_or_else(Text::default, |link| link.name.clone());
     let notice = Notice::general(
         state.now,
         Severity::Warning,

@@ -58,7 +58,7 @@ async fn a_server_that_is_not_there_is_told_at_once_and_found_later() {
     listener.accept().await.expect("the link tries again");
     let status = rig.until(|s| s.state == LinkState::Up).await;
     assert_eq!(status.reconnects, 0, "it was never up before");
-    assert_eq!(status.name, address);
+    assert_eq!(status.name.to_string(), address);
 }
 
 #[tokio::test(start_paused = true)]

@@ -52,7 +52,7 @@ impl Traffic {
         self.since = now;
         let per_s = |count: u64| count as f64 / span.as_secs_f64();
         Some(LinkSummary {
-            name: film.name(),
+            name: film.name().into(),
             state: LinkState::Up.text(),
             up: true,
             bytes_in_per_s: per_s(received.bytes),

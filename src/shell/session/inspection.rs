@@ -32,7 +32,8 @@ pub(super) struct Inspection {
 impl Inspection {
     /// Adds a link that was opened.
     pub fn add(&mut self, status: &watch::Receiver<LinkStatus>, tap: Tap) {
-        self.charts.push(Chart::new(Way::of(&status.borrow().name)));
+        self.charts
+            .push(Chart::new(Way::of(&status.borrow().name.to_string())));
         self.taps.push(tap);
     }
 

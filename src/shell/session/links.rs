@@ -139,7 +139,7 @@ impl LinkNews {
         }
     }
 
-    fn notice(&self, name: &str, now: Duration) -> Notice {
+    fn notice(&self, name: &Text, now: Duration) -> Notice {
         let (severity, text) = match self {
             Self::Silent | Self::Up => (Severity::Info, text!("transport-is-up", link = name)),
             Self::Ended => (Severity::Notice, text!("transport-has-ended", link = name)),

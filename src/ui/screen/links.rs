@@ -118,7 +118,7 @@ fn list_line(
     let figures = format!(
         "{:>3} {:name_width$} {:>8.0} {:>8.0} {lost:>6}  ",
         at + 1,
-        clip(&link.name, name_width),
+        clip(&look.text(&link.name), name_width),
         link.bytes_in_per_s,
         link.bytes_out_per_s
     );
@@ -177,7 +177,7 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
 /// Draws all counters of a link and its recent traffic.
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
-    let inner = panel.titled(&format!("{} {}", at + 1, link.name), buffer);
+    let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
     let lines = counters(link, panel.look);
     let mut row = 0;
     for (label, words) in lines {

@@ -162,7 +162,7 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
     let traffic = room.traffic().get(node.link());
     match node {
         Node::Link(link) => {
-            let name = traffic.map_or("", |traffic| &traffic.name);
+            let name = traffic.map_or_else(String::new, |traffic| look.text(&traffic.name));
             format!("{} {name}", link + 1)
         }
         Node::System(_, direction, peer, system) => {

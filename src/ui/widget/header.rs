@@ -151,7 +151,10 @@ fn links(state: &State, short: bool) -> Text {
         [link] if link.up => text!("header-link-up"),
         // A long address is cut, so that the state stays visible.
         [link] => {
-            let name = clip(&link.name, if short { 14 } else { 24 });
+            let name = clip(
+                &state.locale().text(&link.name),
+                if short { 14 } else { 24 },
+            );
             text!("header-link-down", name = name)
         }
         links => {

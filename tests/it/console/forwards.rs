@@ -89,13 +89,13 @@ fn nobody_else_helps_to_fly_a_mission() {
 fn the_room_of_the_links_counts_what_each_forward_carries() {
     let mut console = Console::flying(2);
     let link = LinkSummary {
-        name: "udpin:0.0.0.0:14550".to_owned(),
+        name: "udpin:0.0.0.0:14550".into(),
         up: true,
         ..LinkSummary::default()
     };
     console.hear(LinkEvent::Summaries(vec![link]));
     let closed = ForwardSummary {
-        name: "udp:10.0.0.9:14550".to_owned(),
+        name: "udp:10.0.0.9:14550".into(),
         error: Some("no route".into()),
         ..ForwardSummary::default()
     };

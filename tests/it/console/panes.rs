@@ -101,7 +101,7 @@ fn why_a_link_is_down_is_never_cut() {
     let reason = "cannot open the recording none.tlog: there is no such file in the folder that the \
                   console was started from; give its whole path";
     console.hear(LinkEvent::Summaries(vec![LinkSummary {
-        name: "file:none.tlog".to_owned(),
+        name: "file:none.tlog".into(),
         state: "ended".into(),
         error: Some(reason.into()),
         ..LinkSummary::default()
@@ -179,7 +179,7 @@ fn the_commands_and_the_notices_can_be_looked_back_through() {
 fn a_long_address_does_not_push_out_whether_the_link_is_up() {
     let mut console = Console::flying(1);
     console.hear(LinkEvent::Summaries(vec![LinkSummary {
-        name: "serial:/dev/serial/by-id/usb-autopilot-if00:115200".to_owned(),
+        name: "serial:/dev/serial/by-id/usb-autopilot-if00:115200".into(),
         ..LinkSummary::default()
     }]));
     let screen = console.screen(120, 40);

@@ -43,7 +43,7 @@ fn recorded(name: &str, peer: u32) -> Census {
 
 fn traffic(name: &str, census: Census) -> LinkTraffic {
     LinkTraffic {
-        name: name.to_owned(),
+        name: name.to_owned().into(),
         now: Duration::from_millis(100_200),
         census: Some(census),
         watched: Vec::new(),

@@ -13,7 +13,7 @@ use crate::harness::Console;
 
 fn link(name: &str, up: bool) -> LinkSummary {
     LinkSummary {
-        name: name.to_owned(),
+        name: name.to_owned().into(),
         state: if up { "up" } else { "down, next try in 4.0 s" }.into(),
         up,
         error: (!up).then(|| "port 14550 on 0.0.0.0 is in use".into()),
