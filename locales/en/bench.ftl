@@ -69,6 +69,7 @@ bench-no-curve = no curve yet: needs frame, motors, propellers, speed controller
 
 bench-no-mission = no mission chosen
 bench-choose-mission = [ and ] choose a mission to build for.
+bench-mission-is = built for mission: { $mission }
 bench-mission-flown = the mission is in progress
 bench-seats = { $count ->
     [one] { $count } drone

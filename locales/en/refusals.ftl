@@ -79,6 +79,7 @@ reason-armed = it is armed
 reason-flying = it is already flying
 reason-takeoff-mode = it is in { $mode }; takeoff needs GUIDED
 reason-in-the-air = it is in the air: use `land`, or `kill` to stop the motors
+reason-speed-mode = it is in { $mode }, which takes no speed; change to GUIDED first
 reason-arm-mode = it cannot be armed in { $mode }; change to GUIDED first
 reason-plan-pause = only a flight to a place can pause; `mode brake` stops it, then `plan resume` continues
 reason-mode = it cannot enter { $mode } now

@@ -69,6 +69,7 @@ bench-no-curve = кривої ще немає: потрібні рама, дви
 
 bench-no-mission = завдання не обрано
 bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
+bench-mission-is = дрон для завдання: { $mission }
 bench-mission-flown = завдання вже виконується
 bench-seats = { $count ->
     [one] { $count } дрон

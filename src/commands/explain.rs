@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::MavResult;
 use super::{Command, MotionCommand};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Vehicle, VehicleClass};
 
 /// `MAV_RESULT`: the result in a `COMMAND_ACK`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,6 +50,9 @@ const NAMED: [(MavResult, AckResult); 10] = [
         AckResult::UnsupportedFrame,
     ),
 ];
+
+/// The copter modes that take a speed.
+const SPEED_MODES: [&str; 5] = ["GUIDED", "AUTO", "RTL", "SMART_RTL", "GUIDED_NOGPS"];
 
 impl AckResult {
     /// The result with a number.
@@ -102,6 +105,9 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         Command::Flight(command) => command.likely_reason(vehicle),
         Command::PlanFlight(command) => command.likely_reason(),
         Command::Device(command) => command.likely_reason(vehicle),
+        Command::Motion(MotionCommand::Speed { .. }) if result == AckResult::Failed => {
+            speed_reason(vehicle)
+        }
         Command::Motion(_)
         | Command::Query(_)
         | Command::Parameter(_)
@@ -109,6 +115,14 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         | Command::Plan(_)
         | Command::Raw(_) => None,
     }
+}
+
+/// A copter takes a speed only in modes that fly to places; in others it answers that it failed.
+fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
+    let mode = vehicle.mode()?;
+    let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));
+    let is_copter = mode.class == VehicleClass::Copter;
+    (is_copter && !takes_speeds).then(|| text!("reason-speed-mode", mode = mode.to_string()))
 }
 
 fn general_reason(result: AckResult) -> Text {

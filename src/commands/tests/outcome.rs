@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::text::Text;
-use crate::vehicle::Place;
+use crate::vehicle::{Place, SpeedAxis};
 
 #[test]
 fn an_effect_shows_when_telemetry_says_so_and_not_before() {
@@ -115,7 +115,12 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
         centre: None,
         altitude_m: None,
     });
-    let cases: [Refusal; 7] = [
+    let speed = Command::Motion(MotionCommand::Speed {
+        axis: SpeedAxis::Ground,
+        speed_m_s: 3.0,
+    });
+    let loiter = flying("LOITER");
+    let cases: [Refusal; 9] = [
         (
             "arm",
             &text,
@@ -163,6 +168,22 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &orbit,
             3,
             "orbit refused: this autopilot cannot orbit: use mode CIRCLE",
+        ),
+        (
+            "speed",
+            &[],
+            &loiter,
+            &speed,
+            4,
+            "speed refused: it is in LOITER, which takes no speed; change to GUIDED first",
+        ),
+        (
+            "speed",
+            &[],
+            &air,
+            &speed,
+            4,
+            "speed refused: the vehicle gave no reason",
         ),
         (
             "rtl",

@@ -242,6 +242,11 @@ fn other_mission(state: &mut State, step: Step) {
     let at = state.rooms.home.cursor.min(missions.saturating_sub(1));
     state.rooms.home.cursor = step.apply(at, missions);
     state.rooms.mission.scroll = 0;
+    // Narrow screens do not show the mission.
+    if let Some(mission) = home::under_cursor(state) {
+        let text = text!("bench-mission-is", mission = mission.title.clone());
+        state.say(Severity::Info, text);
+    }
 }
 
 /// Returns to the bench; from there to the room that was shown before.

@@ -31,6 +31,8 @@ fn another_mission_is_built_for_once_the_flown_one_is_over() {
     state.session.task.over = true;
     press(&mut state, "]");
     assert_eq!(state.rooms.home.cursor, 1);
+    let said = state.message().expect("the other mission is named");
+    assert!(said.text.contains("Air sample"), "{}", said.text);
 }
 
 #[test]
