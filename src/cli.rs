@@ -235,6 +235,21 @@ pub fn main(arguments: CliArguments) -> ExitCode {
     }
 }
 
+/// Prints the help, the version or a usage error, and returns the exit code: 0 for what was requested, 2 for an error, 1 if
+/// it could not be written.
+pub fn refuse(outcome: &clap::Error) -> ExitCode {
+    let written = outcome.print().and_then(|()| io::stdout().flush());
+    match written {
+        Ok(()) if outcome.use_stderr() => ExitCode::from(2),
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::from(1),
+        Err(error) => {
+            tell!("sortie: {error}");
+            ExitCode::from(1)
+        }
+    }
+}
+
 fn is_closed_pipe(error: &anyhow::Error) -> bool {
     let error = match error.downcast_ref() {
         Some(StoreError::Unwritable { error, .. }) => Some(error),

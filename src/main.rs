@@ -13,5 +13,8 @@ fn main() -> ExitCode {
     {
         return hangar::launch_stub(order);
     }
-    sortie::cli::main(sortie::cli::CliArguments::parse())
+    match sortie::cli::CliArguments::try_parse() {
+        Ok(arguments) => sortie::cli::main(arguments),
+        Err(outcome) => sortie::cli::refuse(&outcome),
+    }
 }

@@ -370,6 +370,32 @@ fn a_port_in_use_is_named() {
     );
 }
 
+/// Help and version are output like any other.
+#[test]
+fn help_that_cannot_be_written_is_an_error() {
+    let program = program();
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["fly", "--help"],
+        &["help"],
+    ] {
+        let Ok(full) = fs::OpenOptions::new().write(true).open("/dev/full") else {
+            eprintln!("skipped: this system has no /dev/full");
+            return;
+        };
+        let output = Command::new(&program[0])
+            .args(&program[1..])
+            .args(arguments)
+            .stdout(full)
+            .output()
+            .expect("the program runs");
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
+        assert!(said.starts_with("sortie: "), "{arguments:?}: {said}");
+    }
+}
+
 #[test]
 fn a_full_disk_is_an_error_and_no_panic() {
     let full = fs::OpenOptions::new().write(true).open("/dev/full");
