@@ -7,6 +7,7 @@ mission-visit-of = { $passed }/{ $count } places
 mission-visit-advice = Also visit { $place }: stay within { $radius } m of it for { $dwell } s.
 mission-hover = { $time } s
 mission-hover-of = { $held }/{ $time } s
+mission-hover-advice-at = Hover for { $time } s without interruption, within { $radius } m of { $place }, at a height of { $low } to { $high } m.
 mission-hover-advice = Hover for { $time } s without interruption, within { $radius } m of one point, at a height of { $low } to { $high } m.
 mission-formation = { $count } gates, { $percent } %
 mission-formation-of = { $passed }/{ $count } gates, { $percent } %

@@ -17,6 +17,7 @@ mission-visit-of = { $count ->
 mission-visit-advice = Відвідайте ще { $place }: протримайтеся { $dwell } s не далі ніж за { $radius } m від нього.
 mission-hover = { $time } s
 mission-hover-of = { $held }/{ $time } s
+mission-hover-advice-at = Зависніть нерухомо на { $time } s без перерви: не далі ніж за { $radius } m від { $place }, на висоті від { $low } до { $high } m.
 mission-hover-advice = Зависніть нерухомо на { $time } s без перерви: не далі ніж за { $radius } m від однієї точки, на висоті від { $low } до { $high } m.
 mission-formation = { $count ->
     [one] { $count } ворота, { $percent } %

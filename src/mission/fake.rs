@@ -159,6 +159,12 @@ impl Pilot {
         }
     }
 
+    /// Looks at the air above the middle cell.
+    pub fn look_above(&mut self) {
+        self.fly_to([60.0, 0.0, 36.0], 10.0);
+        self.wait(7.0);
+    }
+
     pub fn land(&mut self) {
         self.fly_to([self.position_m[0], self.position_m[1], 10.0], 1.5);
         self.fly_to([self.position_m[0], self.position_m[1], 0.0], 0.5);
@@ -247,6 +253,7 @@ pub(crate) fn fly_the_cells(seed: u64) -> Pilot {
     let mut pilot = Pilot::new(seed);
     pilot.take_off(20.0);
     pilot.survey();
+    pilot.look_above();
     pilot.goto(0.0, 0.0, 10.0);
     pilot.wait(5.0);
     pilot.land();

@@ -144,13 +144,23 @@ impl Tracker for HoverTracker {
             ),
             outlook: None,
             target: text!("mission-hover", time = time.as_str()),
-            advice: text!(
-                "mission-hover-advice",
-                radius = format!("{:.0}", self.plan.radius_m),
-                low = format!("{low:.0}"),
-                high = format!("{high:.0}"),
-                time = time
-            ),
+            advice: match &self.plan.place {
+                Some(place) => text!(
+                    "mission-hover-advice-at",
+                    place = place.name.as_str(),
+                    radius = format!("{:.0}", self.plan.radius_m),
+                    low = format!("{low:.0}"),
+                    high = format!("{high:.0}"),
+                    time = time
+                ),
+                None => text!(
+                    "mission-hover-advice",
+                    radius = format!("{:.0}", self.plan.radius_m),
+                    low = format!("{low:.0}"),
+                    high = format!("{high:.0}"),
+                    time = time
+                ),
+            },
         }
     }
 }
