@@ -57,9 +57,18 @@ fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         notices::draw(state, panel.below(middle), buffer);
         upper(panel.area, middle)
     };
-    let log = draw_side(state, panel.at(panes), buffer);
+    let SidePanes {
+        beside,
+        below: free,
+    } = draw_side(state, panel.at(panes), buffer);
     let notices_too = bottom < NOTICES_LEAST;
-    let log = draw_map(state, panel.at(log), notices_too, buffer);
+    if !notices_too && free.height >= LEDGER_LEAST && is_map_size(beside) {
+        // The map gets all rows of its columns.
+        ledger::draw(state, panel.at(free), buffer);
+        map::draw(state, panel.at(beside), buffer);
+        return;
+    }
+    let log = draw_map(state, panel.at(beside), notices_too, buffer);
     if notices_too {
         let rows = log.height / 2;
         ledger::draw(state, panel.at(upper(log, rows)), buffer);
@@ -69,11 +78,23 @@ fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
+/// The areas that telemetry and mission leave free.
+struct SidePanes {
+    /// To the right of both.
+    beside: Rect,
+    /// Below both, if they are beside each other; otherwise without rows.
+    below: Rect,
+}
+
+fn is_map_size(area: Rect) -> bool {
+    area.width >= MAP_LEAST.0 && area.height >= MAP_LEAST.1
+}
+
 /// Draws the map if there is room, and returns the rest below it.
 fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buffer) -> Rect {
     let logs = if notices_too { 2 } else { 1 } * LEDGER_LEAST;
     let rows = panel.area.height.saturating_sub(logs);
-    if panel.area.width < MAP_LEAST.0 || rows < MAP_LEAST.1 {
+    if !is_map_size(upper(panel.area, rows)) {
         return panel.area;
     }
     map::draw(state, panel.upper(rows), buffer);
@@ -101,19 +122,28 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     }
 }
 
-/// Draws telemetry and mission, and returns the rest of the area beside them.
-fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
+/// Draws telemetry and mission, and returns the rest of the area.
+fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> SidePanes {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);
     let detail = detail(panel.area.width);
+    let only_beside = |beside: Rect| SidePanes {
+        beside,
+        below: upper(beside, 0),
+    };
     let Some(progress) = state.session().mission() else {
         telemetry::draw(state, panel.at(side), detail, buffer);
-        return log;
+        return only_beside(log);
     };
     if panel.area.width >= THREE_COLUMNS {
         telemetry::draw(state, panel.at(side), detail, buffer);
         mission::draw(state, panel.at(columns(log, 0, MISSION_WIDTH)), buffer);
-        return columns(log, MISSION_WIDTH + 1, log.width);
+        let used = side_height(state, panel.look, panel.area.width).min(panel.area.height);
+        let both = columns(panel.area, 0, SIDE_WIDTH + 1 + MISSION_WIDTH);
+        return SidePanes {
+            beside: columns(log, MISSION_WIDTH + 1, log.width),
+            below: below(both, used),
+        };
     }
     let left = side
         .height
@@ -122,5 +152,5 @@ fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let rows = left.clamp(TELEMETRY_LEAST, most);
     telemetry::draw(state, panel.at(upper(side, rows)), detail, buffer);
     mission::draw(state, panel.at(below(side, rows)), buffer);
-    log
+    only_beside(log)
 }
