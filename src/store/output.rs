@@ -252,6 +252,23 @@ mod tests {
             }
         }
 
+        /// Only the superuser can give a file away.
+        #[test]
+        fn a_file_that_is_replaced_keeps_its_owner() {
+            use std::os::unix::fs::{MetadataExt as _, chown};
+
+            let folder = folder();
+            let path = folder.path().join("report");
+            write(&path, "old", true).expect("written");
+            if chown(&path, Some(12_345), Some(12_346)).is_err() {
+                return;
+            }
+            write_output(&path, "new", Readers::Owner).expect("written");
+            let found = fs::metadata(&path).expect("there");
+            assert_eq!((found.uid(), found.gid()), (12_345, 12_346));
+            assert_eq!(fs::read_to_string(&path).expect("readable"), "new");
+        }
+
         #[test]
         fn a_link_to_a_file_that_is_not_there_yet_makes_it() {
             let folder = folder();

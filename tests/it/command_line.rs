@@ -370,6 +370,31 @@ fn a_port_in_use_is_named() {
     );
 }
 
+#[test]
+#[cfg(target_os = "linux")]
+fn output_goes_to_standard_output_by_both_of_its_names() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let created = sortie_in(folder.path(), &["profile", "create", "anna"]);
+    assert!(created.status.success(), "{}", text(&created.stderr));
+    let report = |output: &str| {
+        let arguments = [
+            "report",
+            "--profile",
+            "anna",
+            "--format",
+            "csv",
+            "--output",
+            output,
+        ];
+        let written = sortie_in(folder.path(), &arguments);
+        assert!(written.status.success(), "{}", text(&written.stderr));
+        text(&written.stdout)
+    };
+    let printed = report("-");
+    assert!(!printed.is_empty());
+    assert_eq!(report("/dev/stdout"), printed);
+}
+
 /// Help and version are output like any other.
 #[test]
 fn help_that_cannot_be_written_is_an_error() {

@@ -303,3 +303,43 @@ fn what_a_mission_lists_has_its_gates() {
         }
     }
 }
+
+/// The share of the battery that a brief names, in percent, after one of these words or before them.
+fn battery_in(brief: &str) -> Option<f64> {
+    let brief = brief.split_whitespace().collect::<Vec<_>>().join(" ");
+    let number = |text: &str| text.split(' ').next_back().and_then(|it| it.parse().ok());
+    if let Some((before, _)) = brief.split_once(" % battery") {
+        return number(before);
+    }
+    let (_, after) = brief.split_once("із зарядом ")?;
+    let (before, _) = after.split_once(" %")?;
+    number(before)
+}
+
+#[test]
+fn the_battery_in_a_brief_is_the_one_that_the_rules_require() {
+    let ukrainian = Locale::new(Language::Ukrainian);
+    let mut named = 0;
+    let folders = ["missions", "missions/drills"].map(folder);
+    for path in folders.iter().flat_map(|it| toml_files(it)) {
+        let source = std::fs::read_to_string(&path).expect("readable");
+        let mission = Mission::parse(&source).expect("no faults");
+        let brief = mission.listing().brief;
+        let mut lines = source.lines();
+        let required: f64 = lines
+            .find_map(|line| line.strip_prefix("land_reserve_pct = ")?.parse().ok())
+            .expect("a reserve");
+        for text in [brief.to_string(), ukrainian.text(&brief)] {
+            let Some(percent) = battery_in(&text) else {
+                continue;
+            };
+            named += 1;
+            assert!(
+                (percent - required).abs() < 0.01,
+                "{}: {text}",
+                path.display()
+            );
+        }
+    }
+    assert!(named >= 20, "{named}");
+}

@@ -282,3 +282,36 @@ fn no_message_names_a_key_that_a_keymap_could_change() {
     assert_eq!(literal_keys("none fits: Esc shows all"), ["Esc"]);
     assert_eq!(literal_keys("{ $key } shows a list"), [""; 0]);
 }
+
+/// Phrases that docs/style.md forbids, apart from those that only some uses make wrong.
+const FORBIDDEN: [&str; 13] = [
+    "nobody",
+    "somebody",
+    "it is told",
+    "there are not",
+    "there is none that",
+    "in vain",
+    "for nothing",
+    "stands at",
+    "turns it round",
+    "takes it back",
+    "goes calm",
+    "would break off",
+    "because nothing else was said",
+];
+
+#[test]
+fn no_message_contains_a_forbidden_phrase() {
+    let style = include_str!("../../docs/style.md");
+    for phrase in FORBIDDEN {
+        assert!(style.contains(phrase), "{phrase}");
+    }
+    for (area, source) in messages(Language::English) {
+        for line in source.lines().filter(|line| !line.starts_with('#')) {
+            let said = line.split_once(" = ").map_or(line, |(_, value)| value);
+            let said = said.to_lowercase();
+            let found = FORBIDDEN.iter().find(|phrase| said.contains(*phrase));
+            assert_eq!(found, None, "{area}: {line}");
+        }
+    }
+}

@@ -123,3 +123,20 @@ fn arming_is_not_overtaken_by_our_own_disarming() {
     assert_eq!(last(&scene, 1), RowState::Done);
     assert_eq!(last(&scene, 2), RowState::Done);
 }
+
+#[test]
+fn a_takeoff_is_overtaken_by_the_landing_that_another_station_orders() {
+    let mut scene = Scene::new();
+    scene.heartbeat(GUIDED, true);
+    scene.order(
+        1,
+        "takeoff",
+        Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+    );
+    scene.ack(MavCmd::MAV_CMD_NAV_TAKEOFF, MavResult::MAV_RESULT_ACCEPTED);
+    scene.heartbeat(GUIDED, true);
+    assert_eq!(last(&scene, 1), RowState::Accepted);
+    scene.heartbeat(LAND, true);
+    assert_eq!(last(&scene, 1), RowState::Overtaken);
+    assert_eq!(scene.explanation(1), "by LAND");
+}

@@ -6,8 +6,8 @@ use sortie::app::effect::{CareerEffect, Effect, Launch, SessionEffect};
 use sortie::app::event::{CareerEvent, Event, SessionEvent};
 use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
-use sortie::campaign::{Aids, CareerEntry, CareerFlight, Stake};
-use sortie::mission::Phase;
+use sortie::campaign::{Aids, CareerEntry, CareerFlight, MissionCourse, Offer, Stake};
+use sortie::mission::{Mission, Phase};
 use sortie::scoring::TryReport;
 use sortie::text::Language;
 use sortie::workshop::Design;
@@ -399,4 +399,19 @@ fn after_a_flight_the_key_for_the_next_mission_flies_what_is_next() {
             Launch::graded(next)
         ))]
     );
+}
+
+#[test]
+fn a_drill_is_shown_without_credits() {
+    let source = include_str!("../../../missions/drills/d01-slow-line.toml");
+    let drill = Mission::parse(source).expect("no faults");
+    let course = MissionCourse::new([Offer::of(&drill)]);
+    let mut console = Console::set_up(|setup| setup.missions = vec![drill.listing()]);
+    let career = Career::new("oksana", Vec::new(), course);
+    console.hear(CareerEvent::Career(Some(Box::new(career))));
+    let listing = &console.state().training().missions()[0];
+    let facts = home::facts(console.state(), listing);
+    let told: Vec<String> = facts.iter().map(|fact| fact.what.to_string()).collect();
+    assert!(told.contains(&"no credits".to_owned()), "{told:?}");
+    assert!(!told.iter().any(|what| what.contains("0 cr")), "{told:?}");
 }

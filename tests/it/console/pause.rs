@@ -93,6 +93,19 @@ fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
 }
 
 #[test]
+fn a_hint_can_be_requested_in_a_pause() {
+    let mut console = flying();
+    console.hear(SessionEvent::Paused(true));
+    console.press("w");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("Enter confirms"), "{screen}");
+    let effects = console.press("enter").effects.clone();
+    let is_hint = |effect: &Effect| matches!(effect, Effect::Order { order, .. } if order.verb.name == "hint");
+    assert!(effects.iter().any(is_hint), "{effects:?}");
+    assert!(console.state().overlay().is_none());
+}
+
+#[test]
 fn what_cannot_be_paused_says_why() {
     let mut processes = starting(mission(), 1);
     let mut real = Console::new();

@@ -312,6 +312,7 @@ fn a_vehicle_of_which_little_is_known_shows_dashes_and_never_nan() {
         from_deg: f32::NAN,
         speed_m_s: f32::NAN,
     });
+    let mut still = odd.clone();
     console.vehicle(odd).at(2);
     console.at(3);
     let (width, height) = SIZES[2];
@@ -320,6 +321,15 @@ fn a_vehicle_of_which_little_is_known_shows_dashes_and_never_nan() {
         !screen.contains("nan") && !screen.contains("inf"),
         "{screen}"
     );
+    // An autopilot without an estimate reports calm from the north.
+    still.wind = Some(Wind {
+        from_deg: 0.0,
+        speed_m_s: 0.0,
+    });
+    console.vehicle(still).at(4);
+    console.at(5);
+    let screen = console.screen(width, height);
+    assert!(screen.contains("not estimated"), "{screen}");
 }
 
 #[test]

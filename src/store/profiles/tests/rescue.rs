@@ -235,3 +235,19 @@ fn while_one_console_is_at_the_copies_another_leaves_them_alone() {
     profiles.back_up().expect("copied");
     assert_eq!(files(data.path(), "backup-before"), 1);
 }
+
+/// Another user of a shared folder may have planted the link.
+#[cfg(unix)]
+#[test]
+fn a_link_in_the_place_of_the_new_copy_is_not_followed() {
+    let (data, file) = folder_with_copy(1);
+    let other = data.path().join("other");
+    fs::write(&other, "untouched").expect("written");
+    let planted = PathBuf::from(format!("{}.backup-new", file.display()));
+    std::os::unix::fs::symlink(&other, &planted).expect("made");
+    open(data.path()).back_up().expect("copied");
+    assert_eq!(fs::read_to_string(&other).expect("there"), "untouched");
+    assert!(!planted.exists());
+    let copy = PathBuf::from(format!("{}.backup", file.display()));
+    assert!(copy.is_file() && !copy.is_symlink());
+}
