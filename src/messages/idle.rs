@@ -1,11 +1,14 @@
 //! How long a vehicle has been armed on the ground: `ArduPilot` disarms it after `DISARM_DELAY`, without a text.
 
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
 use crate::vehicle::{IdleDisarm, Vehicle, VehicleClass};
 
 /// `DISARM_DELAY` of `ArduCopter` in seconds, until the vehicle reports its own.
 const USUAL_DELAY_S: f32 = 10.0;
+/// The delays that `ArduCopter` can store, without 0 for never.
+const DELAYS_S: RangeInclusive<f32> = 1.0..=127.0;
 /// How much earlier and later than the delay a disarming may show: heartbeats arrive once a second.
 const EARLIER: Duration = Duration::from_millis(1500);
 const LATER: Duration = Duration::from_millis(2500);
@@ -50,7 +53,7 @@ impl IdleWatch {
     fn cause(&self, vehicle: &Vehicle, since: Duration, at: Duration) -> Option<IdleDisarm> {
         let is_copter = vehicle.mode()?.class == VehicleClass::Copter;
         let delay_s = self.delay_s.unwrap_or(USUAL_DELAY_S);
-        if !is_copter || !(delay_s >= 1.0) {
+        if !is_copter || !DELAYS_S.contains(&delay_s) {
             return None;
         }
         let is_commanded = self

@@ -110,9 +110,11 @@ fn a_vehicle_that_disarms_on_the_ground_gives_the_reason_that_its_delay_shows() 
         disarmed_after(&mut patient, 20),
         ["disarmed: no takeoff within 20 s"]
     );
-    let mut never = ready();
-    never.hear(delay(0.0));
-    assert_eq!(disarmed_after(&mut never, 10), ["disarmed"]);
+    for seconds in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        let mut never = ready();
+        never.hear(delay(seconds));
+        assert_eq!(disarmed_after(&mut never, 10), ["disarmed"], "{seconds}");
+    }
 }
 
 #[test]
