@@ -73,11 +73,17 @@ pub struct ProfileSettings {
     pub exams: Option<ExamKey>,
 }
 
+impl ProfileSettings {
+    /// The key of the exams of a profile with this name, created at this time.
+    fn exam_key(&self, name: &str, since: &str) -> ExamKey {
+        self.exams.unwrap_or_else(|| ExamKey::of(name, since))
+    }
+}
+
 impl Profile {
     /// Makes the trainee's exams differ from those of others.
     pub fn exam_key(&self) -> ExamKey {
-        let kept = self.settings.exams;
-        kept.unwrap_or_else(|| ExamKey::of(&self.name, &self.since))
+        self.settings.exam_key(&self.name, &self.since)
     }
 }
 

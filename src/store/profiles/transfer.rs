@@ -136,8 +136,7 @@ impl ProfileFile {
 
     /// Makes the trainee's exams differ from those of others.
     fn exam_key(&self) -> ExamKey {
-        let kept = self.settings.exams;
-        kept.unwrap_or_else(|| ExamKey::of(&self.name, &self.since))
+        self.settings.exam_key(&self.name, &self.since)
     }
 
     pub fn write(&self) -> String {
