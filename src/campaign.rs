@@ -27,7 +27,7 @@ pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use attempt::{
     Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, FlightClaim,
-    PracticeReason, SettledFlight, is_practice, next_try, script_stake,
+    PracticeReason, SettledFlight, is_practice, next_try, script_stake, without_end,
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::{ExamKey, daily_seed, exam_seed};

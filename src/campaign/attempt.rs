@@ -9,6 +9,7 @@ pub use reason::{AttemptRefusal, PracticeReason};
 use super::daily::FRESH_SEEDS;
 use super::{CareerStanding, ExamKey, MissionCourse, MissionStage, Stake, daily_seed, exam_seed};
 use crate::mission::Mission;
+use crate::mission::record::WithoutEnd;
 use crate::scoring::{FlownBy, MissionFile, TryReport};
 use crate::workshop::Design;
 
@@ -72,6 +73,15 @@ pub struct AttemptMeans {
 /// were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !flown_by.unwrap_or_default().is_by_hand()
+}
+
+/// How a flight is scored whose record has no end: one that counts was left, by closing or killing the program.
+pub fn without_end(stake: Stake, flown_by: Option<FlownBy>) -> WithoutEnd {
+    if is_practice(stake, flown_by) {
+        WithoutEnd::Over
+    } else {
+        WithoutEnd::Left
+    }
 }
 
 /// The number of the attempt after these, from 1. Unfinished flights and practice do not count, and use up no free

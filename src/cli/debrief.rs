@@ -7,6 +7,7 @@ use clap::Args;
 
 use super::Failure;
 use super::settings::CliSettings;
+use crate::campaign::without_end;
 use crate::debrief;
 use crate::mission::record::Stored;
 use crate::store::{self, RecordFiles, Runs};
@@ -54,7 +55,9 @@ pub(super) fn debrief(
     {
         return Err(faulty(text!("record-under-way")));
     }
-    let again = stored.rescore().map_err(faulty)?;
+    let again = stored
+        .rescore(without_end(head.stake, head.flown_by))
+        .map_err(faulty)?;
     if let Some(damage) = &stored.damage {
         tell!("sortie: {name}: {}", locale.text(damage));
     }

@@ -9,6 +9,7 @@ use clap::Args;
 use self::document::{FlyingHand, Reliance, Verdict, VerifyDocument};
 use super::Failure;
 use super::settings::CliSettings;
+use crate::campaign::without_end;
 use crate::mission::Mission;
 use crate::mission::record::{Divergence, RecordExtent, Rescored, Stored, refly};
 use crate::record::{Journal, StoredInputs, Subject};
@@ -85,7 +86,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
     // A flight without an end has no score.
     let score = match judged.reliance {
         Reliance::Unfinished => None,
-        Reliance::Good | Reliance::Bad => Some(stored.rescore()?.report.score),
+        Reliance::Good | Reliance::Bad => Some(scored(&stored)?.report.score),
     };
     let document = VerifyDocument {
         mission: Some(mission.id),
@@ -275,9 +276,15 @@ fn verified(stored: &Stored, mission: &Mission, score: u16) -> Text {
     Text::joined("\n", words)
 }
 
+/// The score that follows from a record, as the career counts it.
+fn scored(stored: &Stored) -> Result<Rescored, Text> {
+    let head = &stored.head;
+    stored.rescore(without_end(head.stake, head.flown_by))
+}
+
 /// The result for a flight that cannot be repeated: of ArduPilot, or without its inputs.
 fn rescored(stored: &Stored, program: String) -> Result<VerifyDocument, Text> {
-    let Rescored { report, before } = stored.rescore()?;
+    let Rescored { report, before } = scored(stored)?;
     let (score, backend) = (report.score, stored.head.backend);
     let is_same = before.is_some_and(|before| before.score == score);
     let result = match (backend, is_same) {

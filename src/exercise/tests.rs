@@ -6,8 +6,8 @@ use super::*;
 use crate::language::Context;
 use crate::ledger::{LedgerRow, RowState};
 use crate::mission::Mission;
-use crate::mission::record::{Occasion, Stored};
-use crate::scoring::{EventKind, FlightBackend, Medal};
+use crate::mission::record::{Occasion, Stored, WithoutEnd};
+use crate::scoring::{EventKind, FlightBackend};
 use crate::sim::{PortId, STEP, World};
 use crate::text;
 use crate::workshop::Design;
@@ -204,7 +204,7 @@ fn a_recorded_run_scores_again_to_the_same_document() {
     for (seed, until_s) in [(1, None), (2, None), (3, Some(95))] {
         let (report, text) = recorded(seed, until_s.map(Duration::from_secs));
         let again = Stored::read(&text)
-            .and_then(|stored| stored.rescore())
+            .and_then(|stored| stored.rescore(WithoutEnd::Over))
             .expect("a good record")
             .report;
         let document = |report| serde_json::to_string_pretty(report).expect("plain data");
@@ -222,7 +222,10 @@ fn a_run_that_was_cut_off_scores_as_it_stood_then() {
     let cut: Vec<&str> = text.lines().take(lines).collect();
     let stored = Stored::read(&cut.join("\n")).expect("the head is whole");
     assert!(stored.damage.is_some() && stored.end().is_none());
-    let again = stored.rescore().expect("a good mission").report;
+    let again = stored
+        .rescore(WithoutEnd::Over)
+        .expect("a good mission")
+        .report;
     assert!(again.score < whole.score && !again.passed);
     assert!(
         (again.sim_time_s - 95.0).abs() < 1.0,
@@ -259,7 +262,10 @@ fn a_drone_that_somebody_built_flies_the_mission_and_its_record_scores_again_the
     assert!(report.passed, "{report:#?}");
     let stored = Stored::read(&text).expect("a good record");
     assert_eq!(stored.head.designs.len(), 1);
-    let again = stored.rescore().expect("a good mission").report;
+    let again = stored
+        .rescore(WithoutEnd::Over)
+        .expect("a good mission")
+        .report;
     let document = |report| serde_json::to_string_pretty(report).expect("plain data");
     assert_eq!(document(&again), document(&report));
 }

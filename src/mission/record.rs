@@ -31,7 +31,7 @@ mod verification;
 
 use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
-pub use replay::{Reenactment, Rescored, Stored};
+pub use replay::{Reenactment, Rescored, Stored, WithoutEnd};
 pub use verification::{Divergence, RecordExtent, Verification, refly};
 
 /// The version of the format.

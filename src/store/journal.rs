@@ -18,7 +18,7 @@ use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RecordFiles, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
     AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight,
-    Stake, is_practice,
+    Stake, is_practice, without_end,
 };
 use crate::mission::Mission;
 use crate::mission::record::{Head, Stored};
@@ -198,14 +198,15 @@ impl<'a> LeftRun<'a> {
             .find(|it| it.name.eq_ignore_ascii_case(name) && it.since <= head.when)?;
         let when = path.metadata().and_then(|file| file.modified()).ok()?;
         let stored = Stored::read(&read_run(path).ok()?).ok()?;
-        let mut report = match left {
+        match left {
             None => {
                 stored.end()?;
-                stored.rescore().ok()?.report
             }
             Some(LeftFlight::Attempt) if !stored.is_open() => return None,
-            Some(LeftFlight::Attempt | LeftFlight::Exam) => stored.rescore_left().ok()?,
-        };
+            Some(LeftFlight::Attempt | LeftFlight::Exam) => {}
+        }
+        let without_end = without_end(head.stake, head.flown_by);
+        let mut report = stored.rescore(without_end).ok()?.report;
         // A flight has not begun if only its brief was read.
         if left.is_some() && report.sim_time_s <= 0.0 {
             return None;

@@ -363,7 +363,24 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
         page.contains("01-air-sample") && page.contains("NOT FINISHED"),
         "{page}"
     );
+    assert_eq!(score_without_end(data.path(), &record, false), 200);
+    assert_eq!(score_without_end(data.path(), &record, true), 0);
     endings::assert_verified_as_far_as_it_goes(data.path());
+}
+
+/// The score in the debrief of a record without an end: of practice, or of a flight that counts and so was left.
+fn score_without_end(folder: &Path, record: &str, counts: bool) -> u64 {
+    let (head, lines) = record.split_once('\n').expect("a head");
+    let mut head: serde_json::Value = serde_json::from_str(head).expect("a head");
+    if counts {
+        head["stake"] = "graded".into();
+        head["flown_by"] = "hand".into();
+    }
+    let file = folder.join("again.run.jsonl");
+    fs::write(&file, format!("{head}\n{lines}")).expect("writable");
+    let debrief = run(folder, "", &["debrief", "--json", &file.to_string_lossy()]);
+    let report: serde_json::Value = serde_json::from_slice(&debrief.stdout).expect("JSON");
+    report["score"].as_u64().expect("points")
 }
 
 /// A record as versions without a checksum wrote it.

@@ -343,6 +343,8 @@ fn only_finished_tries_by_hand_that_count_take_free_hints() {
         (Stake::Practice, Some(FlownBy::Hand), true),
     ] {
         assert_eq!(is_practice(stake, flown_by), expected, "{stake:?}");
+        let is_left = without_end(stake, flown_by) == WithoutEnd::Left;
+        assert_eq!(is_left, !expected, "{stake:?}");
     }
 }
 

@@ -8,7 +8,7 @@ use super::{End, Head, RecordChange, RecordLine, VERSION, checksum};
 use crate::diagnostic::Diagnostic;
 use crate::hash::RunningHash;
 use crate::ledger::{EntryId, Given, Ledger, RowState, RowUpdate};
-use crate::mission::{Flight, Mission, Stake, TICK};
+use crate::mission::{Flight, Mission, TICK};
 use crate::notice::Notice;
 use crate::scoring::{FlightBackend, Report};
 use crate::session::Want;
@@ -42,10 +42,19 @@ enum RecordEnding {
     Damaged,
 }
 
+/// How a flight whose record has no end is scored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WithoutEnd {
+    /// As if its time had been over where the record ends.
+    Over,
+    /// As left there, like a mission that the trainee abandons.
+    Left,
+}
+
 /// A record scored again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rescored {
-    /// The result by the current rules; for a record without an end, as if the flight had ended there.
+    /// The result by the current rules.
     pub report: Report,
     /// The recorded result; `None` for a record without an end.
     pub before: Option<End>,
@@ -154,32 +163,21 @@ impl Stored {
         self.lines.last().and_then(RecordLine::end)
     }
 
-    /// Scores it again.
+    /// Scores it again; without an end, as the career counts such a flight.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
-    pub fn rescore(&self) -> Result<Rescored, Text> {
+    pub fn rescore(&self, without_end: WithoutEnd) -> Result<Rescored, Text> {
         let mut replay = self.reenact()?;
         drop(replay.advance(Duration::MAX));
-        // An abandoned exam ended where its record ends.
-        if self.end().is_none() && self.head.stake == Stake::Exam {
-            replay.flight.abandon();
+        match (self.end(), without_end) {
+            (None, WithoutEnd::Left) => replay.flight.abandon(),
+            (None, WithoutEnd::Over) | (Some(_), _) => {}
         }
         Ok(Rescored {
             report: replay.report(),
             before: self.end().copied(),
         })
-    }
-
-    /// The report of a flight that was left where its record ends.
-    ///
-    /// # Errors
-    /// This program cannot read the mission in it.
-    pub fn rescore_left(&self) -> Result<Report, Text> {
-        let mut replay = self.reenact()?;
-        drop(replay.advance(Duration::MAX));
-        replay.flight.abandon();
-        Ok(replay.report())
     }
 
     /// The flight before its first step, ready to be repeated step by step.

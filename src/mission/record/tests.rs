@@ -49,7 +49,7 @@ fn a_record_scores_again_as_it_was_scored() {
     let (report, text) = eventful();
     let stored = Stored::read(&text).expect("a good record");
     assert_eq!(stored.damage, None);
-    let again = stored.rescore().expect("a good mission");
+    let again = stored.rescore(WithoutEnd::Over).expect("a good mission");
     // The test vehicle's position is finer than in messages; the rest is identical.
     assert_eq!(again.report.score, report.score);
     assert_eq!(again.report.ledger, report.ledger);
@@ -111,7 +111,7 @@ fn a_record_that_was_cut_off_anywhere_is_scored_up_to_there() {
     for at in (head..text.len() - 1).step_by(text.len() / 23) {
         let stored = Stored::read(&text[..at]).expect("the head is whole");
         assert!(stored.damage.is_some(), "{at}");
-        let again = stored.rescore().expect("a good mission");
+        let again = stored.rescore(WithoutEnd::Over).expect("a good mission");
         assert!(again.before.is_none(), "{at}");
         assert!(!again.report.passed);
     }
@@ -138,6 +138,21 @@ fn a_record_without_an_end_lasts_as_long_as_its_flight() {
     let (flown, recorded) = (pilot.report(), rescored(&record));
     let missing_s = flown.sim_time_s - recorded.sim_time_s;
     assert!((0.0..1.0).contains(&missing_s), "{missing_s}");
+}
+
+#[test]
+fn a_flight_whose_record_has_no_end_is_scored_as_over_or_as_left() {
+    let mut pilot = recorded();
+    pilot.take_off(20.0);
+    pilot.survey();
+    pilot.land();
+    let stored = Stored::read(&pilot.flight.take_record()).expect("a good record");
+    let score = |without_end| {
+        let again = stored.rescore(without_end).expect("a good mission");
+        again.report.score
+    };
+    assert!(score(WithoutEnd::Over) > 0);
+    assert_eq!(score(WithoutEnd::Left), 0);
 }
 
 #[test]
@@ -189,7 +204,7 @@ fn troubled() -> (Report, String) {
 }
 
 fn rescored(text: &str) -> Report {
-    let again = Stored::read(text).and_then(|stored| stored.rescore());
+    let again = Stored::read(text).and_then(|stored| stored.rescore(WithoutEnd::Over));
     again.expect("a good record").report
 }
 
@@ -259,7 +274,10 @@ fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
         let damage = stored.damage.as_ref().expect("it is damaged").to_string();
         assert!(damage.contains(&format!("line {damaged} ")), "{damage}");
         assert_eq!(stored.end().is_some(), is_whole);
-        let again = stored.rescore().expect("a good mission").report;
+        let again = stored
+            .rescore(WithoutEnd::Over)
+            .expect("a good mission")
+            .report;
         assert_eq!(again == report, is_whole);
     }
 }
@@ -295,7 +313,7 @@ fn what_is_said_of_the_workload_is_recorded_and_changes_nothing_else() {
     without_answers.workload.answers.clear();
     assert_eq!(without_answers, silent);
     let stored = Stored::read(&text).expect("a good record");
-    let again = stored.rescore().expect("a good mission");
+    let again = stored.rescore(WithoutEnd::Over).expect("a good mission");
     assert_eq!(again.report.workload.answers, told.workload.answers);
     assert_eq!(again.before.map(|end| end.score), Some(again.report.score));
     let (exam, _) = asked(&[2], Stake::Exam);
@@ -320,7 +338,10 @@ fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is
     second.flight.abandon();
     second.flight.close(&second.ledger);
     let stored = Stored::read(&second.flight.take_record()).expect("a good record");
-    let report = stored.rescore().expect("a good mission").report;
+    let report = stored
+        .rescore(WithoutEnd::Over)
+        .expect("a good mission")
+        .report;
     let predicted = report.prediction.map(|prediction| prediction.predicted);
     assert_eq!(
         (predicted, report.goal.map(|goal| goal.text)),
@@ -364,7 +385,10 @@ fn a_record_says_who_flew_what_for_what_and_is_flown_again_so() {
         assert_eq!(mission.fleet()[0].name, "Starter 450");
         assert_eq!(mission.rules.pausable, stake != Stake::Exam);
         assert_eq!(mission.listing().hints.is_empty(), stake == Stake::Exam);
-        let again = stored.rescore().expect("a good mission").report;
+        let again = stored
+            .rescore(WithoutEnd::Over)
+            .expect("a good mission")
+            .report;
         assert_eq!(again.score, report.score);
         assert_eq!(again.hints, report.hints);
         let hints: u32 = report.hints.len() as u32;

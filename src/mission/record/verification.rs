@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use super::{Rescored, Stored};
+use super::{Rescored, Stored, WithoutEnd};
 use crate::mission::Stake;
 use crate::record::{Head as JournalHead, StoredInputs};
 use crate::scoring::FlightBackend;
@@ -104,7 +104,7 @@ impl Stored {
     pub fn verify(&self, inputs: &StoredInputs) -> Result<Verification, Text> {
         let mission = self.head.flown()?;
         let mut config = mission.world(self.head.seed);
-        let rescored = self.rescore()?;
+        let rescored = self.rescore(WithoutEnd::Over)?;
         // Airframes other than the mission's own are for practice: a flight that counts has none.
         if !inputs.head.airframes.is_empty() && self.head.stake != Stake::Practice {
             let what = text!("verify-own-airframes");
