@@ -19,11 +19,12 @@ use serde::{Deserialize, Serialize};
 use crate::geo::LatLon;
 use crate::moment::{Moment, MomentKind};
 use crate::text;
-use crate::text::{Text, utc_of};
+use crate::text::Text;
 
 mod day_clock;
 mod flight_log;
 mod inputs;
+mod journal_fit;
 mod line;
 mod mission_clock;
 
@@ -32,14 +33,13 @@ pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{
     Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
 };
+pub use journal_fit::{JournalFit, JournalNeighbours};
 use line::is_next;
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};
 pub use mission_clock::MissionClock;
 
 /// The version of the journal's format.
 const VERSION: u32 = 1;
-/// The longest time from the beginning of a session to its first frame, in microseconds: a week.
-const LATEST_FRAME_US: u64 = 7 * 24 * 3600 * 1_000_000;
 
 /// The mission, time and pilot of a flight: the first line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -125,18 +125,6 @@ impl Head {
             places: BTreeMap::new(),
             speedup: 1.0,
         }
-    }
-
-    /// Why a tlog whose first frame has this time cannot belong to the journal; `None` if it can.
-    pub fn misfit(&self, first_unix_us: u64) -> Option<Text> {
-        let fits = self
-            .began_unix_us
-            .checked_add(LATEST_FRAME_US)
-            .is_some_and(|latest| (self.began_unix_us..=latest).contains(&first_unix_us));
-        (!fits).then(|| {
-            let (began, first) = (utc_of(self.began_unix_us), utc_of(first_unix_us));
-            text!("journal-other-time", began = began, first = first)
-        })
     }
 
     /// The head as a line, with its line end.

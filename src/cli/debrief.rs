@@ -10,6 +10,8 @@ use super::settings::CliSettings;
 use crate::campaign::without_end;
 use crate::debrief;
 use crate::mission::record::Stored;
+use crate::record::{JournalFit, JournalNeighbours};
+use crate::replay::TlogSpan;
 use crate::store::{self, RecordFiles, Runs};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -64,9 +66,14 @@ pub(super) fn debrief(
     if stored.is_altered() {
         tell!("sortie: {name}: {}", locale.text(&text!("verify-altered")));
     }
-    let journal = RecordFiles::beside(&path).head().ok();
-    if let Some(other) = journal.and_then(|journal| stored.other_flight(&journal)) {
-        tell!("sortie: {name}: {}", locale.text(&other));
+    let files = RecordFiles::beside(&path);
+    let beside = JournalNeighbours {
+        mission: Some(&stored.head.mission),
+        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
+    };
+    let journal = files.head().ok();
+    if let Some(fault) = journal.and_then(|head| JournalFit::of(&head, beside).fault()) {
+        tell!("sortie: {name}: {}", locale.text(&fault));
     }
     let mut report = again.report;
     if let Some(before) = again.before.filter(|before| before.score != report.score) {

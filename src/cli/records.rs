@@ -11,7 +11,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
-use crate::record::Head;
+use crate::record::{Head, JournalFit, JournalNeighbours};
 use crate::replay::{Replay, TlogSpan};
 use crate::scoring::Medal;
 use crate::store::{RecordFiles, Records};
@@ -185,13 +185,14 @@ impl RecordsCommands {
     /// A record for the list, with its number there; `None` for a file from elsewhere.
     fn listed(&self, number: Option<usize>, files: &RecordFiles) -> ListedRecord {
         // The first and the last frame give the duration: a list of 200 records must not read all frames.
-        let span = files
-            .frames
-            .as_deref()
-            .and_then(|path| TlogSpan::read(path).ok());
+        let span = TlogSpan::of(files);
         let head = files.head().ok();
-        let fits = |head: &&Head| span.is_none_or(|it| head.misfit(it.first_unix_us).is_none());
         let run = files.run_outline();
+        let beside = JournalNeighbours {
+            mission: run.as_ref().map(|(head, _)| head.mission.as_str()),
+            first_unix_us: span.map(|it| it.first_unix_us),
+        };
+        let fits = |head: &&Head| JournalFit::of(head, beside) == JournalFit::Fits;
         let journalled = head.as_ref().filter(fits).map(|it| it.began_unix_us);
         let began = journalled.or(span.map(|it| it.first_unix_us));
         ListedRecord {

@@ -12,7 +12,7 @@ use super::settings::CliSettings;
 use crate::campaign::without_end;
 use crate::mission::Mission;
 use crate::mission::record::{Divergence, RecordExtent, Rescored, Stored, refly};
-use crate::record::{Journal, StoredInputs, Subject};
+use crate::record::{Journal, JournalFit, JournalNeighbours, StoredInputs, Subject};
 use crate::replay::TlogSpan;
 use crate::scoring::{FlightBackend, MissionFile};
 use crate::store::{self, RecordFiles, RecordPublicKey, read_run};
@@ -122,10 +122,13 @@ fn read_journal(files: &RecordFiles) -> (Option<Journal>, Vec<Text>) {
             return (None, vec![Text::joined(": ", vec![name.into(), fault])]);
         }
     };
-    let frames = files.frames.as_deref();
-    let span = frames.and_then(|path| TlogSpan::read(path).ok());
-    let misfit = journal.iter().zip(span);
-    let misfit = misfit.filter_map(|(journal, span)| journal.head.misfit(span.first_unix_us));
+    // The run is compared with the journal as a part of the verdict.
+    let beside = JournalNeighbours {
+        mission: None,
+        first_unix_us: TlogSpan::of(files).map(|it| it.first_unix_us),
+    };
+    let misfit = |journal: &Journal| JournalFit::of(&journal.head, beside).fault();
+    let misfit = journal.as_ref().and_then(misfit);
     let faults = journal.iter().flat_map(Journal::faults).chain(misfit);
     let found = faults.collect();
     (journal, found)

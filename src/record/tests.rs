@@ -114,20 +114,6 @@ fn damage_is_named_with_its_line_and_kind() {
 }
 
 #[test]
-fn a_journal_begins_before_its_first_frame() {
-    let head = head();
-    let began = head.began_unix_us;
-    for first in [began, began + 1, began + LATEST_FRAME_US] {
-        assert_eq!(head.misfit(first), None);
-    }
-    for first in [0, began - 1, began + LATEST_FRAME_US + 1] {
-        let said = head.misfit(first).expect("another time").to_string();
-        assert!(said.contains("2023-11-14 22:13:20"), "{said}");
-    }
-    assert!(Head::new(Subject::Free, u64::MAX).misfit(began).is_some());
-}
-
-#[test]
 fn what_is_no_journal_is_refused_with_the_reason() {
     for (text, reason) in [
         ("", "not the journal"),

@@ -12,7 +12,9 @@ use crate::dataflash::JoinedLog;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::{DayClock, Journal, JournalLine, MissionClock, Subject};
+use crate::record::{
+    DayClock, Journal, JournalFit, JournalLine, JournalNeighbours, MissionClock, Subject,
+};
 use crate::review::Review;
 use crate::store::{RecordFiles, read_run};
 use crate::text;
@@ -272,6 +274,11 @@ impl TlogSpan {
         })
     }
 
+    /// The span of a record's frames, if they can be read.
+    pub fn of(files: &RecordFiles) -> Option<Self> {
+        Self::read(files.frames.as_deref()?).ok()
+    }
+
     /// The length, counted from a time of day.
     pub fn length_from(self, began_unix_us: u64) -> Duration {
         Duration::from_micros(self.last_unix_us.saturating_sub(began_unix_us))
@@ -295,8 +302,11 @@ fn own_journal(
     let Some(journal) = files.read_journal()? else {
         return Ok(None);
     };
-    let other = run.and_then(|run| run.other_flight(&journal.head));
-    let misfit = other.or_else(|| journal.head.misfit(span.first_unix_us));
+    let beside = JournalNeighbours {
+        mission: run.map(|run| run.head.mission.as_str()),
+        first_unix_us: Some(span.first_unix_us),
+    };
+    let misfit = JournalFit::of(&journal.head, beside).fault();
     misfit.map_or(Ok(Some(journal)), Err)
 }
 

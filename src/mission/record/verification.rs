@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::{Rescored, Stored, WithoutEnd};
 use crate::mission::Stake;
-use crate::record::{Head as JournalHead, StoredInputs};
+use crate::record::{Head as JournalHead, JournalFit, JournalNeighbours, StoredInputs};
 use crate::scoring::FlightBackend;
 use crate::sim::WorldConfig;
 use crate::text;
@@ -63,19 +63,17 @@ impl Stored {
             return Some(text!("verify-other-backend"));
         }
         let journal = journal?;
-        if let Some(other) = self.other_flight(journal) {
+        let beside = JournalNeighbours {
+            mission: Some(&self.head.mission),
+            first_unix_us: None,
+        };
+        if let Some(other) = JournalFit::of(journal, beside).fault() {
             return Some(other);
         }
         if journal.program != self.head.program {
             return Some(other_program(&self.head.program, &journal.program));
         }
         (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
-    }
-
-    /// Which other flight a journal belongs to; `None` if it is of the same mission.
-    pub fn other_flight(&self, journal: &JournalHead) -> Option<Text> {
-        let is_same = journal.subject.mission() == Some(self.head.mission.as_str());
-        (!is_same).then(|| text!("verify-other-journal", flight = journal.subject.text()))
     }
 
     /// Whether the record follows from the files beside it: its checksum is right, they do not contradict it, and the

@@ -35,7 +35,7 @@ fn a_damaged_or_foreign_journal_is_named_by_every_command_that_reads_it() {
         (
             edited("\"began_unix_us\":1", "\"began_unix_us\":5"),
             "does not fit the first frame",
-            &[(show, 0), (verify, 0)],
+            &[(show, 0), (verify, 0), (debrief, 0)],
         ),
         (
             late,
