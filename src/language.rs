@@ -45,8 +45,8 @@ pub use complete::{
     Completion, begun, complete, file_begun, hint, lines, usages_begun, vehicle_verbs,
 };
 pub use console::{
-    AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LoopTarget,
-    ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
+    AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LineNeeds,
+    LoopTarget, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

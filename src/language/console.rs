@@ -87,62 +87,36 @@ pub enum ConsoleLine {
     Quit,
 }
 
+/// What a line needs to have an effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineNeeds {
+    Nothing,
+    /// A flight under way: it has no effect on a recorded one.
+    Flight,
+    /// A replay, which it controls.
+    Replay,
+}
+
 impl ConsoleLine {
-    /// Whether it acts on a flight under way, so that it has no effect on a recorded one.
-    pub fn needs_flight(&self) -> bool {
+    /// What it needs to have an effect.
+    pub fn needs(&self) -> LineNeeds {
         match self {
             Self::Forget(_)
             | Self::Forward(_)
             | Self::Inject(_)
             | Self::Process { .. }
             | Self::Abandon
-            | Self::Restart => true,
-            Self::Report(_)
-            | Self::Select(_)
-            | Self::Carried { .. }
-            | Self::Group { .. }
-            | Self::Ungroup(_)
-            | Self::Show(_)
-            | Self::Fly(_)
-            | Self::FlyFree
-            | Self::Connect(_)
-            | Self::Macro(_)
-            | Self::Set(_)
-            | Self::Parameters(_)
-            | Self::Table(_)
-            | Self::Alerts(_)
-            | Self::Pause
-            | Self::Continue
-            | Self::Speedup(_)
-            | Self::Replay(_)
-            | Self::Bookmark(_)
-            | Self::Unbookmark
-            | Self::Review(_)
-            | Self::Draft(_)
-            | Self::Ghost(_)
-            | Self::Leave
-            | Self::Quit => false,
-        }
-    }
-
-    /// Whether it controls a replay, so that it has no effect without one.
-    pub fn needs_replay(&self) -> bool {
-        match self {
-            Self::Unbookmark => true,
-            Self::Replay(line) => match line {
-                ReplayLine::Open(_) => false,
+            | Self::Restart => LineNeeds::Flight,
+            Self::Unbookmark
+            | Self::Replay(
                 ReplayLine::Seek(_)
                 | ReplayLine::Loop(_)
                 | ReplayLine::StopAt(_)
-                | ReplayLine::Rewind => true,
-            },
-            Self::Review(line) => *line != ReviewLine::Open,
-            Self::Forget(_)
-            | Self::Forward(_)
-            | Self::Inject(_)
-            | Self::Process { .. }
-            | Self::Abandon
-            | Self::Restart
+                | ReplayLine::Rewind,
+            ) => LineNeeds::Replay,
+            Self::Review(line) if *line != ReviewLine::Open => LineNeeds::Replay,
+            Self::Review(_)
+            | Self::Replay(ReplayLine::Open(_))
             | Self::Report(_)
             | Self::Select(_)
             | Self::Carried { .. }
@@ -164,7 +138,7 @@ impl ConsoleLine {
             | Self::Draft(_)
             | Self::Ghost(_)
             | Self::Leave
-            | Self::Quit => false,
+            | Self::Quit => LineNeeds::Nothing,
         }
     }
 }
@@ -319,7 +293,7 @@ pub enum DraftLine {
     Show,
     /// Begin an empty draft.
     New(Option<String>),
-    /// Open a file.
+    /// Open the plan in a file of any known format.
     Open(String),
     /// Write the current draft to a file; `None` for the file that it comes from.
     Save(Option<String>),

@@ -7,7 +7,7 @@ use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use crate::app::State;
 use crate::app::room::Room;
-use crate::language::{self, Completion, Kind, NameList};
+use crate::language::{self, Completion, Kind, LineNeeds, NameList};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -106,7 +106,7 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
 fn needs_replay(state: &State, line: &str) -> bool {
     let read = state.with_context(|context| language::parse(line, context));
     read.is_ok_and(|statement| match statement.meaning {
-        language::Meaning::Console(own) => own.needs_replay(),
+        language::Meaning::Console(own) => own.needs() == LineNeeds::Replay,
         language::Meaning::Act(_) | language::Meaning::Wait(_) => false,
     })
 }

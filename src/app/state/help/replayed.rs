@@ -2,7 +2,7 @@
 
 use crate::app::action::{Action, MapAction, ParametersAction, PlansAction};
 use crate::app::keymap::Meaning;
-use crate::language::{self, Channel, Context, VerbRow, rows, words};
+use crate::language::{self, Channel, Context, LineNeeds, VerbRow, rows, words};
 
 /// The effect of a key in a replay.
 pub(super) enum ReplayUse {
@@ -89,7 +89,7 @@ pub(super) fn is_carried_out(row: &VerbRow) -> bool {
     let read = lines.filter_map(|line| language::parse(line, &context).ok());
     let needs: Vec<bool> = read
         .map(|statement| match statement.meaning {
-            language::Meaning::Console(own) => own.needs_flight(),
+            language::Meaning::Console(own) => own.needs() == LineNeeds::Flight,
             language::Meaning::Act(_) | language::Meaning::Wait(_) => true,
         })
         .collect();
