@@ -9,6 +9,7 @@ use crate::language::{
     Channel, ConsoleLine, Context, DraftLine, Meaning, VehicleChoice, parse, row,
 };
 use crate::plan::edit::HeightChange;
+use crate::plan::field::short_plan_words;
 use crate::plan::{ListKind, command};
 
 fn read(line: &str) -> Result<DraftLine, String> {
@@ -209,4 +210,15 @@ fn every_example_can_be_read() {
     for example in row("draft").expect("a verb").examples {
         assert!(read(example).is_ok(), "{example}: {:?}", read(example));
     }
+}
+
+#[test]
+fn the_guide_lists_the_short_words_of_commands() {
+    let guide = include_str!("../../../docs/plans.md");
+    let list = guide.split_once("The words of commands are ");
+    let list = list.and_then(|(_, rest)| rest.split_once("; Tab completes"));
+    let (list, _) = list.expect("the list of words");
+    let written: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
+    let known: Vec<&str> = short_plan_words().collect();
+    assert_eq!(written, known);
 }
