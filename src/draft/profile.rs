@@ -1,12 +1,11 @@
 //! The profile of a plan: the legs with their lengths, times and slopes, and the heights along them.
 
 use super::place::place;
-use crate::geo::{LatLon, Terrain, wrap_180};
+use crate::geo::{LatLon, Terrain};
 use crate::plan::effort::Pace;
+use crate::plan::legs::{LegMotion, LegPace, LegStart, changed_speed_m_s};
 use crate::plan::{Document, HeightFrame, Item, command};
 
-/// Legs shorter than this have no direction, in metres.
-const SAME_PLACE_M: f64 = 1.0;
 /// A wait before the next item to fly to.
 const CONDITION_DELAY: u16 = 112;
 
@@ -93,10 +92,8 @@ pub fn ground_above_home(document: &Document, at: LatLon, ground: &Terrain) -> O
 
 struct Course<'a> {
     ground: &'a Terrain,
-    at: Option<LatLon>,
-    height_m: f64,
-    /// The direction in which the vehicle arrives, in degrees; `None` at rest.
-    along_deg: Option<f64>,
+    /// Where the vehicle is; `None` before the first place is known.
+    at: Option<LegStart>,
     pace: Pace,
     profile: Profile,
 }
@@ -105,9 +102,7 @@ struct Course<'a> {
 pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let mut course = Course {
-        at: home,
-        height_m: 0.0,
-        along_deg: None,
+        at: home.map(on_the_ground),
         pace,
         profile: Profile {
             start: home,
@@ -117,15 +112,16 @@ pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     };
     for (index, item) in document.plan.iter().enumerate() {
         match item.command {
-            command::DO_CHANGE_SPEED if item.params[1] > 0.0 => {
-                course.pace.speed_m_s = f64::from(item.params[1]);
+            command::DO_CHANGE_SPEED => {
+                let speed_m_s = changed_speed_m_s(item);
+                course.pace.speed_m_s = speed_m_s.unwrap_or(course.pace.speed_m_s);
             }
             command::DO_JUMP | command::DO_JUMP_TAG => course.profile.repeats = true,
             command::DELAY | CONDITION_DELAY => {
                 course.profile.time_s += f64::from(item.params[0].max(0.0));
                 // Only a delay is a stop; a condition holds back the next action.
                 if item.command == command::DELAY {
-                    course.along_deg = None;
+                    course.rest();
                 }
             }
             command::RETURN_TO_LAUNCH => course.go_home(index, home),
@@ -136,6 +132,14 @@ pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     course.profile
 }
 
+fn on_the_ground(place: LatLon) -> LegStart {
+    LegStart {
+        place,
+        height_m: 0.0,
+        motion: LegMotion::Rest,
+    }
+}
+
 impl Course<'_> {
     fn fly(&mut self, document: &Document, index: usize, item: &Item) {
         let lands = matches!(
@@ -143,87 +147,64 @@ impl Course<'_> {
             command::LAND | command::VTOL_LAND | command::PAYLOAD_PLACE
         );
         let has_place = (item.x, item.y) != (0, 0) && !command::is_takeoff(item.command);
-        let goal = has_place.then(|| item.point()).or(self.at);
-        let height_m = if lands {
-            self.height_m
-        } else {
-            height_above_home(document, item, self.ground).unwrap_or(self.height_m)
+        let goal = has_place.then(|| item.point());
+        let Some(goal) = goal.or(self.at.map(|at| at.place)) else {
+            return;
         };
-        let stay_s = self.stay_s(item);
-        self.go(index, goal, height_m, stay_s);
+        let from = self.at.unwrap_or_else(|| on_the_ground(goal));
+        let height_m = if lands {
+            from.height_m
+        } else {
+            height_above_home(document, item, self.ground).unwrap_or(from.height_m)
+        };
+        // A stay without an end counts as none.
+        let stay_s = LegPace::Copter(self.pace).stay_s(item).unwrap_or(0.0);
+        self.go(index, from, goal, height_m, stay_s);
         if stay_s > 0.0 || command::is_takeoff(item.command) {
-            self.along_deg = None;
+            self.rest();
         }
         if lands {
-            let height_m = std::mem::take(&mut self.height_m);
             self.land(self.pace.landing(height_m.max(0.0)).time_s);
         }
     }
 
-    /// The seconds that the vehicle stays at an item.
-    fn stay_s(&self, item: &Item) -> f64 {
-        let [first, _, third, _] = item.params.map(f64::from);
-        match item.command {
-            command::WAYPOINT | command::SPLINE_WAYPOINT | command::LOITER_TIME => first.max(0.0),
-            command::LOITER_TURNS => self.pace.circle_s(first, third),
-            _ => 0.0,
-        }
-    }
-
-    fn go(&mut self, item: usize, place: Option<LatLon>, height_m: f64, stay_s: f64) {
-        let Some(place) = place else {
-            return;
-        };
-        let leg_m = self.at.map_or(0.0, |from| from.distance_m(place));
-        let climb_m = height_m - self.height_m;
-        let across_s = self.across_s(place, leg_m);
-        let leg_s = across_s.max(self.pace.rise(climb_m).time_s) + stay_s;
+    /// Flies a leg to an item, and stays there.
+    fn go(&mut self, item: usize, from: LegStart, place: LatLon, height_m: f64, stay_s: f64) {
+        let mut at = from;
+        let flown_s = at.fly(place, height_m, LegPace::Copter(self.pace));
+        let leg_m = from.place.distance_m(place);
+        self.at = Some(at);
         self.stop(Stop {
             item,
             place,
             height_m,
             leg_m,
-            climb_m,
-            leg_s,
+            climb_m: height_m - from.height_m,
+            leg_s: flown_s.unwrap_or(0.0) + stay_s,
             along_m: self.profile.length_m + leg_m,
             lands: false,
         });
-    }
-
-    /// The seconds of a level leg, with the corner before it.
-    fn across_s(&mut self, place: LatLon, leg_m: f64) -> f64 {
-        let Some(from) = self.at.filter(|_| leg_m >= SAME_PLACE_M) else {
-            return 0.0;
-        };
-        let bearing_deg = from.bearing_deg(place);
-        let before = self.along_deg.replace(bearing_deg);
-        let lost_s = match before {
-            Some(before_deg) => self.pace.corner_s(wrap_180(bearing_deg - before_deg)),
-            None => self.pace.start_s(),
-        };
-        leg_m / self.pace.speed_m_s + lost_s
     }
 
     fn go_home(&mut self, item: usize, home: Option<LatLon>) {
         let Some(place) = home else {
             return;
         };
-        let leg_m = self.at.map_or(0.0, |from| from.distance_m(place));
-        let height_m = self.height_m;
-        let along_m = self.profile.length_m + leg_m;
+        let from = self.at.unwrap_or_else(|| on_the_ground(place));
+        let leg_m = from.place.distance_m(place);
         self.stop(Stop {
             item,
             place,
-            height_m,
+            height_m: from.height_m,
             leg_m,
             climb_m: 0.0,
             leg_s: 0.0,
-            along_m,
+            along_m: self.profile.length_m + leg_m,
             lands: false,
         });
-        let return_s = self.pace.homeward(leg_m, height_m.max(0.0), 0.0).time_s;
-        self.height_m = 0.0;
-        self.land(return_s);
+        self.at = Some(on_the_ground(place));
+        let height_m = from.height_m.max(0.0);
+        self.land(self.pace.homeward(leg_m, height_m, 0.0).time_s);
     }
 
     fn stop(&mut self, stop: Stop) {
@@ -231,12 +212,17 @@ impl Course<'_> {
         profile.length_m = stop.along_m;
         profile.time_s += stop.leg_s;
         profile.stops.push(stop);
-        (self.at, self.height_m) = (Some(stop.place), stop.height_m);
+    }
+
+    fn rest(&mut self) {
+        if let Some(at) = &mut self.at {
+            at.motion = LegMotion::Rest;
+        }
     }
 
     /// Ends the last leg on the ground, after some seconds more.
     fn land(&mut self, seconds: f64) {
-        self.along_deg = None;
+        self.at = self.at.map(|at| on_the_ground(at.place));
         if let Some(stop) = self.profile.stops.last_mut() {
             stop.lands = true;
             stop.leg_s += seconds;

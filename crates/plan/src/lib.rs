@@ -34,6 +34,7 @@ pub mod frame;
 pub mod generate;
 mod hash;
 mod item;
+pub mod legs;
 pub mod pattern;
 mod place;
 
