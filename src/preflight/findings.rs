@@ -1,7 +1,7 @@
 //! Texts for the findings about a plan.
 
 use super::{command_name, list_words};
-use crate::plan::board::{Misheld, Refusal};
+use crate::plan::board::{Refusal, UnstorableValue};
 use crate::plan::check::{Finding, FindingKind, Height, VehicleKind};
 use crate::plan::field::{FieldUnit, field_numbered};
 use crate::plan::{FenceError, HeightFrame};
@@ -42,7 +42,7 @@ fn kind_words(kind: &FindingKind) -> Text {
             command = command_name(*command),
             vehicle = vehicle_words(*vehicle)
         ),
-        FindingKind::Misheld(fault) => misheld(fault),
+        FindingKind::UnstorableValue(fault) => unstorable(fault),
         FindingKind::TooMany { count, most } => {
             text!("plan-too-many", count = *count, most = *most)
         }
@@ -128,7 +128,7 @@ fn refusal(command: u16, reason: Refusal) -> Text {
     }
 }
 
-fn misheld(fault: &Misheld) -> Text {
+fn unstorable(fault: &UnstorableValue) -> Text {
     let field = field_numbered(fault.command, fault.parameter);
     let name = match field {
         Some(field) => field.name.to_owned(),
@@ -136,7 +136,7 @@ fn misheld(fault: &Misheld) -> Text {
     };
     let unit = field.map_or(FieldUnit::None, |field| field.unit);
     text!(
-        "plan-misheld",
+        "plan-unstorable",
         command = command_name(fault.command),
         name = name,
         written = measured(fault.written, unit),

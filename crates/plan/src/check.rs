@@ -1,7 +1,7 @@
 //! Finds the faults of a document, by the rules of the vehicle that will fly it.
 
 use crate::areas::FenceError;
-use crate::board::{self, Misheld, Refusal};
+use crate::board::{self, Refusal, UnstorableValue};
 use crate::{Document, HeightFrame, Item, ListKind, command};
 
 mod flight;
@@ -124,8 +124,8 @@ pub enum FindingKind {
         /// The kind of vehicle that skips it.
         vehicle: VehicleKind,
     },
-    /// A parameter that the vehicle would store with a different value.
-    Misheld(Misheld),
+    /// A parameter that the vehicle would store as another value.
+    UnstorableValue(UnstorableValue),
     /// More items than the vehicle keeps, with home.
     TooMany {
         /// The number of items in the list.
@@ -237,7 +237,7 @@ impl FindingKind {
     pub const fn severity(&self) -> Severity {
         match self {
             Self::Refused { .. }
-            | Self::Misheld(_)
+            | Self::UnstorableValue(_)
             | Self::TooMany { .. }
             | Self::JumpNowhere { .. }
             | Self::JumpRing
@@ -316,8 +316,8 @@ fn check_items(
                 add(Some(index), FindingKind::Skipped { command, vehicle });
             }
             Ok(_) if kind == ListKind::Plan && vehicle.keeps_as_copter(command) => {
-                for fault in board::misheld(item) {
-                    add(Some(index), FindingKind::Misheld(fault));
+                for fault in board::unstorable_values(item) {
+                    add(Some(index), FindingKind::UnstorableValue(fault));
                 }
             }
             Ok(_) => {}

@@ -5,7 +5,7 @@ use crate::Item;
 
 /// A parameter that does not fit into the vehicle's storage.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Misheld {
+pub struct UnstorableValue {
     /// The command of the item.
     pub command: u16,
     /// The number of the parameter, from 1 to 7.
@@ -16,10 +16,9 @@ pub struct Misheld {
     pub stored: f32,
 }
 
-/// The parameters of a plan's item that the vehicle would store with a different value, beyond the rounding of its
-/// storage. Parameters that the vehicle does not keep, and those of which it keeps only a direction or a flag, do not
-/// count.
-pub fn misheld(item: &Item) -> impl Iterator<Item = Misheld> {
+/// The parameters of a plan's item that the vehicle would store as other values, beyond the rounding of its storage.
+/// Parameters that the vehicle does not keep, and those of which it keeps a direction or a yes only, do not count.
+pub fn unstorable_values(item: &Item) -> impl Iterator<Item = UnstorableValue> {
     let [p1, p2, p3, p4] = item.params;
     let values = [p1, p2, p3, p4, item.x as f32, item.y as f32, item.z];
     let kept = letters(item.command).copied().unwrap_or(*b".......");
@@ -30,7 +29,7 @@ pub fn misheld(item: &Item) -> impl Iterator<Item = Misheld> {
         let stored = shortened(letter, written);
         // A parameter that is not set has no value to lose.
         let is_other = !written.is_nan() && (stored - written).abs() > slack;
-        is_other.then_some(Misheld {
+        is_other.then_some(UnstorableValue {
             command,
             parameter,
             written,
@@ -64,7 +63,7 @@ mod tests {
             params,
             ..Item::default()
         };
-        misheld(&item)
+        unstorable_values(&item)
             .map(|it| (it.parameter, it.written, it.stored))
             .collect()
     }
@@ -119,7 +118,7 @@ mod tests {
             y: 255,
             ..Item::default()
         };
-        let numbers: Vec<u8> = misheld(&item).map(|it| it.parameter).collect();
+        let numbers: Vec<u8> = unstorable_values(&item).map(|it| it.parameter).collect();
         assert_eq!(numbers, [5]);
     }
 
@@ -133,7 +132,7 @@ mod tests {
             let command = commands[at % commands.len()];
             let item = Item { command, params, ..Item::default() };
             let stored = crate::board::plan_item(&item).expect("finite numbers");
-            prop_assert_eq!(misheld(&stored).count(), 0, "{:?}", stored);
+            prop_assert_eq!(unstorable_values(&stored).count(), 0, "{:?}", stored);
         }
     }
 }
