@@ -91,6 +91,19 @@ impl RowState {
     }
 }
 
+/// How a row ends, with the words for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RowEnding {
+    pub state: RowState,
+    pub text: Text,
+}
+
+impl RowEnding {
+    pub fn new(state: RowState, text: Text) -> Self {
+        Self { state, text }
+    }
+}
+
 impl fmt::Display for RowState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.text().fmt(f)

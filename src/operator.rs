@@ -189,7 +189,7 @@ impl Operator {
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };
         let uploads = plans.into_iter().map(|(vehicle, document)| {
-            let source = PlanSource::Document(Arc::new(document));
+            let source = PlanSource::document(Arc::new(document));
             (vehicle, plan_command(PlanDeed::Upload { source }))
         });
         let mut commands: BTreeMap<VehicleId, Command> = uploads.collect();
@@ -306,9 +306,9 @@ fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
 fn remark(command: &mut Command, text: &Text) {
     if let Command::Plan(command) = command
         && let PlanDeed::Upload { source } = &mut command.deed
-        && let PlanSource::Document(document) = source
+        && let PlanSource::Document { remark, .. } = source
     {
-        *source = PlanSource::Remarked(Arc::clone(document), text.clone());
+        *remark = Some(text.clone());
     }
 }
 

@@ -20,10 +20,22 @@ pub struct PlanCommand {
 pub enum PlanSource {
     /// A file with this name.
     File(String),
-    /// This document: a draft, or a plan that the console has made.
-    Document(Arc<Document>),
-    /// A document that the console has made, with a remark for the row.
-    Remarked(Arc<Document>, Text),
+    /// A draft, or a plan that the console has made.
+    Document {
+        document: Arc<Document>,
+        /// What the row of the upload says about it besides the outcome.
+        remark: Option<Text>,
+    },
+}
+
+impl PlanSource {
+    /// A document without a remark.
+    pub fn document(document: Arc<Document>) -> Self {
+        Self::Document {
+            document,
+            remark: None,
+        }
+    }
 }
 
 /// An operation on a list.
@@ -57,7 +69,7 @@ impl PlanCommand {
         }
         match &self.deed {
             PlanDeed::Upload {
-                source: PlanSource::Document(document) | PlanSource::Remarked(document, _),
+                source: PlanSource::Document { document, .. },
             } => protected_item(document).map(Setup::PlanItem),
             PlanDeed::Upload {
                 source: PlanSource::File(_),

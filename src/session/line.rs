@@ -10,7 +10,7 @@ use super::naming::{self, Search, Searching};
 use super::transaction::{Progress, Transaction};
 use super::{Output, Steering, VehicleCommand, fit, precedence};
 use crate::commands::{self, Claim, Command, MotionCommand};
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{EntryId, RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::parameters::ParameterList;
 use crate::text;
@@ -59,8 +59,8 @@ pub(super) struct Moment<'a> {
 
 impl Moment<'_> {
     /// Ends an order that was never sent.
-    fn drop_order(&mut self, order: &VehicleCommand, state: RowState, reason: Text) {
-        let row = order.unsent(self.vehicle.id, state, reason, self.now);
+    fn drop_order(&mut self, order: &VehicleCommand, ending: RowEnding) {
+        let row = order.unsent(self.vehicle.id, ending.state, ending.text, self.now);
         self.output.row(row);
     }
 }
@@ -79,7 +79,7 @@ impl Line {
             fit::check(&order.command, moment.parameters)
         };
         if let Err(reason) = checked {
-            moment.drop_order(&order, RowState::Refused, reason);
+            moment.drop_order(&order, RowEnding::new(RowState::Refused, reason));
         } else {
             self.queue.push_back((order, moment.now));
             self.advance(moment);
@@ -115,7 +115,7 @@ impl Line {
     pub fn clear(&mut self, newer: &Text, moment: &mut Moment) {
         let reason = text!("outcome-superseded", by = newer);
         for (order, _) in self.queue.drain(..) {
-            moment.drop_order(&order, RowState::Superseded, reason.clone());
+            moment.drop_order(&order, RowEnding::new(RowState::Superseded, reason.clone()));
         }
         if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
             self.owed.add(command, acks, moment.now);
@@ -290,11 +290,11 @@ impl Line {
     fn next(&mut self, moment: &mut Moment) -> Option<(VehicleCommand, Duration)> {
         loop {
             let (order, given) = self.queue.front_mut()?;
-            let (state, reason) = if naming::settle(order, moment.parameters) {
+            let ending = if naming::settle(order, moment.parameters) {
                 // A name that was found only now has not been checked.
                 let is_new = order.renamed.is_some();
                 match fit::check(&order.command, moment.parameters) {
-                    Err(reason) if is_new => (RowState::Refused, reason),
+                    Err(reason) if is_new => RowEnding::new(RowState::Refused, reason),
                     _ => return self.queue.pop_front(),
                 }
             } else {
@@ -316,7 +316,7 @@ impl Line {
                 }
             };
             let (order, _) = self.queue.pop_front()?;
-            moment.drop_order(&order, state, reason);
+            moment.drop_order(&order, ending);
         }
     }
 }

@@ -12,7 +12,7 @@ use mavlink::dialects::ardupilotmega::{LOG_REQUEST_END_DATA, MavMessage};
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::{Output, VehicleCommand};
 use crate::commands::{Command, LogChoice, LogCommand, LogGroup};
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::{RowEnding, RowState, RowUpdate};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -73,9 +73,6 @@ struct LogsDesk<'a> {
     now: Duration,
     output: &'a mut Output,
 }
-
-/// How an order ends.
-type Ending = (RowState, Text);
 
 impl LogReader {
     /// Sets where logs are stored from now on.
@@ -223,7 +220,7 @@ impl LogReader {
         };
         match advanced {
             Ok(()) => job.tell_progress(vehicle, now, output),
-            Err((state, text)) => {
+            Err(RowEnding { state, text }) => {
                 job.report(state, Some(text), vehicle, now, output);
                 output.messages.push(request_end(vehicle));
                 self.job = None;
@@ -275,8 +272,8 @@ impl LogsJob {
         }
     }
 
-    /// Takes the steps that are due. The end of the order is returned as an error.
-    fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<(), Ending> {
+    /// Does what is due. The end of the order is returned as an error.
+    fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<(), RowEnding> {
         match &mut self.phase {
             LogsPhase::Listing(listing) => match listing.complete() {
                 Some(logs) => self.listed(logs, desk),
@@ -285,7 +282,10 @@ impl LogsJob {
             LogsPhase::Searching(search) => {
                 if desk.vehicle.armed() {
                     desk.ftp.cancel(search.ticket());
-                    return Err((RowState::Refused, text!("refused-logs-armed")));
+                    return Err(RowEnding::new(
+                        RowState::Refused,
+                        text!("refused-logs-armed"),
+                    ));
                 }
                 match search.finished() {
                     Some((logs, files)) => self.choose(logs, files, desk),
@@ -300,7 +300,7 @@ impl LogsJob {
                 if reading.turn_to_next(desk).map_err(failed)? {
                     return Ok(());
                 }
-                Err((RowState::Done, kept(&self.whole)))
+                Err(RowEnding::new(RowState::Done, kept(&self.whole)))
             }
         }
     }
@@ -311,18 +311,24 @@ impl LogsJob {
         vehicle: &Vehicle,
         now: Duration,
         output: &mut Output,
-    ) -> Result<(), Ending> {
+    ) -> Result<(), RowEnding> {
         let LogsPhase::Listing(listing) = &mut self.phase else {
             return Ok(());
         };
         if let (Some(logs), LogCommand::List) = (listing.complete(), &self.command) {
-            return Err((RowState::Done, list(&logs)));
+            return Err(RowEnding::new(RowState::Done, list(&logs)));
         }
         if vehicle.armed() {
-            return Err((RowState::Refused, text!("refused-logs-armed")));
+            return Err(RowEnding::new(
+                RowState::Refused,
+                text!("refused-logs-armed"),
+            ));
         }
         if listing.is_stalled() {
-            return Err((RowState::TimedOut, text!("outcome-logs-silent")));
+            return Err(RowEnding::new(
+                RowState::TimedOut,
+                text!("outcome-logs-silent"),
+            ));
         }
         let request = listing.poll(vehicle.address(), now);
         output.messages.extend(request);
@@ -330,9 +336,9 @@ impl LogsJob {
     }
 
     /// Handles the list of logs.
-    fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut LogsDesk<'_>) -> Result<(), Ending> {
+    fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut LogsDesk<'_>) -> Result<(), RowEnding> {
         if self.command == LogCommand::List {
-            return Err((RowState::Done, list(&logs)));
+            return Err(RowEnding::new(RowState::Done, list(&logs)));
         }
         if logs.is_empty() || !hands_out_files(desk.vehicle) {
             return self.choose(logs, LogFiles::default(), desk);
@@ -347,9 +353,9 @@ impl LogsJob {
         logs: Vec<ListedLog>,
         files: LogFiles,
         desk: &mut LogsDesk<'_>,
-    ) -> Result<(), Ending> {
+    ) -> Result<(), RowEnding> {
         let LogCommand::Download { which, folder } = &self.command else {
-            return Err((RowState::Done, list(&logs)));
+            return Err(RowEnding::new(RowState::Done, list(&logs)));
         };
         let count = logs.len();
         let mut chosen: VecDeque<ListedLog> = match which {
@@ -366,7 +372,7 @@ impl LogsJob {
                 }
                 LogChoice::Number(_) | LogChoice::Group(_) => text!("outcome-logs-none"),
             };
-            return Err((RowState::Refused, reason));
+            return Err(RowEnding::new(RowState::Refused, reason));
         };
         let first = VehicleLog {
             vehicle: desk.vehicle.id,
@@ -380,8 +386,8 @@ impl LogsJob {
 }
 
 /// The end of an order whose logs cannot be stored.
-fn failed(reason: Text) -> Ending {
-    (RowState::Refused, reason)
+fn failed(reason: Text) -> RowEnding {
+    RowEnding::new(RowState::Refused, reason)
 }
 
 /// Ends a transfer, so that the vehicle may write its log again.

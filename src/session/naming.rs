@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::{VehicleCommand, fit};
 use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
-use crate::ledger::{EntryId, RowState};
+use crate::ledger::{EntryId, RowEnding, RowState};
 use crate::parameters::{AliasSense, ParameterList, other_name};
 use crate::text;
 use crate::text::Text;
@@ -143,11 +143,7 @@ fn names(command: &Command) -> (&str, &str) {
 }
 
 /// The end of an order whose parameter the vehicle does not have.
-pub(super) fn not_found(
-    command: &Command,
-    list: &ParameterList,
-    vehicle: &Vehicle,
-) -> (RowState, Text) {
+pub(super) fn not_found(command: &Command, list: &ParameterList, vehicle: &Vehicle) -> RowEnding {
     let (name, other) = names(command);
     let known = list.iter().map(|(name, _)| name);
     let reason = match nearest(name, known) {
@@ -164,5 +160,5 @@ pub(super) fn not_found(
     } else {
         RowState::Refused
     };
-    (state, reason)
+    RowEnding::new(state, reason)
 }

@@ -8,10 +8,10 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
 
+use self::goal::goal;
 use self::job::Job;
-use self::list::{Wanted, whole};
+use self::list::{PlanOrderGoal, whole};
 use self::stock::Stock;
-use self::wanted::wanted;
 use super::ftp::{FtpClient, FtpEvent, FtpTicket};
 use super::plans::PlanReader;
 use super::{Output, Report, VehicleCommand};
@@ -24,6 +24,7 @@ use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
 mod compare;
+mod goal;
 mod job;
 mod judging;
 mod list;
@@ -35,7 +36,6 @@ mod stock;
 #[cfg(test)]
 mod tests;
 mod transaction;
-mod wanted;
 
 pub(crate) use shelf::format_of;
 pub use shelf::{GuardedShelf, PlanOnFile, PlanShelf};
@@ -152,9 +152,9 @@ impl PlanOrders {
             return;
         };
         // It is not checked: a mission may put faulty lists on board.
-        let list = Wanted {
+        let list = PlanOrderGoal {
             items: Some(whole(&document, command.kind)),
-            ..Wanted::default()
+            ..PlanOrderGoal::default()
         };
         self.job = Some(Job::begin(None, command, list, desk));
     }
@@ -164,7 +164,7 @@ impl PlanOrders {
             let Command::Plan(command) = order.command.clone() else {
                 continue;
             };
-            match wanted(&command, self.shelf.as_deref(), desk) {
+            match goal(&command, self.shelf.as_deref(), desk) {
                 Ok(new) => {
                     let job = Job::begin(Some(order), command, new, desk);
                     job.report(RowState::Sent, None, desk);

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{Output, VehicleCommand, precedence};
 use crate::commands::{AckResult, Answer, Claim, Effect, Request};
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::{RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -97,8 +97,8 @@ impl Transaction {
         let deadline = given + order.verb.retry.deadline;
         let request = match prepare(&order, deadline, vehicle, now) {
             Ok(request) => request,
-            Err((state, reason)) => {
-                output.row(order.unsent(vehicle.id, state, reason, now));
+            Err(RowEnding { state, text }) => {
+                output.row(order.unsent(vehicle.id, state, text, now));
                 return None;
             }
         };
@@ -290,14 +290,14 @@ fn prepare(
     deadline: Duration,
     vehicle: &Vehicle,
     now: Duration,
-) -> Result<Request, (RowState, Text)> {
+) -> Result<Request, RowEnding> {
     if now >= deadline {
         let allowed_s = order.verb.retry.deadline.as_secs_f64();
         let reason = text!("outcome-too-late", seconds = format!("{allowed_s:.1}"));
-        return Err((RowState::TimedOut, reason));
+        return Err(RowEnding::new(RowState::TimedOut, reason));
     }
     order
         .command
         .request(vehicle, 0)
-        .map_err(|reason| (RowState::Refused, reason))
+        .map_err(|reason| RowEnding::new(RowState::Refused, reason))
 }

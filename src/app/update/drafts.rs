@@ -65,7 +65,7 @@ fn upload(state: &mut State, drafts: &[(Draft, Vec<VehicleId>)]) -> Result<Effec
 /// An order to upload a file, with the content of a draft instead.
 fn with_content(mut order: Order, draft: &Draft) -> Order {
     if let Act::Command(Command::Plan(command)) = &mut order.act {
-        let source = PlanSource::Document(Arc::clone(draft.document()));
+        let source = PlanSource::document(Arc::clone(draft.document()));
         command.deed = PlanDeed::Upload { source };
     }
     order

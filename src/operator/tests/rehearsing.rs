@@ -370,7 +370,11 @@ fn smaller_work_names_the_vehicles_that_keep_an_old_plan() {
                 Command::Plan(PlanCommand {
                     deed:
                         PlanDeed::Upload {
-                            source: PlanSource::Remarked(_, remark),
+                            source:
+                                PlanSource::Document {
+                                    remark: Some(remark),
+                                    ..
+                                },
                         },
                     ..
                 }) => Some(remark.to_string()),

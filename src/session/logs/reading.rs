@@ -6,8 +6,8 @@ use std::time::Duration;
 use super::files::LogFiles;
 use super::transfer::{Received, Transfer};
 use super::words::{FileCheck, LogCarrier, LogWay, WholeLog};
-use super::{Ending, ListedLog, LogKeeper, LogsDesk, VehicleLog, failed};
-use crate::ledger::RowState;
+use super::{ListedLog, LogKeeper, LogsDesk, VehicleLog, failed};
+use crate::ledger::{RowEnding, RowState};
 use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::gaps::{FileBytes, GapMap};
 use crate::text;
@@ -229,8 +229,8 @@ impl Reading {
         keeper.keep(&self.log, &bytes, self.transfer.gaps())
     }
 
-    /// Takes the steps that are due; returns the log once it is complete.
-    pub fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, Ending> {
+    /// Does what is due; returns the log once it is complete.
+    pub fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, RowEnding> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();
         let by_messages = matches!(self.route, LogRoute::Messages);
@@ -253,11 +253,11 @@ impl Reading {
         if desk.vehicle.armed() {
             self.leave(desk.ftp);
             let text = text!("outcome-logs-armed", number = number, percent = kept);
-            return Err((RowState::Refused, text));
+            return Err(RowEnding::new(RowState::Refused, text));
         }
         if is_stalled {
             let text = text!("outcome-log-stalled", number = number, percent = kept);
-            return Err((RowState::TimedOut, text));
+            return Err(RowEnding::new(RowState::TimedOut, text));
         }
         if by_messages {
             let round_trip = desk.vehicle.link.round_trip.unwrap_or_default();

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use super::list::{Wanted, document_of};
+use super::goal::named;
+use super::list::{PlanOrderGoal, document_of};
 use super::transaction::{Outcome, Transaction};
-use super::wanted::named;
 use super::{Desk, PlanShelf, compare, judging};
 use crate::commands::{PlanCommand, PlanDeed};
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::{RowEnding, RowState, RowUpdate};
 use crate::plan::{Item, ListKind};
 use crate::session::VehicleCommand;
 use crate::session::ftp::{FtpClient, FtpEvent, FtpTicket};
@@ -30,7 +30,7 @@ pub(super) struct Job {
 }
 
 /// The end of an order.
-pub(super) struct Ended {
+pub(super) struct FinishedJob {
     pub is_done: bool,
     /// Whether it is known what the vehicle holds.
     pub is_known: bool,
@@ -38,21 +38,46 @@ pub(super) struct Ended {
     pub is_of_stock: bool,
 }
 
-/// How an order ends, in its row.
-type Ending = (RowState, Text);
+/// The result of a transfer.
+struct TransferResult {
+    /// The list that the vehicle holds, if known.
+    held: Option<Vec<Item>>,
+    /// How the order has ended.
+    ending: RowEnding,
+}
+
+impl TransferResult {
+    fn holding(items: Vec<Item>, state: RowState, text: Text) -> Self {
+        Self {
+            held: Some(items),
+            ending: RowEnding::new(state, text),
+        }
+    }
+
+    fn unknown(state: RowState, text: Text) -> Self {
+        Self {
+            held: None,
+            ending: RowEnding::new(state, text),
+        }
+    }
+}
 
 impl Job {
-    /// Advances the transfer; returns the end of the order.
-    pub fn poll(&mut self, shelf: Option<&dyn PlanShelf>, desk: &mut Desk<'_>) -> Option<Ended> {
+    /// Advances the transfer, and says how the order has ended.
+    pub fn poll(
+        &mut self,
+        shelf: Option<&dyn PlanShelf>,
+        desk: &mut Desk<'_>,
+    ) -> Option<FinishedJob> {
         let Some(outcome) = self.transaction.poll(shelf, desk) else {
             self.tell_progress(desk);
             return None;
         };
         let is_known = !matches!(outcome, Outcome::Neither(_) | Outcome::Unknown);
         self.put_away(&outcome, shelf, desk.vehicle.id);
-        let (state, text) = self.finish(outcome, shelf, desk);
+        let RowEnding { state, text } = self.finish(outcome, shelf, desk);
         self.report(state, Some(text), desk);
-        Some(Ended {
+        Some(FinishedJob {
             is_done: state == RowState::Done,
             is_known,
             is_of_stock: self.order.is_none(),
@@ -75,18 +100,18 @@ impl Job {
     pub fn begin(
         order: Option<VehicleCommand>,
         command: PlanCommand,
-        wanted: Wanted,
+        goal: PlanOrderGoal,
         desk: &mut Desk<'_>,
     ) -> Self {
         let mut messages = Vec::new();
         desk.plans.make_way(desk.now, &mut messages);
         desk.output.send(messages);
-        let transaction = Transaction::new(command.kind, wanted.items, desk);
+        let transaction = Transaction::new(command.kind, goal.items, desk);
         Self {
             order,
             command,
             transaction: Box::new(transaction),
-            warnings: wanted.warnings,
+            warnings: goal.warnings,
             told: None,
         }
     }
@@ -148,10 +173,10 @@ impl Job {
         outcome: Outcome,
         shelf: Option<&dyn PlanShelf>,
         desk: &mut Desk<'_>,
-    ) -> Ending {
+    ) -> RowEnding {
         let kind = self.command.kind;
         let is_unknown = outcome == Outcome::Unknown;
-        let (held, ending) = self.ended(outcome, shelf, desk.vehicle);
+        let TransferResult { held, ending } = self.result(outcome, shelf, desk.vehicle);
         if let Some(items) = held {
             desk.plans.learn(desk.vehicle, kind, items, desk.now);
         } else {
@@ -163,49 +188,44 @@ impl Job {
         ending
     }
 
-    /// The list that the vehicle holds, if known, and how the order has ended.
-    fn ended(
+    fn result(
         &self,
         outcome: Outcome,
         shelf: Option<&dyn PlanShelf>,
         vehicle: &Vehicle,
-    ) -> (Option<Vec<Item>>, Ending) {
+    ) -> TransferResult {
         let kind = self.command.kind;
         let done = |message, items: Vec<Item>| {
             let text = self.warned(counted(message, kind, &items));
-            (Some(items), (RowState::Done, text))
+            TransferResult::holding(items, RowState::Done, text)
         };
-        let refused = |message, items: Vec<Item>| {
+        let refused = |items, text| TransferResult::holding(items, RowState::Refused, text);
+        let differs = |message, items: Vec<Item>| {
             let text = counted(message, kind, &items);
-            (Some(items), (RowState::Refused, text))
+            refused(items, text)
         };
+        let unknown = TransferResult::unknown;
         match outcome {
             Outcome::Read(items) => {
                 let ending = self.was_read(&items, shelf, vehicle);
-                (Some(items), ending)
+                let held = Some(items);
+                TransferResult { held, ending }
             }
             Outcome::Written(items) => done("outcome-plan-written", items),
             Outcome::Same(items) => done("outcome-plan-same", items),
-            Outcome::Changed(items) => refused("refused-plan-changed", items),
-            Outcome::Unfamiliar(items) => refused("refused-plan-unfamiliar", items),
+            Outcome::Changed(items) => differs("refused-plan-changed", items),
+            Outcome::Unfamiliar(items) => differs("refused-plan-unfamiliar", items),
             Outcome::Kept(items, reason) => {
                 let text = text!("outcome-plan-kept", reason = reason);
-                (Some(items), (RowState::Refused, text))
+                refused(items, text)
             }
             Outcome::Restored(items, reason) => {
                 let text = text!("outcome-plan-restored", reason = reason);
-                (Some(items), (RowState::Refused, text))
+                refused(items, text)
             }
-            Outcome::Unsupported => (None, (RowState::Refused, text!("refused-plan-no-list"))),
-            Outcome::Unread => (None, (RowState::TimedOut, text!("outcome-plan-unread"))),
-            Outcome::Neither(items) => {
-                let text = counted("outcome-plan-neither", kind, &items);
-                (Some(items), (RowState::NoEffect, text))
-            }
-            Outcome::Unknown => {
-                let text = text!("outcome-plan-unknown", list = kind.name());
-                (None, (RowState::TimedOut, text))
-            }
+            Outcome::Unsupported => unknown(RowState::Refused, text!("refused-plan-no-list")),
+            Outcome::Unread => unknown(RowState::TimedOut, text!("outcome-plan-unread")),
+            Outcome::Unknown => unknown(RowState::TimedOut, text!("outcome-plan-unknown")),
         }
     }
 
@@ -217,18 +237,24 @@ impl Job {
         Text::joined("; ", vec![outcome, warned])
     }
 
-    fn was_read(&self, items: &[Item], shelf: Option<&dyn PlanShelf>, vehicle: &Vehicle) -> Ending {
+    fn was_read(
+        &self,
+        items: &[Item],
+        shelf: Option<&dyn PlanShelf>,
+        vehicle: &Vehicle,
+    ) -> RowEnding {
         let kind = self.command.kind;
         let (PlanDeed::Download { file }, Some(shelf)) = (&self.command.deed, shelf) else {
-            return (RowState::Done, counted("outcome-plan-read", kind, items));
+            let text = counted("outcome-plan-read", kind, items);
+            return RowEnding::new(RowState::Done, text);
         };
         match shelf.write(&named(file, vehicle), kind, &document_of(kind, items)) {
             Ok(path) => {
                 let count = compare::own(kind, items).len();
                 let text = text!("outcome-plan-saved", count = count, file = path);
-                (RowState::Done, text)
+                RowEnding::new(RowState::Done, text)
             }
-            Err(reason) => (RowState::Refused, reason),
+            Err(reason) => RowEnding::new(RowState::Refused, reason),
         }
     }
 }

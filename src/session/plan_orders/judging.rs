@@ -1,6 +1,6 @@
 //! Whether a list is fit for a vehicle: the findings of a check, by the vehicle's own rules.
 
-use super::list::{Wanted, whole};
+use super::list::{PlanOrderGoal, whole};
 use super::{Desk, PlanOnFile};
 use crate::plan::check::{Severity, check};
 use crate::plan::{Document, Home, ListKind};
@@ -20,7 +20,7 @@ pub(super) fn checked(
     content: PlanOnFile,
     kind: ListKind,
     desk: &Desk<'_>,
-) -> Result<Wanted, Text> {
+) -> Result<PlanOrderGoal, Text> {
     let PlanOnFile { document, notes } = content;
     if document.list(kind).is_empty() {
         return Err(text!("refused-plan-empty"));
@@ -45,7 +45,7 @@ pub(super) fn checked(
     let notes = notes.into_iter().filter(|(list, _)| *list == kind);
     let notes = notes.map(|(_, note)| note);
     let warnings = warnings.iter().map(finding_words);
-    Ok(Wanted {
+    Ok(PlanOrderGoal {
         items: Some(whole(&document, kind)),
         warnings: notes.chain(warnings).collect(),
     })

@@ -6,7 +6,7 @@ use crate::text::Text;
 
 /// The state that an order should reach.
 #[derive(Debug, Default)]
-pub(super) struct Wanted {
+pub(super) struct PlanOrderGoal {
     /// The list that the vehicle is to carry; `None` if the order only reads.
     pub items: Option<Vec<Item>>,
     /// Warnings about the list.

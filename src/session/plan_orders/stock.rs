@@ -40,7 +40,7 @@ impl Stock {
     /// The upload of the next list, and the document with it.
     pub fn upload(&self) -> Option<(PlanCommand, Arc<Document>)> {
         let list = self.0.front()?;
-        let source = PlanSource::Document(Arc::clone(&list.document));
+        let source = PlanSource::document(Arc::clone(&list.document));
         let command = PlanCommand {
             kind: list.kind,
             deed: PlanDeed::Upload { source },

@@ -185,7 +185,7 @@ fn a_draft_goes_on_board_without_a_file() {
     }
     let document = Arc::new(document);
     for kind in ListKind::ALL {
-        let source = PlanSource::Document(Arc::clone(&document));
+        let source = PlanSource::document(Arc::clone(&document));
         rig.order(kind, PlanDeed::Upload { source });
         assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
         let held = rig.on_board(kind);

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::places::{share_lanes, take_places};
 use super::{ActiveManoeuvre, Phase, StepOutcome, Work, WorldView};
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::{RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::swarm::lanes::Lane;
 use crate::text;
@@ -33,13 +33,13 @@ impl ActiveManoeuvre {
                 Some(vehicle) if !vehicle.link.lost => Duration::ZERO,
                 _ => view.now.saturating_sub(*lost_since.get_or_insert(view.now)),
             };
-            if let Some((state, reason)) = unfit(vehicle.map(Arc::as_ref), silent) {
+            if let Some(ending) = unfit(vehicle.map(Arc::as_ref), silent) {
                 let verb = self.verb.name;
-                let text = text!("swarm-falls-out", verb = verb, reason = &reason);
+                let text = text!("swarm-falls-out", verb = verb, reason = &ending.text);
                 outcome
                     .notices
                     .push(Notice::about(id, view.now, Severity::Warning, text));
-                self.lose(&[id], state, &reason, view, outcome);
+                self.lose(&[id], ending.state, &ending.text, view, outcome);
             }
         }
     }
@@ -151,15 +151,16 @@ impl ActiveManoeuvre {
 }
 
 /// Why a vehicle no longer takes part.
-fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<(RowState, Text)> {
+fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<RowEnding> {
     let Some(vehicle) = vehicle.filter(|vehicle| !vehicle.link.lost) else {
-        return (silent >= LOST_FOR).then(|| (RowState::NoEffect, text!("swarm-lost")));
+        return (silent >= LOST_FOR)
+            .then(|| RowEnding::new(RowState::NoEffect, text!("swarm-lost")));
     };
     let mode = vehicle.mode()?;
     if !mode.is("GUIDED") {
         let reason = text!("outcome-overtaken", mode = mode.to_string());
-        return Some((RowState::Overtaken, reason));
+        return Some(RowEnding::new(RowState::Overtaken, reason));
     }
     let flies = vehicle.armed() && vehicle.airborne();
-    (!flies).then(|| (RowState::NoEffect, text!("swarm-does-not-fly")))
+    (!flies).then(|| RowEnding::new(RowState::NoEffect, text!("swarm-does-not-fly")))
 }

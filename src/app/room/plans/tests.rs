@@ -278,7 +278,7 @@ fn each_list_of_a_draft_is_uploaded_by_an_order() {
             panic!("{order:?}");
         };
         let PlanDeed::Upload {
-            source: PlanSource::Document(document),
+            source: PlanSource::Document { document, .. },
         } = &command.deed
         else {
             panic!("{command:?}");

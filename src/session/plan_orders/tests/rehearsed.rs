@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::language::Context;
 use crate::operator::{Dispatch, Operator, OperatorScene, PlanRehearsal, read_order};
-use crate::rehearsal::Ending;
+use crate::rehearsal::FlightEnding;
 
 /// The wind of the flights; its gusts are not known to the rehearsal.
 const WIND: [(&str, f32); 3] = [
@@ -111,7 +111,7 @@ fn compared(plan: &[Item]) -> Deviation {
     rig.pass(s(60));
     let outcome = prepared(&rig).outcome().expect("it can fly");
     let flown = outcome.vehicles[0];
-    assert_eq!(flown.ending, Ending::Landed);
+    assert_eq!(flown.ending, FlightEnding::Landed);
     let begun_mah = rig.world.truth(0).battery_consumed_mah;
     rig.works("mode guided", 5);
     rig.works("arm", 5);

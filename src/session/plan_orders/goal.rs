@@ -1,6 +1,8 @@
 //! The list that an order sends, or why it cannot be sent.
 
-use super::list::Wanted;
+use mavlink::dialects::ardupilotmega::MavAutopilot;
+
+use super::list::PlanOrderGoal;
 use super::{Desk, PlanOnFile, PlanShelf, judging};
 use crate::commands::{PlanCommand, PlanDeed, PlanSource};
 use crate::plan::{Document, ListKind};
@@ -12,11 +14,11 @@ use crate::vehicle::Vehicle;
 ///
 /// # Errors
 /// Why the order cannot be carried out.
-pub(super) fn wanted(
+pub(super) fn goal(
     command: &PlanCommand,
     shelf: Option<&dyn PlanShelf>,
     desk: &Desk<'_>,
-) -> Result<Wanted, Text> {
+) -> Result<PlanOrderGoal, Text> {
     let vehicle = &*desk.vehicle;
     let is_ardupilot = vehicle.heartbeat.is_some_and(|it| it.is_ardupilot());
     if command.deed.writes() && !is_ardupilot {
@@ -24,23 +26,19 @@ pub(super) fn wanted(
     }
     match &command.deed {
         PlanDeed::Download { .. } if shelf.is_none() => Err(text!("refused-plan-no-files")),
-        PlanDeed::Download { .. } | PlanDeed::Show => Ok(Wanted::default()),
+        PlanDeed::Download { .. } | PlanDeed::Show => Ok(PlanOrderGoal::default()),
         PlanDeed::Clear if command.kind == ListKind::Plan && vehicle.flies_plan() => {
             Err(text!("refused-plan-clear-auto"))
         }
-        PlanDeed::Clear => Ok(Wanted {
+        PlanDeed::Clear => Ok(PlanOrderGoal {
             items: Some(Vec::new()),
-            ..Wanted::default()
+            ..PlanOrderGoal::default()
         }),
         PlanDeed::Upload { source } => {
             let content = match source {
-                PlanSource::Document(document) => PlanOnFile {
+                PlanSource::Document { document, remark } => PlanOnFile {
                     document: Document::clone(document),
-                    notes: Vec::new(),
-                },
-                PlanSource::Remarked(document, remark) => PlanOnFile {
-                    document: Document::clone(document),
-                    notes: vec![(command.kind, remark.clone())],
+                    notes: remark.iter().map(|it| (command.kind, it.clone())).collect(),
                 },
                 PlanSource::File(file) => {
                     let shelf = shelf.ok_or_else(|| text!("refused-plan-no-files"))?;
