@@ -10,7 +10,7 @@ use sortie_sim::{PortId, SYSTEMS, Truth, World};
 use sortie_wire::Encoder;
 
 use crate::place::{Place, Track, sample_s};
-use crate::{Ending, Flown, Participant};
+use crate::{FlightEnding, Flown, Participant};
 
 /// The numbers of ArduCopter's modes.
 const AUTO: u8 = 3;
@@ -75,7 +75,7 @@ impl Flight {
                 broke_fence_s: None,
                 has_fence: !fence.areas.is_empty(),
                 was_kept_armed: false,
-                ending: Ending::TimeUp,
+                ending: FlightEnding::TimeUp,
                 moved_east_m: place.moved_east_m,
             },
             capacity_mah: world.parameter(vehicle, "BATT_CAPACITY").max(1.0),
@@ -165,7 +165,7 @@ impl Flight {
                 world.disconnect(port);
             }
         } else if attempts >= ATTEMPTS {
-            self.end(Ending::Grounded);
+            self.end(FlightEnding::Grounded);
         } else {
             self.stage = Stage::Waiting(attempts + 1);
         }
@@ -212,23 +212,23 @@ impl Flight {
 
     /// Ends the flight because of a collision, even after the end of its plan.
     pub(crate) fn crash(&mut self) {
-        self.end(Ending::Crashed);
+        self.end(FlightEnding::Crashed);
     }
 
-    fn end(&mut self, ending: Ending) {
+    fn end(&mut self, ending: FlightEnding) {
         self.flown.ending = ending;
         self.stage = Stage::Over;
     }
 }
 
-fn ending(truth: &Truth, lifted: bool) -> Option<Ending> {
+fn ending(truth: &Truth, lifted: bool) -> Option<FlightEnding> {
     if !truth.armed {
         return Some(match (lifted, truth.mode) {
-            (false, _) => Ending::Grounded,
-            (true, AUTO) => Ending::Landed,
-            (true, mode) => Ending::LeftPlan(mode),
+            (false, _) => FlightEnding::Grounded,
+            (true, AUTO) => FlightEnding::Landed,
+            (true, mode) => FlightEnding::LeftPlan(mode),
         });
     }
     let ends_in_air = truth.plan_complete && truth.mode == AUTO && lifted && !truth.on_ground;
-    ends_in_air.then_some(Ending::InAir)
+    ends_in_air.then_some(FlightEnding::InAir)
 }

@@ -91,7 +91,7 @@ pub enum RehearsalError {
 
 /// How a flight ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ending {
+pub enum FlightEnding {
     /// The vehicle landed and stopped its motors.
     Landed,
     /// The plan ended in the air.
@@ -124,9 +124,23 @@ pub struct Flown {
     /// Whether `DISARM_DELAY` was set to 0 because the plan begins with a wait on the ground.
     pub was_kept_armed: bool,
     /// The way in which the flight ended.
-    pub ending: Ending,
+    pub ending: FlightEnding,
     /// How far east of its home the vehicle started, in metres, because another vehicle stood there.
     pub moved_east_m: f64,
+}
+
+impl Flown {
+    /// Whether the vehicle flew its plan to the end, inside its fence.
+    pub fn is_as_planned(&self) -> bool {
+        let is_at_end = match self.ending {
+            FlightEnding::Landed | FlightEnding::InAir => true,
+            FlightEnding::LeftPlan(_)
+            | FlightEnding::Grounded
+            | FlightEnding::Crashed
+            | FlightEnding::TimeUp => false,
+        };
+        is_at_end && self.broke_fence_s.is_none()
+    }
 }
 
 /// The outcome of a rehearsal.
@@ -150,11 +164,22 @@ impl Outcome {
             .all(|approach| approach.is_apart(late_s))
     }
 
+    /// Whether every vehicle flew as planned, apart from the others.
+    pub fn is_as_planned(&self) -> bool {
+        self.vehicles.iter().all(Flown::is_as_planned) && self.conflicts().next().is_none()
+    }
+
     /// The pairs that came too close to each other.
     pub fn conflicts(&self) -> impl Iterator<Item = &Approach> {
         self.closest
             .iter()
             .filter(|approach| approach.is_conflict())
+    }
+
+    /// The conflicts of one vehicle, by its number among the participants.
+    pub fn conflicts_of(&self, vehicle: usize) -> impl Iterator<Item = &Approach> {
+        self.conflicts()
+            .filter(move |approach| [approach.a, approach.b].contains(&vehicle))
     }
 }
 

@@ -4,6 +4,8 @@ use sortie_plan::{Home, Item, command};
 
 use super::*;
 
+mod fences;
+
 const HOME: LatLon = LatLon::new(50.4501, 30.5234);
 
 fn item(number: u16, (north_m, east_m): (f64, f64), z: f32) -> Item {
@@ -70,7 +72,7 @@ fn calm() -> Conditions {
 fn a_plan_takes_its_time_and_its_energy_and_ends_where_it_began() {
     let outcome = rehearse(&[vehicle((0.0, 0.0), &[(200.0, 0.0)])], &calm()).expect("it can fly");
     let flown = outcome.vehicles[0];
-    assert_eq!(flown.ending, Ending::Landed);
+    assert_eq!(flown.ending, FlightEnding::Landed);
     assert!((flown.farthest_m - 200.0).abs() < 3.0, "{flown:?}");
     // Up, there, back and down: about 20 + 2 * 24 + 40 s.
     assert!((80.0..160.0).contains(&flown.time_s), "{flown:?}");
@@ -82,23 +84,6 @@ fn a_plan_takes_its_time_and_its_energy_and_ends_where_it_began() {
     assert_eq!(
         rehearse(&[vehicle((0.0, 0.0), &[(200.0, 0.0)])], &calm()),
         Ok(outcome)
-    );
-}
-
-#[test]
-fn a_fence_that_the_way_leaves_is_noticed() {
-    let mut one = vehicle((0.0, 0.0), &[(150.0, 0.0)]);
-    let circle = item(command::FENCE_CIRCLE_INCLUSION, (0.0, 0.0), 0.0);
-    one.document.fence = vec![Item {
-        params: [100.0, 0.0, 0.0, 0.0],
-        ..circle
-    }];
-    let flown = rehearse(&[one], &calm()).expect("it can fly").vehicles[0];
-    assert!(
-        flown
-            .broke_fence_s
-            .is_some_and(|at_s| at_s > 10.0 && at_s < flown.time_s),
-        "{flown:?}"
     );
 }
 
@@ -116,8 +101,8 @@ fn a_plan_without_an_end_ends_in_the_air_and_one_without_a_takeoff_on_the_ground
         },
     )
     .expect("they can try");
-    let endings: Vec<Ending> = outcome.vehicles.iter().map(|flown| flown.ending).collect();
-    assert_eq!(endings, [Ending::InAir, Ending::Grounded]);
+    let endings: Vec<FlightEnding> = outcome.vehicles.iter().map(|flown| flown.ending).collect();
+    assert_eq!(endings, [FlightEnding::InAir, FlightEnding::Grounded]);
 }
 
 #[test]
@@ -274,7 +259,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
     for task in tasks {
         let outcome = rehearse(&generated(&task, 4, 10.0), &calm()).expect("they can fly");
         let used = outcome.vehicles.iter().map(|flown| {
-            assert_eq!(flown.ending, Ending::Landed, "{task:?}");
+            assert_eq!(flown.ending, FlightEnding::Landed, "{task:?}");
             100.0 - flown.energy_left_percent
         });
         let used: Vec<f64> = used.collect();
@@ -322,7 +307,7 @@ fn delays_that_are_written_keep_the_vehicles_apart() {
     );
     assert!(flown.is_apart(LATE_S), "{:?}", flown.closest);
     for (vehicle, remedy) in flown.vehicles.iter().zip(&proposal.remedies) {
-        assert_eq!(vehicle.ending, Ending::Landed);
+        assert_eq!(vehicle.ending, FlightEnding::Landed);
         let waits = matches!(remedy, Remedy::Delay(_));
         assert_eq!(vehicle.was_kept_armed, waits, "{remedy:?}");
     }
@@ -352,65 +337,7 @@ fn neighbours_on_their_pads_are_no_conflict() {
     assert!((least - 3.75).abs() < 0.01, "{least}");
 }
 
-/// A fence by parameters, with a plan that leaves it.
-fn fenced(parameters: &[(&str, f32)]) -> Participant {
-    let mut one = vehicle((0.0, 0.0), &[(150.0, 0.0)]);
-    one.parameters = parameters
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), *value))
-        .collect();
-    one
-}
-
-#[test]
-fn circle_and_heights_are_part_of_the_fence_as_the_vehicle_judges_them() {
-    let broken = |parameters: &[(&str, f32)]| {
-        let flown = rehearse(&[fenced(parameters)], &calm())
-            .expect("it can fly")
-            .vehicles[0];
-        (flown.has_fence, flown.broke_fence_s)
-    };
-    let circle = [("FENCE_RADIUS", 100.0), ("FENCE_TYPE", 2.0)];
-    let on = ("FENCE_ENABLE", 1.0);
-    let report = ("FENCE_ACTION", 0.0);
-    assert_eq!(broken(&circle), (false, None), "switched off");
-    let (has_fence, at_s) = broken(&[&circle[..], &[on, report]].concat());
-    assert!(
-        has_fence && at_s.is_some_and(|at_s| at_s > 10.0),
-        "{at_s:?}"
-    );
-    let ceiling = [("FENCE_ALT_MAX", 15.0), ("FENCE_RADIUS", 300.0), on, report];
-    let of_kind = |kind| broken(&[&ceiling[..], &[("FENCE_TYPE", kind)]].concat());
-    assert!(of_kind(1.0).1.is_some(), "20 m is above 15 m");
-    assert_eq!(of_kind(2.0), (true, None), "only the circle is on");
-}
-
-#[test]
-fn a_fence_that_a_command_has_switched_counts_with_its_lower_limit() {
-    let floor = [
-        ("FENCE_TYPE", 8.0),
-        ("FENCE_ALT_MIN", -5.0),
-        ("FENCE_ACTION", 0.0),
-    ];
-    let mut low = fenced(&floor);
-    // Down a slope, below home.
-    low.document.plan[1].z = -8.0;
-    let flown = |switch, enable| {
-        let mut one = low.clone();
-        one.parameters.push(("FENCE_ENABLE".to_owned(), enable));
-        one.fence_switch = switch;
-        rehearse(&[one], &calm()).expect("it can fly").vehicles[0]
-    };
-    assert_eq!(
-        flown(None, 1.0).broke_fence_s,
-        None,
-        "a parameter leaves the lower limit off"
-    );
-    assert!(flown(Some(true), 0.0).has_fence);
-    assert!(!flown(Some(false), 1.0).has_fence);
-}
-
-/// One vehicle hovers at the end of its plan, and another one flies into it: neither has landed.
+/// One vehicle hovers at the end of its plan, and another one flies into it: none of the two has landed.
 #[test]
 fn both_struck_vehicles_have_collided() {
     let mut hovers = vehicle((60.0, 0.0), &[]);
@@ -418,8 +345,8 @@ fn both_struck_vehicles_have_collided() {
     let passes = vehicle((0.0, 0.0), &[(120.0, 0.0)]);
     for both in [[hovers.clone(), passes.clone()], [passes, hovers]] {
         let outcome = rehearse(&both, &calm()).expect("they can fly");
-        let endings: Vec<Ending> = outcome.vehicles.iter().map(|it| it.ending).collect();
-        assert_eq!(endings, [Ending::Crashed, Ending::Crashed]);
+        let endings: Vec<FlightEnding> = outcome.vehicles.iter().map(|it| it.ending).collect();
+        assert_eq!(endings, [FlightEnding::Crashed, FlightEnding::Crashed]);
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::rehearse::{Cast, FlyingArguments, is_sound, print, unfit};
+use super::rehearse::{Cast, FlyingArguments, print, unfit};
 use super::{Failure, convert, invalid};
 use crate::rehearsal::{self, Proposal, Remedy};
 use crate::store;
@@ -71,7 +71,7 @@ pub(super) fn deconflict(
     if let Some(folder) = &options.write {
         write_all(folder, &proposal, &cast, locale)?;
     }
-    Ok(ExitCode::from(u8::from(!is_sound(&proposal.outcome))))
+    Ok(ExitCode::from(u8::from(!proposal.outcome.is_as_planned())))
 }
 
 fn remedy_words(remedy: Remedy, vehicle: usize, file: &str) -> Text {

@@ -16,7 +16,7 @@ use crate::plan::check::Severity;
 use crate::plan::{Document as PlanDocument, Loaded};
 use crate::preflight::{finding_words, list_words};
 use crate::rehearsal::{
-    self, Approach, Conditions, Ending, Flown, Outcome, Participant, RehearsalError,
+    self, Approach, Conditions, FlightEnding, Flown, Outcome, Participant, RehearsalError,
 };
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, rounded};
@@ -183,7 +183,7 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
         say!("{}", locale.text(&done))?;
     }
     let is_low = print_low_legs(&cast, &options.ground, locale)?;
-    Ok(ExitCode::from(u8::from(is_low || !is_sound(&outcome))))
+    Ok(ExitCode::from(u8::from(is_low || !outcome.is_as_planned())))
 }
 
 /// Prints legs that come too close to the ground; returns whether there are any.
@@ -199,15 +199,6 @@ fn print_low_legs(cast: &Cast, ground: &GroundArguments, locale: &Locale) -> Res
         }
     }
     Ok(is_low)
-}
-
-/// Whether every vehicle flew its plan to the end, inside its fence and apart from the others.
-pub(super) fn is_sound(outcome: &Outcome) -> bool {
-    let flew = |flown: &Flown| match flown.ending {
-        Ending::Landed | Ending::InAir => flown.broke_fence_s.is_none(),
-        Ending::LeftPlan(_) | Ending::Grounded | Ending::Crashed | Ending::TimeUp => false,
-    };
-    outcome.vehicles.iter().all(flew) && outcome.conflicts().next().is_none()
 }
 
 pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(), Failure> {
@@ -280,17 +271,17 @@ fn fence_words(flown: &Flown) -> Text {
     }
 }
 
-pub(super) fn ending_words(ending: Ending) -> Text {
+pub(super) fn ending_words(ending: FlightEnding) -> Text {
     match ending {
-        Ending::Landed => text!("plan-rehearse-landed"),
-        Ending::InAir => text!("plan-rehearse-in-air"),
-        Ending::LeftPlan(number) => {
+        FlightEnding::Landed => text!("plan-rehearse-landed"),
+        FlightEnding::InAir => text!("plan-rehearse-in-air"),
+        FlightEnding::LeftPlan(number) => {
             let mode = Mode::copter(number).to_string();
             text!("plan-rehearse-left-plan", mode = mode)
         }
-        Ending::Grounded => text!("plan-rehearse-grounded"),
-        Ending::Crashed => text!("plan-rehearse-crashed"),
-        Ending::TimeUp => text!("plan-rehearse-time-up"),
+        FlightEnding::Grounded => text!("plan-rehearse-grounded"),
+        FlightEnding::Crashed => text!("plan-rehearse-crashed"),
+        FlightEnding::TimeUp => text!("plan-rehearse-time-up"),
     }
 }
 
@@ -384,13 +375,13 @@ impl<'a> Document<'a> {
     }
 }
 
-fn ending_name(ending: Ending) -> &'static str {
+fn ending_name(ending: FlightEnding) -> &'static str {
     match ending {
-        Ending::Landed => "landed",
-        Ending::InAir => "in_air",
-        Ending::LeftPlan(_) => "left_plan",
-        Ending::Grounded => "grounded",
-        Ending::Crashed => "crashed",
-        Ending::TimeUp => "time_up",
+        FlightEnding::Landed => "landed",
+        FlightEnding::InAir => "in_air",
+        FlightEnding::LeftPlan(_) => "left_plan",
+        FlightEnding::Grounded => "grounded",
+        FlightEnding::Crashed => "crashed",
+        FlightEnding::TimeUp => "time_up",
     }
 }

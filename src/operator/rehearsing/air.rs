@@ -24,20 +24,46 @@ const MOST_GROWTH: f32 = 3.0;
 pub(super) struct KnownAir {
     wind: Wind,
     source: AirSource,
-    /// Of the vehicle that estimates the wind: the values of [`PROFILE`] and [`FULL_FROM`].
-    profile: (f32, f32),
+    /// That of the vehicle that estimates the wind.
+    profile: WindProfile,
     /// Whether a mission is flown, which sets the profile of its vehicles.
     is_mission: bool,
 }
 
-/// The source of the wind.
+/// How the mean wind grows with height.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct WindProfile {
+    /// The value of [`PROFILE`].
+    kind: f32,
+    /// The value of [`FULL_FROM`], in metres.
+    full_from_m: f32,
+}
+
+impl WindProfile {
+    const USUAL: Self = Self {
+        kind: GROWING,
+        full_from_m: USUAL_FULL_FROM_M,
+    };
+
+    /// The part of the full wind at a height above home, from 0 to 1.
+    fn share(self, height_m: f32) -> f32 {
+        if (self.kind - GROWING).abs() < 0.5 {
+            let share = height_m / self.full_from_m.max(1.0);
+            share.clamp(0.0, 1.0).sqrt()
+        } else {
+            1.0
+        }
+    }
+}
+
+/// Where the wind is known from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum AirSource {
     /// The user gives it.
     Given,
     /// A vehicle estimates it, at this height above home in metres, if that is known.
     Estimated(VehicleId, Option<f32>),
-    /// The mission's weather.
+    /// The mission sets the weather.
     Mission,
     /// The parameters of simulated vehicles.
     Simulator,
@@ -71,7 +97,7 @@ impl KnownAir {
         Self {
             wind,
             source,
-            profile: (GROWING, USUAL_FULL_FROM_M),
+            profile: WindProfile::USUAL,
             is_mission: of_mission.is_some(),
         }
     }
@@ -84,11 +110,10 @@ impl KnownAir {
         value: impl Fn(&str) -> Option<f32>,
     ) {
         if matches!(self.source, AirSource::Estimated(by, _) if by == vehicle) {
-            let (kind, full_from_m) = self.profile;
-            self.profile = (
-                value(PROFILE).unwrap_or(kind),
-                value(FULL_FROM).unwrap_or(full_from_m),
-            );
+            self.profile = WindProfile {
+                kind: value(PROFILE).unwrap_or(self.profile.kind),
+                full_from_m: value(FULL_FROM).unwrap_or(self.profile.full_from_m),
+            };
         }
         if self.source != AirSource::Unknown {
             return;
@@ -107,14 +132,7 @@ impl KnownAir {
         let AirSource::Estimated(_, Some(height_m)) = self.source else {
             return self.wind;
         };
-        let (kind, full_from_m) = self.profile;
-        let is_growing = (kind - GROWING).abs() < 0.5;
-        let share = (height_m / full_from_m.max(1.0)).clamp(0.0, 1.0).sqrt();
-        let growth = if is_growing {
-            (1.0 / share).min(MOST_GROWTH)
-        } else {
-            1.0
-        };
+        let growth = (1.0 / self.profile.share(height_m)).min(MOST_GROWTH);
         Wind {
             speed_m_s: self.wind.speed_m_s * growth,
             ..self.wind

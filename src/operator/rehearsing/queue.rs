@@ -34,7 +34,6 @@ struct WaitingRehearsal {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum WriteState {
     Open,
-    /// It has ended.
     Ended,
     /// It has ended, and from this time the vehicle's snapshot shows the plan.
     ShownFrom(Duration),

@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use crate::geo::LatLon;
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{EntryId, RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::plan::ContentHash;
-use crate::rehearsal::{Approach, Ending, Flown, Outcome};
+use crate::rehearsal::{Approach, FlightEnding, Flown, Outcome};
 use crate::text;
 use crate::text::{Text, clock, figure};
 use crate::vehicle::{Mode, Severity, VehicleId};
@@ -101,9 +101,8 @@ pub(super) fn report(
 ) -> Rehearsed {
     let mut rehearsed = Rehearsed::default();
     for (index, (seat, flown)) in seats.iter().zip(&outcome.vehicles).enumerate() {
-        let mut meetings = outcome.conflicts();
-        let meets = meetings.any(|it| it.a == index || it.b == index);
-        let (state, text) = verdict(seat, flown, meets);
+        let meets = outcome.conflicts_of(index).next().is_some();
+        let RowEnding { state, text } = verdict(seat, flown, meets);
         if state == RowState::Done {
             rehearsed.findings.passed.push(seat.vehicle);
         } else {
@@ -162,38 +161,37 @@ fn minutes(seconds: f64) -> String {
     clock(Duration::from_secs_f64(seconds.max(0.0)))
 }
 
-/// The outcome for a vehicle, and whether it is as planned.
-fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> (RowState, Text) {
-    let time = minutes(flown.time_s);
+/// The outcome for a vehicle: done if it flew as planned, apart from the others, with the charge that it has.
+fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
     let used = 100.0 - flown.energy_left_percent;
     let left = seat.charge_percent - used;
-    if let Some(at_s) = flown.broke_fence_s {
-        let text = text!("rehearse-fence", time = minutes(at_s));
-        return (RowState::NoEffect, text);
-    }
     let is_empty = left <= 0.0;
-    let used = figure(used, 0);
-    let text = match flown.ending {
-        Ending::Landed | Ending::InAir if is_empty => text!("rehearse-battery", used = used),
-        Ending::Landed | Ending::InAir if meets => text!("rehearse-meets", time = time),
-        Ending::Landed => {
-            let left = figure(left, 0);
-            return (
-                RowState::Done,
-                text!("rehearse-landed", time = time, used = used, left = left),
-            );
+    let state = if flown.is_as_planned() && !is_empty && !meets {
+        RowState::Done
+    } else {
+        RowState::NoEffect
+    };
+    let time = minutes(flown.time_s);
+    let [used, left] = [used, left].map(|percent| figure(percent, 0));
+    let text = match (flown.broke_fence_s, flown.ending) {
+        (Some(at_s), _) => text!("rehearse-fence", time = minutes(at_s)),
+        (None, FlightEnding::Landed | FlightEnding::InAir) if is_empty => {
+            text!("rehearse-battery", used = used)
         }
-        Ending::InAir => {
-            let text = text!("rehearse-ends-in-air", time = time, used = used);
-            return (RowState::Done, text);
+        (None, FlightEnding::Landed | FlightEnding::InAir) if meets => {
+            text!("rehearse-meets", time = time)
         }
-        Ending::LeftPlan(number) => {
+        (None, FlightEnding::Landed) => {
+            text!("rehearse-landed", time = time, used = used, left = left)
+        }
+        (None, FlightEnding::InAir) => text!("rehearse-ends-in-air", time = time, used = used),
+        (None, FlightEnding::LeftPlan(number)) => {
             let mode = Mode::copter(number).to_string();
             text!("rehearse-left-plan", time = time, mode = mode)
         }
-        Ending::Grounded => text!("rehearse-grounded"),
-        Ending::Crashed => text!("rehearse-crashed", time = time),
-        Ending::TimeUp => text!("rehearse-time-up", time = time),
+        (None, FlightEnding::Grounded) => text!("rehearse-grounded"),
+        (None, FlightEnding::Crashed) => text!("rehearse-crashed", time = time),
+        (None, FlightEnding::TimeUp) => text!("rehearse-time-up", time = time),
     };
-    (RowState::NoEffect, text)
+    RowEnding::new(state, text)
 }

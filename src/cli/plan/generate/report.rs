@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::super::rehearse::{Cast, ending_words, is_sound, minutes, print_approaches, unfit};
+use super::super::rehearse::{Cast, ending_words, minutes, print_approaches, unfit};
 use super::super::{Failure, convert, invalid};
 use super::team::TeamArguments;
 use crate::cli::table::{Side, TextTable};
@@ -55,7 +55,7 @@ pub(super) fn report(
     if team.write.is_some() {
         write_all(plans, team, locale)?;
     }
-    Ok(ExitCode::from(u8::from(faulty || !is_sound(&outcome))))
+    Ok(ExitCode::from(u8::from(faulty || !outcome.is_as_planned())))
 }
 
 /// The plans, with the times and batteries of their rehearsal.

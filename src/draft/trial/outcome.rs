@@ -1,0 +1,145 @@
+//! The outcome of a trial in words.
+
+use std::time::Duration;
+
+use super::{PlanVerdict, TrialDraft, Tried};
+use crate::plan::ContentHash;
+use crate::rehearsal::{Approach, Outcome};
+use crate::text;
+use crate::text::{Text, clock, figure};
+
+/// The maximum number of pairs in conflict that one text names.
+const MOST_PAIRS: usize = 6;
+
+/// The outcome of flying some drafts together.
+#[derive(Debug)]
+pub(super) struct TrialOutcome<'a> {
+    /// In the order of the outcome's vehicles.
+    pub drafts: &'a [TrialDraft],
+    pub outcome: &'a Outcome,
+}
+
+impl TrialOutcome<'_> {
+    /// How each plan was flown.
+    pub fn verdicts(&self) -> Vec<PlanVerdict> {
+        let drafts = self.drafts.iter().enumerate();
+        let verdict = |(at, draft): (usize, &TrialDraft)| PlanVerdict {
+            plan: ContentHash::of(&draft.document.plan),
+            failure: self.failure(at).or_else(|| self.meeting(at)),
+        };
+        drafts.map(verdict).collect()
+    }
+
+    /// The figures of the flights, their conflicts, or the first plan that is not flown as planned.
+    pub fn tried(&self) -> Tried {
+        let conflicts: Vec<&Approach> = self.outcome.conflicts().collect();
+        if !conflicts.is_empty() {
+            return self.in_conflict(&conflicts);
+        }
+        let failure = (0..self.drafts.len()).find_map(|at| self.failure(at));
+        Tried {
+            is_sound: failure.is_none(),
+            text: failure.unwrap_or_else(|| self.summary()),
+            ..Tried::default()
+        }
+    }
+
+    fn names(&self, approach: &Approach) -> [&str; 2] {
+        [approach.a, approach.b].map(|at| self.name(at))
+    }
+
+    fn name(&self, at: usize) -> &str {
+        self.drafts.get(at).map_or("", |draft| &draft.name)
+    }
+
+    /// Why a plan is not flown to its end inside its fence, if so.
+    fn failure(&self, at: usize) -> Option<Text> {
+        let flown = self.outcome.vehicles.get(at)?;
+        let name = self.name(at);
+        match flown.broke_fence_s {
+            Some(at_s) => Some(text!("draft-trial-fence", name = name, time = time(at_s))),
+            None if flown.is_as_planned() => None,
+            None => Some(text!("draft-trial-unfinished", name = name)),
+        }
+    }
+
+    /// The conflict of a plan with another one, if it has any.
+    fn meeting(&self, at: usize) -> Option<Text> {
+        let conflict = self.outcome.conflicts_of(at).next()?;
+        let [a, b] = self.names(conflict);
+        let at_s = time(conflict.at_s);
+        Some(text!("draft-trial-meeting", a = a, b = b, time = at_s))
+    }
+
+    /// All pairs that come too close to each other.
+    fn in_conflict(&self, conflicts: &[&Approach]) -> Tried {
+        let pair = |conflict: &&Approach| -> Text {
+            let [a, b] = self.names(conflict);
+            format!("{a} + {b} {}", time(conflict.at_s)).into()
+        };
+        let named = conflicts.iter().take(MOST_PAIRS).map(pair).collect();
+        let named = Text::joined(", ", named);
+        let pairs = match conflicts.len().saturating_sub(MOST_PAIRS) {
+            0 => named,
+            more => text!("draft-trial-more", pairs = named, more = more),
+        };
+        Tried {
+            text: text!(
+                "draft-trial-conflicts",
+                count = conflicts.len(),
+                pairs = pairs
+            ),
+            details: conflicts.iter().map(|it| self.distances(it)).collect(),
+            ..Tried::default()
+        }
+    }
+
+    fn distances(&self, conflict: &Approach) -> Text {
+        let [a, b] = self.names(conflict);
+        let metres = [conflict.horizontal_m, conflict.vertical_m];
+        let [horizontal, vertical] = metres.map(|it| figure(it, 1));
+        text!(
+            "plan-rehearse-conflict",
+            a = a,
+            b = b,
+            time = time(conflict.at_s),
+            horizontal = horizontal,
+            vertical = vertical
+        )
+    }
+
+    fn summary(&self) -> Text {
+        let vehicles = self.outcome.vehicles.iter();
+        let longest_s = vehicles.clone().map(|it| it.time_s).fold(0.0, f64::max);
+        let left = vehicles.map(|it| it.energy_left_percent);
+        let least = left.fold(100.0, f64::min);
+        let figures = text!(
+            "draft-trial-figures",
+            count = self.drafts.len(),
+            time = time(longest_s),
+            left = figure(least, 0)
+        );
+        let closest = self.outcome.closest.first();
+        let closest = closest.map(|it| self.approach(it));
+        Text::joined("; ", std::iter::once(figures).chain(closest).collect())
+    }
+
+    /// How close two drafts come to each other without a conflict.
+    fn approach(&self, closest: &Approach) -> Text {
+        let [a, b] = self.names(closest);
+        let metres = [closest.horizontal_m, closest.vertical_m];
+        let [horizontal, vertical] = metres.map(|it| figure(it, 0));
+        text!(
+            "draft-trial-closest",
+            a = a,
+            b = b,
+            time = time(closest.at_s),
+            horizontal = horizontal,
+            vertical = vertical
+        )
+    }
+}
+
+fn time(seconds: f64) -> String {
+    clock(Duration::from_secs_f64(seconds.max(0.0)))
+}
