@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use crate::app::effect::ReplayEffect;
 use crate::app::event::{Event, LinkEvent, ReplayEvent, Started};
-use crate::app::room::messages::{LinkTraffic, Wanted};
+use crate::app::room::messages::{LinkTraffic, TrafficRequest};
 use crate::app::state::ReplayView;
 use crate::config::Config;
 use crate::doctor::{Cause, LinkFinding, Way};
@@ -274,8 +274,8 @@ impl Replay {
     }
 
     /// The current traffic for the room of messages.
-    pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
-        self.stage.inspect(wanted)
+    pub fn inspect(&mut self, request: &TrafficRequest) -> LinkTraffic {
+        self.stage.inspect(request)
     }
 
     pub fn film(&self) -> &Film {

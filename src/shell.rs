@@ -403,9 +403,9 @@ impl Console {
     }
 
     async fn look_at_messages(&mut self, now: Duration) {
-        let wanted = messages::wanted(self.app.state());
+        let request = messages::traffic_request(self.app.state());
         if let Some(running) = &mut self.running
-            && let Some(event) = running.inspect(wanted.as_ref(), now)
+            && let Some(event) = running.inspect(request.as_ref(), now)
         {
             self.feed(event).await;
         }

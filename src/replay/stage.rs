@@ -8,24 +8,21 @@ use std::time::Duration;
 
 use super::{FRAME, Film};
 use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
-use crate::app::room::messages::{LinkTraffic, Wanted};
-use crate::inspector::{Census, FrameWay};
+use crate::app::room::messages::{LinkTraffic, TrafficRequest};
 use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{TlogDamage, TlogPiece, TlogRecord, TlogSalvage};
 use crate::mission::Progress;
 use crate::notice::Notice;
-use crate::record::{EntryLine, Happening, JournalLine, LossLine, PathLine};
-use crate::session::{Want, autopilot_of};
+use crate::record::{EntryLine, Happening, JournalLine, PathLine};
 use crate::text::Text;
-use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
 
 mod actor;
 mod mission;
+mod scene;
 mod traffic;
 
-use actor::Actor;
 use mission::MissionStage;
-use traffic::Traffic;
+use scene::Scene;
 
 /// After this long without a record, the recording counts as having a gap, in which vehicles do not count as lost.
 const GAP: Duration = Duration::from_secs(2);
@@ -35,7 +32,6 @@ const STEP_BACK_US: i64 = 1_000_000;
 const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
 /// The number of a recording's only link.
 pub(super) const LINK: u16 = 0;
-const PEER: u32 = 0;
 
 /// The vehicles, the mission and the traffic of a recording at one moment.
 #[derive(Debug)]
@@ -58,9 +54,7 @@ pub(super) struct Stage {
 #[derive(Debug, Clone)]
 pub(super) struct Cast {
     now: Duration,
-    vehicles: BTreeMap<SystemId, Actor>,
-    census: Census,
-    traffic: Traffic,
+    scene: Scene,
     /// The index of the journal's next line.
     next_line: usize,
     /// The index of the line up to which the radio has been changed.
@@ -95,9 +89,7 @@ impl Stage {
             pending: None,
             cast: Cast {
                 now: Duration::ZERO,
-                vehicles: BTreeMap::new(),
-                census: Census::default(),
-                traffic: Traffic::default(),
+                scene: Scene::default(),
                 next_line: 0,
                 radio_line: 0,
                 elapsed: Duration::ZERO,
@@ -162,7 +154,8 @@ impl Stage {
         self.hear(until);
         self.change_radio(until);
         self.cast.now = until;
-        let mut events = self.tell(until);
+        let is_gap = self.cast.gap.is_some();
+        let mut events = self.cast.scene.tell(until, is_gap);
         events.extend(self.read_journal(until));
         events.extend(self.summarise(until));
         events
@@ -191,11 +184,11 @@ impl Stage {
                 self.heard += 1;
                 let silent = at.saturating_sub(self.cast.last_heard);
                 if silent >= GAP {
-                    self.cast.rest(silent);
+                    self.cast.scene.rest(silent);
                 }
                 self.cast.last_heard = at;
                 self.change_radio(at);
-                self.cast.take_in(&record.bytes, at);
+                self.cast.scene.take_in(&record.bytes, at);
             }
         }
     }
@@ -255,23 +248,9 @@ impl Stage {
         {
             self.cast.radio_line += 1;
             if let Happening::Loss(loss) = &line.what {
-                self.cast.change_radio(loss);
+                self.cast.scene.change_radio(loss);
             }
         }
-    }
-
-    fn tell(&mut self, now: Duration) -> Vec<Event> {
-        let is_gap = self.cast.gap.is_some();
-        let actors = self.cast.vehicles.values_mut();
-        actors
-            .flat_map(|actor| {
-                // In a gap, vehicles do not count as silent.
-                if !is_gap {
-                    actor.session.poll(now);
-                }
-                actor.tell()
-            })
-            .collect()
     }
 
     fn read_journal(&mut self, until: Duration) -> Vec<Event> {
@@ -307,7 +286,7 @@ impl Stage {
                     events.push(VehicleEvent::Paths(paths).into());
                 }
                 // No frame follows it in this step.
-                Happening::Loss(loss) => self.cast.change_radio(loss),
+                Happening::Loss(loss) => self.cast.scene.change_radio(loss),
                 Happening::Speedup { .. }
                 | Happening::Paused { .. }
                 | Happening::Bookmark { .. }
@@ -348,65 +327,18 @@ impl Stage {
 
     /// The state of the recording's link, once a second.
     fn summarise(&mut self, now: Duration) -> Option<Event> {
-        let summary = self.cast.traffic.summary(&self.film, now)?;
+        let summary = self.cast.scene.summary(&self.film, now)?;
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
     /// The current traffic for the room of messages.
-    pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
-        let keys = wanted.watched.iter().map(|(_, key)| *key).collect();
-        self.cast.census.watch(&keys);
-        LinkTraffic {
-            name: self.film.name().into(),
-            now: self.cast.now,
-            census: wanted.census.then(|| self.cast.census.snapshot()),
-            watched: self.cast.census.take_watched(),
-        }
+    pub fn inspect(&mut self, request: &TrafficRequest) -> LinkTraffic {
+        let (name, now) = (self.film.name(), self.cast.now);
+        self.cast.scene.inspect(request, name, now)
     }
 }
 
 impl Cast {
-    /// Passes a frame to its vehicle and to the census.
-    fn take_in(&mut self, bytes: &[u8], at: Duration) {
-        let mut decoder = Decoder::new();
-        decoder.push(bytes);
-        let Some(frame) = decoder.next_frame() else {
-            return;
-        };
-        let way = if frame.system == GROUND_STATION_SYSTEM {
-            self.traffic.send(bytes);
-            FrameWay::sent(PEER)
-        } else {
-            self.traffic.receive(bytes);
-            FrameWay::received(PEER)
-        };
-        self.census.note(way, bytes, frame.is_verified(), at);
-        let system = frame.system;
-        if !self.vehicles.contains_key(&system)
-            && let Some(component) = autopilot_of(&frame)
-        {
-            self.vehicles
-                .insert(system, Actor::new(system, component, at));
-        }
-        if let Some(actor) = self.vehicles.get_mut(&system) {
-            actor.session.receive(&frame, at);
-        }
-    }
-
-    /// Handles a gap in the recording, in which no vehicle counts as silent.
-    fn rest(&mut self, lasted: Duration) {
-        for actor in self.vehicles.values_mut() {
-            actor.session.rest(lasted);
-        }
-    }
-
-    fn change_radio(&mut self, loss: &LossLine) {
-        let system = SystemId::try_from(loss.vehicle).ok();
-        if let Some(actor) = system.and_then(|it| self.vehicles.get_mut(&it)) {
-            actor.session.carry_out(Want::Radio(loss.fault()));
-        }
-    }
-
     /// The time up to which the recording has been played.
     pub fn at(&self) -> Duration {
         self.now

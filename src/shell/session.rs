@@ -8,7 +8,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::ghost::ShownMission;
 use crate::app::event::{Event, VehicleEvent};
-use crate::app::room::messages::Wanted;
+use crate::app::room::messages::TrafficRequest;
 use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetEvent};
 use crate::link::SimulatorPace;
@@ -232,8 +232,8 @@ impl RunningSession {
     }
 
     /// A count of the links' messages, if needed and due.
-    pub fn inspect(&mut self, wanted: Option<&Wanted>, now: Duration) -> Option<Event> {
-        self.inspection.look(self.links.all(), wanted?, now)
+    pub fn inspect(&mut self, request: Option<&TrafficRequest>, now: Duration) -> Option<Event> {
+        self.inspection.look(self.links.all(), request?, now)
     }
 }
 

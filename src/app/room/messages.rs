@@ -60,7 +60,7 @@ pub struct LinkTraffic {
 
 /// The data that the room needs from the links.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Wanted {
+pub struct TrafficRequest {
     /// Whether the counts of all messages are needed.
     pub census: bool,
     /// Messages of which every frame is needed, with the number of the link.
@@ -94,14 +94,14 @@ pub enum Sort {
 }
 
 /// The data that the room needs now; `None` for none.
-pub fn wanted(state: &State) -> Option<Wanted> {
+pub fn traffic_request(state: &State) -> Option<TrafficRequest> {
     let room = &state.rooms.messages;
     let census = state.room == Room::Messages;
     if room.paused || !census && room.pins.is_empty() {
         return None;
     }
     let watched = room.pins.iter().map(|pin| (pin.link, pin.key)).collect();
-    Some(Wanted { census, watched })
+    Some(TrafficRequest { census, watched })
 }
 
 impl Sort {

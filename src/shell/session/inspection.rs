@@ -6,7 +6,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 
 use crate::app::event::{Event, LinkEvent};
-use crate::app::room::messages::{LinkTraffic, Wanted};
+use crate::app::room::messages::{LinkTraffic, TrafficRequest};
 use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
@@ -63,19 +63,19 @@ impl Inspection {
     pub fn look(
         &mut self,
         links: &[watch::Receiver<LinkStatus>],
-        wanted: &Wanted,
+        request: &TrafficRequest,
         now: Duration,
     ) -> Option<Event> {
         if now < self.next_look {
             return None;
         }
-        self.watch(&wanted.watched);
+        self.watch(&request.watched);
         let looks = self.taps.iter().zip(links).map(|(tap, link)| {
             let name = link.borrow().name.clone();
             tap.look(|census, now| LinkTraffic {
                 name,
                 now,
-                census: wanted.census.then(|| census.snapshot()),
+                census: request.census.then(|| census.snapshot()),
                 watched: census.take_watched(),
             })
         });

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
-use sortie::app::room::messages::{LinkTraffic, wanted};
+use sortie::app::room::messages::{LinkTraffic, traffic_request};
 use sortie::inspector::{Census, FrameWay, WatchedMessage};
 use sortie::link::TlogReader;
 use sortie::text::{Language, Locale};
@@ -182,7 +182,7 @@ fn messages_are_ordered_by_name_rate_or_age() {
 fn the_picture_stands_still_while_it_is_paused() {
     let mut console = inspecting();
     console.press("p");
-    assert_eq!(wanted(console.state()), None);
+    assert_eq!(traffic_request(console.state()), None);
     console.hear(LinkEvent::Traffic(vec![traffic(
         "another",
         Census::default(),
@@ -214,7 +214,7 @@ fn a_field_is_drawn_as_a_graph_wherever_one_is_until_it_is_let_go() {
     console.press("g");
     shows(&console, &["choose a field first"]);
     console.press("tab").press("down").press("g");
-    let shown = wanted(console.state()).expect("something");
+    let shown = traffic_request(console.state()).expect("something");
     assert_eq!((shown.census, shown.watched.len()), (true, 1));
     let (_, key) = *shown.watched.first().expect("one");
     let census = recorded("flight.tlog", 0);
@@ -226,7 +226,7 @@ fn a_field_is_drawn_as_a_graph_wherever_one_is_until_it_is_let_go() {
         dropped: 0,
     };
     console.press("F");
-    let elsewhere = wanted(console.state()).expect("the graph goes on");
+    let elsewhere = traffic_request(console.state()).expect("the graph goes on");
     assert!(!elsewhere.census);
     console.hear(LinkEvent::Traffic(vec![LinkTraffic {
         census: None,
@@ -241,7 +241,7 @@ fn a_field_is_drawn_as_a_graph_wherever_one_is_until_it_is_let_go() {
     console.press("g");
     hides(&console, &["60 s: "]);
     console.press("F");
-    assert_eq!(wanted(console.state()), None);
+    assert_eq!(traffic_request(console.state()), None);
 }
 
 #[test]
