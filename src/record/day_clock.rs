@@ -7,8 +7,17 @@ use super::{Happening, Journal};
 /// The pauses of a record, from which its times of day are computed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct DayClock {
-    /// The time of the record at which each pause began, earliest first, and how long all pauses so far lasted.
-    pauses: Vec<(Duration, Duration)>,
+    /// Earliest first.
+    pauses: Vec<DayPause>,
+}
+
+/// A pause of a record, in which everything was stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct DayPause {
+    /// The time of the record at which it began.
+    at: Duration,
+    /// How long this pause and all before it lasted.
+    so_far: Duration,
 }
 
 impl DayClock {
@@ -24,15 +33,16 @@ impl DayClock {
     }
 
     fn push(&mut self, at: Duration, lasted: Duration) {
-        let before = self.pauses.last().map_or(Duration::ZERO, |last| last.1);
-        self.pauses.push((at, before.saturating_add(lasted)));
+        let before = self.pauses.last().map_or(Duration::ZERO, |it| it.so_far);
+        let so_far = before.saturating_add(lasted);
+        self.pauses.push(DayPause { at, so_far });
     }
 
     /// The time of day at a time of a record that began at `began_unix_us`; both in microseconds since 1970 (UTC).
     pub fn unix_us(&self, began_unix_us: u64, at: Duration) -> u64 {
-        let passed = self.pauses.partition_point(|(pause, _)| *pause < at);
+        let passed = self.pauses.partition_point(|pause| pause.at < at);
         let last = passed.checked_sub(1).and_then(|last| self.pauses.get(last));
-        let paused = last.map_or(Duration::ZERO, |pause| pause.1);
+        let paused = last.map_or(Duration::ZERO, |pause| pause.so_far);
         let since = at.saturating_add(paused).as_micros();
         began_unix_us.saturating_add(u64::try_from(since).unwrap_or(u64::MAX))
     }

@@ -9,7 +9,7 @@ use crate::{HeightFrame, Item, ListKind, board, command};
 /// use are gone, numbers are as short as storage makes them, both spellings of a frame are one, and commands without a
 /// place have no frame and no place. Items that a vehicle refuses count as they are. `auto_continue` does not count:
 /// ArduPilot does not keep it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ContentHash(pub u32);
 
 impl ContentHash {

@@ -43,8 +43,8 @@ pub struct FlightView {
     pub(in crate::app) meetings: Vec<Meeting>,
     /// The plans that failed in the newest rehearsal of each vehicle.
     pub(in crate::app) failed_rehearsals: BTreeMap<VehicleId, FailedRehearsal>,
-    /// Why plans failed in the newest rehearsal of drafts, by the hashes of the plans.
-    pub(in crate::app) failed_trials: BTreeMap<u32, Text>,
+    /// Why plans failed in the newest rehearsal of drafts.
+    pub(in crate::app) failed_trials: BTreeMap<ContentHash, Text>,
     /// The places that commands may name.
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     pub(in crate::app) choice: Choice,
@@ -125,7 +125,7 @@ impl FlightView {
         for vehicle in findings.passed {
             self.failed_rehearsals.remove(&vehicle);
             if let Some(plan) = self.carried(vehicle) {
-                self.failed_trials.remove(&plan.0);
+                self.failed_trials.remove(&plan);
             }
         }
         let failed = findings.failed.into_iter();
@@ -136,12 +136,12 @@ impl FlightView {
     /// Notes how plans of drafts were flown.
     pub(in crate::app) fn note_trial(&mut self, verdicts: &[PlanVerdict]) {
         for PlanVerdict { plan, .. } in verdicts {
-            self.failed_trials.remove(&plan.0);
+            self.failed_trials.remove(plan);
         }
         // Several vehicles may fly the same plan: it has failed if one of them has.
         let failed = verdicts.iter().filter_map(|it| {
             let reason = it.failure.clone()?;
-            Some((it.plan.0, reason))
+            Some((it.plan, reason))
         });
         self.failed_trials.extend(failed);
     }
@@ -187,7 +187,7 @@ impl FlightView {
             let on_board = self.failed_rehearsals.get(id);
             let on_board = on_board.filter(|failed| failed.plan == plan);
             let reason = on_board.map(|failed| &failed.reason);
-            let reason = reason.or_else(|| self.failed_trials.get(&plan.0))?;
+            let reason = reason.or_else(|| self.failed_trials.get(&plan))?;
             Some((*id, reason.clone()))
         };
         let (vehicle, reason) = order.targets.iter().find_map(failed)?;

@@ -69,42 +69,53 @@ pub(super) fn draw(
         Some(command(state, entry, rows, panel))
     };
     let whole = command(usize::MAX).map_or(0, |lines| lines.len());
-    let needs = [
-        found.lines.len(),
-        tried.lines.len(),
-        whole,
-        next.lines.len(),
-    ];
-    let [few, some, own, last] = shares(needs, usize::from(panel.area.height));
+    let needs = ReportRows {
+        found: found.lines.len(),
+        tried: tried.lines.len(),
+        command: whole,
+        next: next.lines.len(),
+    };
+    let rows = needs.within(usize::from(panel.area.height));
     let width = panel.width();
-    let lines = found.cut(few, width).into_iter();
-    let lines = lines.chain(tried.cut(some, width));
-    let lines = lines.chain(command(own).into_iter().flatten());
-    for (row, line) in (0..).zip(lines.chain(next.cut(last, width))) {
+    let lines = found.cut(rows.found, width).into_iter();
+    let lines = lines.chain(tried.cut(rows.tried, width));
+    let lines = lines.chain(command(rows.command).into_iter().flatten());
+    for (row, line) in (0..).zip(lines.chain(next.cut(rows.next, width))) {
         put(buffer, panel.area, row, &line);
     }
 }
 
-/// The rows of each report: the next step is the first to be left out, then lines after the first one.
-fn shares([found, tried, command, next]: [usize; 4], rows: usize) -> [usize; 4] {
-    let mut left = rows;
-    let mut take = |wanted: usize| {
-        let taken = wanted.min(left);
-        left -= taken;
-        taken
-    };
-    let mut given = [
-        take(found.min(1)),
-        take(tried.min(1)),
-        take(command.min(1)),
-        0,
-    ];
-    given[1] += take(tried - given[1]);
-    given[0] += take(found - given[0]);
-    given[3] += take(next.min(1));
-    given[2] += take(command - given[2]);
-    given[3] += take(next - given[3]);
-    given
+/// The rows of each report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct ReportRows {
+    found: usize,
+    tried: usize,
+    command: usize,
+    next: usize,
+}
+
+impl ReportRows {
+    /// The rows of these that fit: the next step is the first to be left out, then lines after the first one.
+    fn within(self, rows: usize) -> Self {
+        let mut left = rows;
+        let mut take = |needed: usize| {
+            let taken = needed.min(left);
+            left -= taken;
+            taken
+        };
+        let mut given = Self {
+            found: take(self.found.min(1)),
+            tried: take(self.tried.min(1)),
+            command: take(self.command.min(1)),
+            next: 0,
+        };
+        given.tried += take(self.tried - given.tried);
+        given.found += take(self.found - given.found);
+        given.next += take(self.next.min(1));
+        given.command += take(self.command - given.command);
+        given.next += take(self.next - given.next);
+        given
+    }
 }
 
 /// The faults: that of the item under the cursor first, then the worst.
@@ -279,13 +290,25 @@ mod tests {
         assert!(words.starts_with("plan, items 5, 7: "), "{words}");
     }
 
+    fn within(needs: [usize; 4], rows: usize) -> [usize; 4] {
+        let [found, tried, command, next] = needs;
+        let needs = ReportRows {
+            found,
+            tried,
+            command,
+            next,
+        };
+        let rows = needs.within(rows);
+        [rows.found, rows.tried, rows.command, rows.next]
+    }
+
     #[test]
     fn each_report_has_a_line_before_any_has_two_and_the_next_step_comes_last() {
-        assert_eq!(shares([1, 0, 1, 1], 3), [1, 0, 1, 1]);
-        assert_eq!(shares([1, 2, 3, 1], 3), [1, 1, 1, 0]);
-        assert_eq!(shares([0, 2, 1, 1], 3), [0, 2, 1, 0]);
-        assert_eq!(shares([0, 2, 3, 1], 7), [0, 2, 3, 1]);
-        assert_eq!(shares([9, 2, 1, 1], 7), [4, 2, 1, 0]);
-        assert_eq!(shares([1, 1, 1, 1], 0), [0; 4]);
+        assert_eq!(within([1, 0, 1, 1], 3), [1, 0, 1, 1]);
+        assert_eq!(within([1, 2, 3, 1], 3), [1, 1, 1, 0]);
+        assert_eq!(within([0, 2, 1, 1], 3), [0, 2, 1, 0]);
+        assert_eq!(within([0, 2, 3, 1], 7), [0, 2, 3, 1]);
+        assert_eq!(within([9, 2, 1, 1], 7), [4, 2, 1, 0]);
+        assert_eq!(within([1, 1, 1, 1], 0), [0; 4]);
     }
 }
