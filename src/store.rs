@@ -41,7 +41,7 @@ pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
 pub use links::open_own;
 pub use logs::LogFolder;
-pub use names::{names_in, user_path};
+pub use names::{names_in, unread, user_path};
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
 pub use plans::{PlanFiles, read_plan_text};

@@ -16,7 +16,7 @@ use crate::record::{
     DayClock, Journal, JournalFit, JournalLine, JournalNeighbours, MissionClock, Subject,
 };
 use crate::review::Review;
-use crate::store::{RecordFiles, read_run};
+use crate::store::{RecordFiles, read_run, unread};
 use crate::text;
 use crate::text::Text;
 
@@ -52,14 +52,7 @@ impl Film {
     /// The recording cannot be read, or has no frame.
     pub fn open(path: &Path) -> Result<Self, Text> {
         let files = RecordFiles::beside(path);
-        let Some(frames) = files.frames.clone() else {
-            let name = path.display().to_string();
-            return Err(if path.is_file() {
-                text!("replay-no-frames", file = name)
-            } else {
-                text!("replay-no-file", file = name)
-            });
-        };
+        let frames = files.frames.clone().ok_or_else(|| no_frames(path))?;
         let span = TlogSpan::read(&frames)?;
         // The frames of a flight can be replayed without its journal and its score.
         let mut faults = Vec::new();
@@ -71,15 +64,13 @@ impl Film {
             faults.push(text!("replay-without-journal", fault = fault));
             None
         });
-        let (review, review_fault) = match files.read_review() {
-            Ok(review) => (review, None),
-            Err(fault) => (None, Some(fault)),
-        };
         let head = journal.as_ref().map(|it| &it.head);
-        let review = review.unwrap_or_else(|| Review::of(head));
-        let began_unix_us = journal
-            .as_ref()
-            .map_or(span.first_unix_us, |it| it.head.began_unix_us);
+        let stored = files.read_review();
+        let review = match &stored {
+            Ok(Some(review)) => review.clone(),
+            Ok(None) | Err(_) => Review::of(head),
+        };
+        let began_unix_us = head.map_or(span.first_unix_us, |it| it.began_unix_us);
         let (logs, log_faults) = files.read_joined();
         faults.extend(log_faults);
         let clock = Arc::new(journal.as_ref().map(MissionClock::of).unwrap_or_default());
@@ -93,7 +84,7 @@ impl Film {
             clock,
             run,
             review,
-            review_fault,
+            review_fault: stored.err(),
             logs,
             faults,
             began_unix_us,
@@ -198,7 +189,7 @@ impl Film {
             file.seek(SeekFrom::Start(offset))?;
             Ok(TlogSalvage::at(file, offset, last_us))
         };
-        open().map_err(|error: std::io::Error| unreadable(&self.frames, &error))
+        open().map_err(|error: std::io::Error| unread(&self.frames, &error))
     }
 
     /// Its session, as the console shows it.
@@ -240,11 +231,6 @@ impl Film {
     }
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Text {
-    let (path, error) = (path.display().to_string(), error.to_string());
-    text!("transport-no-file", path = path, error = error)
-}
-
 /// The times of the first and of the last frame of a tlog, in microseconds since 1970 (UTC).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TlogSpan {
@@ -258,7 +244,7 @@ impl TlogSpan {
     /// # Errors
     /// The file cannot be read, or has no frame.
     pub fn read(path: &Path) -> Result<Self, Text> {
-        let unreadable = |error| unreadable(path, &error);
+        let unreadable = |error| unread(path, &error);
         let none = || text!("replay-no-tlog", file = path.display().to_string());
         let file = File::open(path).map_err(unreadable)?;
         let len = file.metadata().map_err(unreadable)?.len();
@@ -293,7 +279,17 @@ fn times(file: File) -> impl Iterator<Item = u64> {
     })
 }
 
-/// The journal of a recording; an error if it is unreadable, or belongs to a different flight.
+/// Why a record has no frames to replay.
+fn no_frames(path: &Path) -> Text {
+    let name = path.display().to_string();
+    if path.is_file() {
+        text!("replay-no-frames", file = name)
+    } else {
+        text!("replay-no-file", file = name)
+    }
+}
+
+/// The journal of a recording; an error if it is unreadable, or belongs to another flight than frames and run.
 fn own_journal(
     files: &RecordFiles,
     span: TlogSpan,
@@ -311,6 +307,6 @@ fn own_journal(
 }
 
 fn read_stored(path: &Path) -> Result<Stored, Text> {
-    let text = read_run(path).map_err(|error| unreadable(path, &error))?;
+    let text = read_run(path).map_err(|error| unread(path, &error))?;
     Stored::read(&text)
 }

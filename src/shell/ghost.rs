@@ -13,8 +13,8 @@ use crate::language::GhostSource;
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::{Journal, MissionClock};
-use crate::replay::Replay;
+use crate::record::{Journal, JournalFit, JournalNeighbours, MissionClock};
+use crate::replay::{Replay, TlogSpan};
 use crate::review::Review;
 use crate::store::{self, RecordFiles, Records, read_run};
 use crate::text;
@@ -52,18 +52,7 @@ impl Console {
         let own_bookmarks =
             film.map_or_else(Vec::new, |film| bookmarks(film.journal(), film.review()));
         let id = shown.mission.id.clone();
-        let plan = match source {
-            GhostSource::File(path) => {
-                let records = self.options.preferences.records.as_ref();
-                let files = Records::find(records, &path)?;
-                let run = files
-                    .run
-                    .ok_or_else(|| text!("ghost-no-run", file = path))?;
-                GhostPlan::Record(run)
-            }
-            GhostSource::Best => GhostPlan::Record(self.best_run(&shown)?),
-            GhostSource::Reference => GhostPlan::Reference(Box::new(shown)),
-        };
+        let plan = self.ghost_plan(source, shown)?;
         let work = move || {
             let other = plan.flight()?;
             if other.report.mission != id {
@@ -83,6 +72,18 @@ impl Console {
         let work = thread.spawn(work);
         self.ghost = Some(work.map_err(|error| Text::verbatim(error.to_string()))?);
         Ok(())
+    }
+
+    fn ghost_plan(&self, source: GhostSource, shown: ShownMission) -> Result<GhostPlan, Text> {
+        Ok(match source {
+            GhostSource::File(path) => {
+                let records = self.options.preferences.records.as_ref();
+                let run = Records::find(records, &path)?.run;
+                GhostPlan::Record(run.ok_or_else(|| text!("ghost-no-run", file = path))?)
+            }
+            GhostSource::Best => GhostPlan::Record(self.best_run(&shown)?),
+            GhostSource::Reference => GhostPlan::Reference(Box::new(shown)),
+        })
     }
 
     /// Shows the other flight once it is ready.
@@ -135,14 +136,17 @@ fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> 
     })
 }
 
-/// The bookmarks of the record that a run belongs to; none if it has no readable journal.
-fn bookmarks_beside(run: &Path) -> Vec<FlightBookmark> {
-    let files = RecordFiles::beside(run);
-    let read = |path: &Path| std::fs::read_to_string(path).ok();
-    let text = files.journal.as_deref().and_then(read);
-    let journal = text.and_then(|text| Journal::read(&text).ok());
-    let review = read(&files.review).and_then(|text| Review::read(&text).ok());
-    bookmarks(journal.as_ref(), &review.unwrap_or_default())
+/// The bookmarks of the record that a run belongs to; none if it has no readable journal of the same flight.
+fn bookmarks_beside(path: &Path, run: &Stored) -> Vec<FlightBookmark> {
+    let files = RecordFiles::beside(path);
+    let beside = JournalNeighbours {
+        mission: Some(&run.head.mission),
+        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
+    };
+    let fits = |journal: &Journal| JournalFit::of(&journal.head, beside) == JournalFit::Fits;
+    let journal = files.read_journal().ok().flatten().filter(fits);
+    let review = files.read_review().ok().flatten().unwrap_or_default();
+    bookmarks(journal.as_ref(), &review)
 }
 
 /// The date and time of a record, to the minute: `2026-11-20T14:03:22Z` is `2026-11-20 14:03`.
@@ -155,18 +159,15 @@ impl GhostPlan {
     fn flight(self) -> Result<ComparedFlight, Text> {
         match self {
             Self::Record(path) => {
-                let unreadable = |error: std::io::Error| {
-                    let (path, error) = (path.display().to_string(), error.to_string());
-                    text!("transport-no-file", path = path, error = error)
-                };
-                let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
+                let text = read_run(&path).map_err(|error| store::unread(&path, &error))?;
+                let stored = Stored::read(&text)?;
                 let when = minute(&stored.head.when);
                 let name = match stored.head.profile.clone() {
                     Some(name) => text!("ghost-name", name = name, when = when),
                     None => when.into(),
                 };
                 let flight = ComparedFlight::of_record(&stored, name)?;
-                Ok(flight.with_bookmarks(bookmarks_beside(&path)))
+                Ok(flight.with_bookmarks(bookmarks_beside(&path, &stored)))
             }
             Self::Reference(shown) => {
                 let id = &shown.mission.id;

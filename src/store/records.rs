@@ -9,36 +9,23 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::append::{AppendFile, is_written};
-use super::signature::signature_of;
+use super::append::AppendFile;
 use super::{StoreError, sharing, user_path};
-use crate::mission::record::{End as RunEnd, Head as RunHead};
-use crate::record::{Happening, Head, Journal, JournalLine};
+use crate::record::Head;
 use crate::text;
 use crate::text::Text;
 
+mod files;
 mod joined;
 mod recording;
 mod reviews;
 mod signature;
 
+pub use files::RecordFiles;
+use files::{FRAMES, INPUTS, JOURNAL, REVIEW, RUN};
 pub use joined::read_log;
 pub use recording::{RecordPiece, RecordWriter, Recording, RecordingFault};
 pub use signature::RecordSignature;
-
-/// The suffix of frames.
-const FRAMES: &str = ".tlog";
-const JOURNAL: &str = ".flight.jsonl";
-/// The suffix of a review.
-const REVIEW: &str = ".review.json";
-/// The suffix of a mission's run, which `runs` stores.
-const RUN: &str = ".run.jsonl";
-/// The suffix of the inputs of simulated vehicles.
-const INPUTS: &str = super::runs::INPUTS;
-/// The maximum length of a head, in bytes.
-const HEAD_LEN: u64 = 256 * 1024;
-/// The maximum size of a journal, in bytes; this program does not write larger ones.
-const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
 /// The limits of the stored records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,152 +51,6 @@ impl Default for RecordLimits {
 pub struct Records {
     folder: PathBuf,
     limits: RecordLimits,
-}
-
-/// The files of one record; `None` for a missing one.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct RecordFiles {
-    /// Their common name without suffix.
-    pub stem: String,
-    /// The frames of its links.
-    pub frames: Option<PathBuf>,
-    pub journal: Option<PathBuf>,
-    /// The record of the mission's run.
-    pub run: Option<PathBuf>,
-    /// The path of the review, whether it exists or not.
-    pub review: PathBuf,
-    /// The inputs of its simulated vehicles.
-    pub inputs: Option<PathBuf>,
-    /// Bytes of frames and journal.
-    pub bytes: u64,
-}
-
-impl RecordFiles {
-    /// The frames of its links.
-    ///
-    /// # Errors
-    /// They are missing; as text.
-    pub fn frames(&self) -> Result<&Path, Text> {
-        let frames = self.frames.as_deref();
-        frames.ok_or_else(|| text!("replay-no-frames", file = self.stem.as_str()))
-    }
-
-    /// The files of the record to which one file belongs. A file with another suffix counts as frames.
-    pub fn beside(path: &Path) -> Self {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let stem = [JOURNAL, RUN, INPUTS, FRAMES]
-            .iter()
-            .find_map(|ending| name.strip_suffix(ending));
-        let Some(stem) = stem else {
-            return Self {
-                stem: name.to_string(),
-                frames: Some(path.to_owned()),
-                review: path.with_file_name(format!("{name}{REVIEW}")),
-                ..Self::default()
-            };
-        };
-        let mut files = Self {
-            stem: stem.to_owned(),
-            review: path.with_file_name(format!("{stem}{REVIEW}")),
-            ..Self::default()
-        };
-        for ending in [FRAMES, JOURNAL, RUN, INPUTS] {
-            let path = path.with_file_name(format!("{stem}{ending}"));
-            if path.is_file() {
-                files.add(path, ending);
-            }
-        }
-        files
-    }
-
-    fn add(&mut self, path: PathBuf, ending: &str) {
-        let len = fs::metadata(&path).map_or(0, |file| file.len());
-        let place = match ending {
-            FRAMES => &mut self.frames,
-            JOURNAL => &mut self.journal,
-            INPUTS => &mut self.inputs,
-            _ => {
-                self.run = Some(path);
-                return;
-            }
-        };
-        *place = Some(path);
-        self.bytes += len;
-    }
-
-    /// The first line of its journal.
-    ///
-    /// # Errors
-    /// It has no journal, or the journal cannot be read.
-    pub fn head(&self) -> io::Result<Head> {
-        use std::io::{BufRead as _, BufReader, Read as _};
-
-        let journal = self.journal.as_ref().ok_or(io::ErrorKind::NotFound)?;
-        let mut first = Vec::new();
-        let file = fs::File::open(journal)?;
-        BufReader::new(file.take(HEAD_LEN)).read_until(b'\n', &mut first)?;
-        Ok(serde_json::from_slice(&first)?)
-    }
-
-    /// Its journal, if it has one.
-    ///
-    /// # Errors
-    /// It cannot be read, or is not a journal; as text.
-    pub fn read_journal(&self) -> Result<Option<Journal>, Text> {
-        use std::io::Read as _;
-
-        let Some(path) = &self.journal else {
-            return Ok(None);
-        };
-        let mut bytes = Vec::new();
-        let read = fs::File::open(path)
-            .and_then(|file| file.take(LARGEST_JOURNAL).read_to_end(&mut bytes));
-        if let Err(error) = read {
-            let (path, error) = (path.display().to_string(), error.to_string());
-            return Err(text!("transport-no-file", path = path, error = error));
-        }
-        Journal::read(&String::from_utf8_lossy(&bytes)).map(Some)
-    }
-
-    /// Whether a console is still writing the record.
-    pub fn is_written(&self) -> bool {
-        self.journal.as_deref().is_some_and(is_written)
-    }
-
-    /// The first line of the mission's run, and the last one if it is its end; `None` without a run.
-    pub fn run_outline(&self) -> Option<(RunHead, Option<RunEnd>)> {
-        super::runs::outline(self.run.as_deref()?).ok()
-    }
-
-    /// Whether the console that wrote it was killed: the journal has no end, and no console is writing it.
-    pub fn is_cut_off(&self) -> bool {
-        let last = self.journal.as_deref().map(super::runs::last_line);
-        let is_end = |line: &[u8]| {
-            let line = serde_json::from_slice::<JournalLine>(line);
-            line.is_ok_and(|line| line.what == Happening::End)
-        };
-        matches!(&last, Some(Ok(line)) if !is_end(line)) && !self.is_written()
-    }
-
-    /// Removes frames, journal and joined logs; the record of a mission's run and its inputs stay, because careers
-    /// count the run.
-    ///
-    /// # Errors
-    /// One of them cannot be removed.
-    pub fn delete(&self) -> Result<(), StoreError> {
-        // The journal goes last: without it, the others could not be found again. Without a run, the inputs prove
-        // nothing.
-        let inputs = self.inputs.as_ref().filter(|_| self.run.is_none());
-        for path in [self.frames.as_ref(), inputs, self.journal.as_ref()]
-            .into_iter()
-            .flatten()
-        {
-            fs::remove_file(path).map_err(|error| unwritable(path, error))?;
-            // Most files have no signature.
-            drop(fs::remove_file(signature_of(path)));
-        }
-        self.delete_joined()
-    }
 }
 
 fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles, Text> {
