@@ -44,7 +44,7 @@ struct HostFinding {
     /// The subject of the check, such as a folder or a program.
     about: String,
     verdict: CheckResult,
-    /// The state found.
+    /// The state of the subject, in words.
     found: String,
     /// The advice for the repair.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -36,7 +36,7 @@ pub enum Deed {
     Arm(bool),
     /// Sends another command, by its name or number.
     Command(String),
-    /// Sets a parameter.
+    /// Sets the parameter of this name to a value.
     Parameter(String, f32),
     /// Loads a plan, a fence or rally points with this many items; 0 deletes them.
     Plan(u16),

@@ -19,7 +19,7 @@ pub struct ReviewedFlight<'a> {
     pub title: &'a str,
     /// The time of day of its beginning, in UTC.
     pub began: &'a str,
-    /// The mission's brief.
+    /// The task in the words of the mission; `None` without one.
     pub brief: Option<&'a Text>,
     /// The result, if a mission was flown.
     pub report: Option<&'a Report>,

@@ -7,19 +7,19 @@ use crate::{Item, board, command};
 pub enum FieldUnit {
     /// A number without a unit.
     None,
-    /// Metres.
+    /// A length or a height, in metres.
     Metres,
-    /// Metres per second.
+    /// A speed, in metres per second.
     MetresPerSecond,
-    /// Seconds.
+    /// A duration, in seconds.
     Seconds,
-    /// Degrees.
+    /// An angle or a direction, in degrees.
     Degrees,
-    /// Degrees per second.
+    /// A rate of turn, in degrees per second.
     DegreesPerSecond,
     /// Microseconds, of a servo's pulse.
     Microseconds,
-    /// Percent.
+    /// A share or a level, in percent.
     Percent,
 }
 

@@ -22,7 +22,7 @@ mod wpl;
 pub enum SourceFormat {
     /// `QGC WPL 110` or `120`: Mission Planner, MAVProxy, QGroundControl.
     Wpl,
-    /// QGroundControl's `.plan` files.
+    /// QGroundControl's `.plan` files, in JSON: plan, fence and rally points in one.
     QgcPlan,
     /// MAVProxy's old fence: a latitude and a longitude on each line, the first the return point.
     OldFence,

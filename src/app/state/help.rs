@@ -112,7 +112,6 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
 #[derive(Debug, Clone, Copy)]
 pub struct HelpScene<'a> {
     pub keymap: &'a Keymap,
-    /// The current room.
     pub here: Room,
     /// Whether a recorded flight is shown, which takes no commands.
     pub is_replay: bool,

@@ -40,7 +40,7 @@ pub struct CloseVehicle {
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    /// Its pad.
+    /// The place from which it takes off, where vehicles may stand close.
     home: Option<LatLon>,
 }
 

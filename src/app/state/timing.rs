@@ -22,7 +22,7 @@ pub struct Timing {
     pub(in crate::app) began_at: Duration,
     /// Session time by the program's clock; in a mission, mission time.
     pub(in crate::app) clock: SessionTime,
-    /// Whether time runs.
+    /// Whether time passes, and if not, why.
     pub(in crate::app) flow: TimeFlow,
     /// The speed-up of simulated time.
     pub(in crate::app) pace: SessionPace,

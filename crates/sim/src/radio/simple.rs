@@ -11,7 +11,7 @@ const TURNS_BY_DEG: f64 = 5.0;
 /// The reference of the sticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum SimpleMode {
-    /// The nose.
+    /// The nose: forward on the stick is forward for the vehicle.
     #[default]
     Off,
     /// The heading at arming.
