@@ -8,6 +8,8 @@ use crate::record::{Head as JournalHead, Subject};
 use crate::scoring::{FlightBackend, FlownBy};
 use crate::vehicle::{Unheard, Vehicle};
 
+mod verbs;
+
 fn occasion(stake: Stake) -> Occasion {
     Occasion {
         flown_by: FlownBy::Hand,
@@ -403,73 +405,4 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     let head = Stored::read(&text).expect("a good record").head;
     assert_eq!((head.stake, head.profile), (Stake::Practice, None));
     assert!(head.designs.is_empty());
-}
-
-/// The verbs that a record may name. A record outlives the table: if a verb is renamed, the old name must stay readable
-/// ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 54] = [
-    "altitude",
-    "arm",
-    "disarm",
-    "drop",
-    "fence",
-    "fence switch",
-    "follow",
-    "formation",
-    "formation off",
-    "goal",
-    "goto",
-    "hint",
-    "hold",
-    "home",
-    "int",
-    "interval",
-    "kill",
-    "land",
-    "logs",
-    "long",
-    "mark",
-    "mode",
-    "orbit",
-    "param",
-    "plan",
-    "plan abort",
-    "plan change",
-    "plan goto",
-    "plan pause",
-    "plan rehearse",
-    "plan resume",
-    "plan skip",
-    "plan start",
-    "predict",
-    "rally",
-    "reboot",
-    "relay",
-    "relay to",
-    "request",
-    "resume",
-    "roi",
-    "rtl",
-    "sample",
-    "search",
-    "servo",
-    "speed",
-    "spray",
-    "spread",
-    "survey",
-    "takeoff",
-    "unmark",
-    "velocity",
-    "workload",
-    "yaw",
-];
-
-#[test]
-fn every_verb_that_a_record_may_name_is_pinned() {
-    for name in RECORDED_VERBS {
-        assert!(language::verb(name).is_some(), "{name} reads no more");
-    }
-    for verb in language::verbs() {
-        assert!(RECORDED_VERBS.contains(&verb.name), "add {}", verb.name);
-    }
 }
