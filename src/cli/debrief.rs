@@ -9,7 +9,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use crate::campaign::without_end;
 use crate::debrief;
-use crate::mission::record::Stored;
+use crate::mission::record::{Rescored, Stored};
 use crate::record::{JournalFit, JournalNeighbours};
 use crate::replay::TlogSpan;
 use crate::store::{self, RecordFiles, Runs};
@@ -47,55 +47,59 @@ pub(super) fn debrief(
             &locale,
         )
     };
-    let text = store::read_run(&path).map_err(|error| faulty(error.to_string().into()))?;
-    let stored = Stored::read(&text).map_err(faulty)?;
-    // A debrief shows the truth, which would help a flight that is still under way; so would the debrief of a copy.
+    let stored = stored_run(&path, runs.as_ref()).map_err(faulty)?;
     let head = &stored.head;
-    if runs
-        .iter()
-        .any(|runs| runs.is_flown_now(&head.mission, head.seed))
-    {
-        return Err(faulty(text!("record-under-way")));
-    }
     let again = stored
         .rescore(without_end(head.stake, head.flown_by))
         .map_err(faulty)?;
-    if let Some(damage) = &stored.damage {
-        tell!("sortie: {name}: {}", locale.text(damage));
-    }
-    if stored.is_altered() {
-        tell!("sortie: {name}: {}", locale.text(&text!("verify-altered")));
-    }
-    let files = RecordFiles::beside(&path);
-    let beside = JournalNeighbours {
-        mission: Some(&stored.head.mission),
-        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
-    };
-    let journal = files.head().ok();
-    if let Some(fault) = journal.and_then(|head| JournalFit::of(&head, beside).fault()) {
-        tell!("sortie: {name}: {}", locale.text(&fault));
+    for doubt in doubts(&stored, &path, &again) {
+        tell!("sortie: {name}: {}", locale.text(&doubt));
     }
     let mut report = again.report;
-    if let Some(before) = again.before.filter(|before| before.score != report.score) {
-        let (before, now) = (before.score, report.score);
-        let text = text!("record-differs", before = before, now = now);
-        tell!("sortie: {name}: {}", locale.text(&text));
-    }
     if let Some(runs) = &runs {
-        report.tries = runs.tries_at(
-            stored.head.profile.as_deref(),
-            &report.mission,
-            report.revision,
-        );
+        let whose = head.profile.as_deref();
+        report.tries = runs.tries_at(whose, &report.mission, report.revision);
     }
-    let flown = stored.head.flown().map_err(faulty)?;
-    store::complete(&mut report, &flown);
+    store::complete(&mut report, &head.flown().map_err(faulty)?);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         say!("{}", debrief::text(&report, &locale).trim_end())?;
     }
     Ok(ExitCode::from(u8::from(!report.passed)))
+}
+
+/// The run in a file, unless it is still being flown.
+fn stored_run(path: &Path, runs: Option<&Runs>) -> Result<Stored, Text> {
+    let text = store::read_run(path).map_err(|error| Text::verbatim(error.to_string()))?;
+    let stored = Stored::read(&text)?;
+    // A debrief shows the truth, which would help a flight that is still under way; so would the debrief of a copy.
+    let head = &stored.head;
+    if runs.is_some_and(|runs| runs.is_flown_now(&head.mission, head.seed)) {
+        return Err(text!("record-under-way"));
+    }
+    Ok(stored)
+}
+
+/// Why the debrief of a record may not be that of its flight: damage, edits, a journal of another flight, another score.
+fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
+    let files = RecordFiles::beside(path);
+    let beside = JournalNeighbours {
+        mission: Some(&stored.head.mission),
+        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
+    };
+    let journal = files.head().ok();
+    let now = again.report.score;
+    let before = again.before.map(|end| end.score);
+    let doubts = [
+        stored.damage.clone(),
+        stored.is_altered().then(|| text!("verify-altered")),
+        journal.and_then(|head| JournalFit::of(&head, beside).fault()),
+        before
+            .filter(|before| *before != now)
+            .map(|before| text!("record-differs", before = before, now = now)),
+    ];
+    doubts.into_iter().flatten().collect()
 }
 
 /// The file of a run: the newest, a file by its path, or that of a record.

@@ -11,7 +11,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use crate::campaign::without_end;
 use crate::mission::Mission;
-use crate::mission::record::{Divergence, RecordExtent, Rescored, Stored, refly};
+use crate::mission::record::{Divergence, Head, RecordExtent, Rescored, Stored, refly};
 use crate::record::{Journal, JournalFit, JournalNeighbours, StoredInputs, Subject};
 use crate::replay::TlogSpan;
 use crate::scoring::{FlightBackend, MissionFile};
@@ -98,17 +98,7 @@ fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
         when: Some(head.when.clone()),
         ..judged
     };
-    // Only the journal says whether a mission was left or cut off.
-    let unproved: &[&str] = match document.verdict {
-        Verdict::VerifiedLeft => &["program", "profile", "when", "flown_by", "attempt", "left"],
-        Verdict::Verified
-        | Verdict::VerifiedPart
-        | Verdict::VerifiedCut
-        | Verdict::Differs
-        | Verdict::OtherProgram
-        | Verdict::OtherMission
-        | Verdict::Rescored => &["program", "profile", "when", "flown_by", "attempt"],
-    };
+    let unproved = document.verdict.unproved();
     Ok(document.stating(unproved).with_faults(faults))
 }
 
@@ -201,12 +191,7 @@ fn judge_run(
     journal: Option<&Journal>,
 ) -> Result<VerifyDocument, Text> {
     let head = &stored.head;
-    let is_known = match store::mission_file(mission) {
-        MissionFile::Course | MissionFile::Own => true,
-        MissionFile::OtherRevision | MissionFile::Altered => false,
-    };
-    // The head names the mission apart from its text.
-    if !is_known || head.mission != mission.id || head.revision != mission.rev {
+    if !is_known(head, mission) {
         return Ok(VerifyDocument::of_other_mission(stored));
     }
     let repeatable = inputs.filter(|_| head.backend == FlightBackend::Embedded);
@@ -234,6 +219,16 @@ fn judge_run(
         },
         (None, None) => rescored(stored, program)?,
     })
+}
+
+/// Whether the mission in a record is that of this program, or one of the user. The head names it apart from its text.
+fn is_known(head: &Head, mission: &Mission) -> bool {
+    match store::mission_file(mission) {
+        MissionFile::Course | MissionFile::Own => {
+            head.mission == mission.id && head.revision == mission.rev
+        }
+        MissionFile::OtherRevision | MissionFile::Altered => false,
+    }
 }
 
 /// The result for a flight that matches its record, which ends at a mission time without a score: it was left, as its

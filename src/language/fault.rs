@@ -36,26 +36,9 @@ pub(super) fn fault(
         forms: forms.iter().map(|form| &row.forms[*form]).collect(),
     };
     let Some(word) = rest.get(furthest.0) else {
-        let expected = closest.iter().flat_map(|fit| fit.expected.iter());
-        // After its keyword, even an optional argument needs its value.
-        let needed = |item: &Expected| match item {
-            Expected::Keyword(argument) => !argument.optional,
-            Expected::Value(argument) => !argument.optional || !argument.keyword.is_empty(),
-        };
-        let missing = list(expected.copied().filter(needed));
-        let example = meant.example();
-        let mut expected = closest.iter().flat_map(|fit| fit.expected.iter());
-        let needs = || {
-            text!(
-                "grammar-needs",
-                verb = meant.subject(rest),
-                missing = missing
-            )
-        };
-        let why_not = expected.find_map(|item| unavailable(*item, context));
-        let message = why_not.unwrap_or_else(needs);
+        let message = incomplete(&meant, &closest, rest, context);
         return Diagnostic::new(end_of(all), message)
-            .with_help(text!("grammar-for-example", line = example));
+            .with_help(text!("grammar-for-example", line = meant.example()));
     };
     let misfits: Vec<&Misfit> = closest
         .iter()
@@ -123,48 +106,64 @@ impl Meant {
     }
 }
 
+/// What is missing after the last word, or why its names do not exist.
+fn incomplete(meant: &Meant, closest: &[&Fit], rest: &[Word], context: &Context) -> Text {
+    let expected = || closest.iter().flat_map(|fit| fit.expected.iter().copied());
+    if let Some(why_not) = expected().find_map(|item| unavailable(item, context)) {
+        return why_not;
+    }
+    // After its keyword, even an optional argument needs its value.
+    let needed = |item: &Expected| match item {
+        Expected::Keyword(argument) => !argument.optional,
+        Expected::Value(argument) => !argument.optional || !argument.keyword.is_empty(),
+    };
+    text!(
+        "grammar-needs",
+        verb = meant.subject(rest),
+        missing = list(expected().filter(needed))
+    )
+}
+
 fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
     let span = word.span.clone();
     let expected = || {
-        misfits
-            .iter()
-            .flat_map(|misfit| misfit.expected.iter().copied())
-    };
-    let message = match misfits {
-        [misfit, ..] if misfit.specific || misfits.len() == 1 => misfit.message.clone(),
-        _ => None,
+        let all = misfits.iter();
+        all.flat_map(|misfit| misfit.expected.iter().copied())
     };
     if expected().next().is_none() {
         let message = text!("grammar-too-much", word = word.text);
         return Diagnostic::new(span, message)
             .with_help(text!("grammar-say-it-as", usage = meant.usages()));
     }
-    let what = list(expected());
-    let specific = misfits.iter().any(|misfit| misfit.specific);
     let names: Vec<String> = expected()
         .flat_map(|item| names_of(item, context))
         .collect();
-    let says_what = message.is_none() || specific;
-    let takes_command = expected().any(|item| item.argument().kind == Kind::PlanCommand);
-    let message = message.unwrap_or_else(|| {
+    let what = list(expected());
+    let specific = misfits.iter().any(|misfit| misfit.specific);
+    let own = match misfits {
+        [misfit, ..] if misfit.specific || misfits.len() == 1 => misfit.message.clone(),
+        _ => None,
+    };
+    let says_what = own.is_none() || specific;
+    let does_not_fit = || {
+        let expected = what.clone();
         text!(
             "grammar-does-not-fit",
             word = word.text,
-            expected = what.clone()
+            expected = expected
         )
-    });
-    let fault = Diagnostic::new(span, message);
+    };
+    let fault = Diagnostic::new(span, own.unwrap_or_else(does_not_fit));
+    let takes_command = expected().any(|item| item.argument().kind == Kind::PlanCommand);
     if takes_command && number_length(word.text) == 0 {
         return fault.with_help(near_commands(word.text, &names));
     }
-    let fault = fault.with_nearest(word.text, names.iter().map(String::as_str));
-    match fault.help {
-        None if !says_what => fault.with_help(
-            there_are(&names, misfits)
-                .unwrap_or_else(|| text!("grammar-expected", expected = what)),
-        ),
-        _ => fault,
+    let nearest = fault.with_nearest(word.text, names.iter().map(String::as_str));
+    if says_what || nearest.help.is_some() {
+        return nearest;
     }
+    let listed = there_are(&names, misfits);
+    nearest.with_help(listed.unwrap_or_else(|| text!("grammar-expected", expected = what)))
 }
 
 /// The maximum number of words of plan commands that a fault names.

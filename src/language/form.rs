@@ -192,23 +192,11 @@ impl FormReader<'_> {
     }
 
     fn positional(&mut self, open: &[usize], words: &[Word]) -> FormStep {
-        let arguments = self.form.arguments;
-        let mut kinds = Vec::new();
-        let mut is_new = |argument: &&Argument| {
-            let is_new = !argument.keyword.is_empty() || !kinds.contains(&argument.kind);
-            kinds.push(argument.kind);
-            is_new
-        };
-        let expected = open.iter().map(|index| &arguments[*index]);
-        // A word that does not fit the first of several values of one kind fits none of them: only the first is
-        // expected.
-        let expected = expected.filter(|it| is_new(it)).map(Expected::first);
-        let expected = expected.collect();
         let mut misfit = Misfit {
             word: 0,
             specific: false,
             message: None,
-            expected,
+            expected: self.distinct(open),
         };
         for &index in open {
             let argument = &self.form.arguments[index];
@@ -235,6 +223,19 @@ impl FormReader<'_> {
             }
         }
         FormStep::Misfit(misfit)
+    }
+
+    /// What a word may be of these arguments: if it is not the first of several equal values, it is none of them.
+    fn distinct(&self, open: &[usize]) -> Vec<Expected> {
+        let mut kinds = Vec::new();
+        let mut is_new = |argument: &&Argument| {
+            let is_new = !argument.keyword.is_empty() || !kinds.contains(&argument.kind);
+            kinds.push(argument.kind);
+            is_new
+        };
+        let arguments = open.iter().map(|index| &self.form.arguments[*index]);
+        let distinct = arguments.filter(|it| is_new(it));
+        distinct.map(Expected::first).collect()
     }
 
     fn fill(&mut self, index: usize, value: Value, words: &[Word], count: usize) {

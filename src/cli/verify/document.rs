@@ -34,6 +34,23 @@ pub(super) enum Verdict {
     Rescored,
 }
 
+impl Verdict {
+    /// The fields of the document that a record of a mission only states. Only the journal says whether a mission was
+    /// left or cut off.
+    pub(super) fn unproved(self) -> &'static [&'static str] {
+        match self {
+            Self::VerifiedLeft => &["program", "profile", "when", "flown_by", "attempt", "left"],
+            Self::Verified
+            | Self::VerifiedPart
+            | Self::VerifiedCut
+            | Self::Differs
+            | Self::OtherProgram
+            | Self::OtherMission
+            | Self::Rescored => &["program", "profile", "when", "flown_by", "attempt"],
+        }
+    }
+}
+
 /// How far a result can be relied on, which decides the exit code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reliance {
