@@ -18,7 +18,7 @@ pub(super) struct TrialRemedies<'a> {
 impl TrialRemedies<'_> {
     /// The changed drafts, and the changes in words; `flown` is the outcome with them.
     pub fn tried(&self, flown: Tried) -> Tried {
-        if !self.remedies.iter().any(is_needed) {
+        if !self.remedies.iter().copied().any(is_needed) {
             let text = Text::joined("; ", vec![text!("plan-deconflict-none"), flown.text]);
             return Tried { text, ..flown };
         }
@@ -48,10 +48,10 @@ impl TrialRemedies<'_> {
             match remedy {
                 Remedy::Nothing => None,
                 Remedy::Delay(seconds) => {
-                    Some(text!("draft-trial-delay", name = name, seconds = *seconds))
+                    Some(text!("draft-trial-delay", name = name, seconds = seconds))
                 }
                 Remedy::Layer(metres) => {
-                    let height = figure(*metres, 0);
+                    let height = figure(metres, 0);
                     Some(text!("draft-trial-layer", name = name, height = height))
                 }
             }
@@ -66,11 +66,11 @@ impl TrialRemedies<'_> {
         words.chain(notes.into_iter().flatten()).collect()
     }
 
-    fn all(&self) -> impl Iterator<Item = (&Remedy, &TrialDraft)> {
-        self.remedies.iter().zip(self.drafts)
+    fn all(&self) -> impl Iterator<Item = (Remedy, &TrialDraft)> {
+        self.remedies.iter().copied().zip(self.drafts)
     }
 }
 
-fn is_needed(remedy: &Remedy) -> bool {
-    *remedy != Remedy::Nothing
+fn is_needed(remedy: Remedy) -> bool {
+    remedy != Remedy::Nothing
 }

@@ -170,9 +170,8 @@ impl Stored {
     pub fn rescore(&self, without_end: WithoutEnd) -> Result<Rescored, Text> {
         let mut replay = self.reenact()?;
         drop(replay.advance(Duration::MAX));
-        match (self.end(), without_end) {
-            (None, WithoutEnd::Left) => replay.flight.abandon(),
-            (None, WithoutEnd::Over) | (Some(_), _) => {}
+        if self.end().is_none() && without_end == WithoutEnd::Left {
+            replay.flight.abandon();
         }
         Ok(Rescored {
             report: replay.report(),
