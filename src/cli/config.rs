@@ -67,7 +67,7 @@ pub(super) fn config(
             say!("# {name:<13} {}{missing}", path.display())?;
         }
         say!("")?;
-        say!("{}", settings.layers.show().trim_end())?;
+        say!("{}", settings.sources.layers.show().trim_end())?;
     }
     settings.complain();
     let is_faulty = !settings.faults.is_empty();
@@ -77,7 +77,13 @@ pub(super) fn config(
 /// Files and folders by name.
 fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
     let mut paths = Vec::new();
-    paths.extend(settings.file.clone().map(|file| ("config_file", file)));
+    paths.extend(
+        settings
+            .sources
+            .file
+            .clone()
+            .map(|file| ("config_file", file)),
+    );
     paths.extend(settings.keymap_file().map(|file| ("keymap_file", file)));
     if let Some(folders) = &settings.folders {
         let Folders {

@@ -241,7 +241,7 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
             data: settings.data.clone(),
             profile: settings.config.profile.clone(),
             warnings: settings.warnings(),
-            is_lang_given: settings.is_flag("lang"),
+            is_lang_given: settings.sources.is_flag("lang"),
             config: settings.config,
             keymap: settings.keymap,
             themes: settings.themes,

@@ -63,6 +63,7 @@ impl ProgramOptions {
             return Some(Named { file, by });
         }
         let origin = settings
+            .sources
             .layers
             .origin(&format!("hangar.{}", kind.program()));
         let file = PathBuf::from(set.as_deref()?);

@@ -4,8 +4,7 @@
 //! configuration folder does not prevent flying: the wrong part is left out, and the fault is reported.
 
 use std::env;
-use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use tracing_subscriber::EnvFilter;
 
@@ -13,7 +12,7 @@ use super::Failure;
 use super::fault::FileFault;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
-use crate::config::{Config, Layers, Origin, Readers};
+use crate::config::{Config, Layers, Readers};
 use crate::diagnostic::Diagnostic;
 use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source};
 use crate::text;
@@ -22,8 +21,10 @@ use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
 mod flags;
 mod shown;
+mod sources;
 
 pub(super) use flags::Common;
+use sources::{SettingPlace, SettingSources};
 
 /// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
@@ -34,8 +35,8 @@ const DATA_VARIABLE: &str = "SORTIE_DATA";
 /// All settings and the files that they come from.
 #[derive(Debug)]
 pub(super) struct CliSettings {
-    /// The settings, with the source of each.
-    pub layers: Layers,
+    /// Where the settings come from.
+    pub sources: SettingSources,
     /// The typed values of the settings.
     pub config: Config,
     /// The actions of the keys.
@@ -48,14 +49,8 @@ pub(super) struct CliSettings {
     pub folders: Option<Folders>,
     /// The folder of profiles and recorded runs; `None` without one.
     pub data: Option<PathBuf>,
-    /// The configuration file, which need not exist.
-    pub file: Option<PathBuf>,
     /// The faults of the files.
     pub faults: Vec<FileFault>,
-    /// The configuration files that could be read.
-    sources: Vec<Source>,
-    /// Whether the configuration file was named, so that its faults are faults of usage.
-    is_named: bool,
 }
 
 /// Collects all settings.
@@ -80,22 +75,19 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let is_named = named.is_some();
     let file = named.or_else(|| folders.as_ref().map(Folders::config_file));
     let mut settings = CliSettings {
-        layers: Layers::default(),
+        sources: SettingSources::new(file, is_named),
         config: Config::default(),
         keymap: Keymap::default(),
         themes: themes(),
         theme: Theme::default(),
         folders,
         data,
-        file,
         faults: Vec::new(),
-        sources: Vec::new(),
-        is_named,
     };
     settings.read_system_files();
     settings.read_file()?;
     settings.read_words(common)?;
-    settings.config = settings.layers.config();
+    settings.config = settings.sources.layers.config();
     settings.choose_theme()?;
     settings.check_log()?;
     settings.place_hangar_files();
@@ -166,38 +158,34 @@ impl CliSettings {
         }
     }
 
-    /// Applies a configuration file over the present settings; returns its faults.
     fn lay_on(&mut self, source: &Source) -> Vec<Diagnostic> {
-        let themes = theme_names(&self.themes);
-        let check = |setting: &str, word: &str| check(setting, word, &themes);
-        let read = self.layers.file(&source.name, &source.text, &check);
-        self.sources.push(source.clone());
-        read.err().unwrap_or_default()
+        self.sources.lay_on(source, &theme_names(&self.themes))
     }
 
     fn read_file(&mut self) -> Result<(), Failure> {
-        let Some(path) = self.file.clone() else {
+        let Some(path) = self.sources.file.clone() else {
             return Ok(());
         };
-        if !self.is_named && !path.exists() {
+        let is_named = self.sources.is_file_named;
+        if !is_named && !path.exists() {
             return Ok(());
         }
         let source = match store::read(&path, "file-configuration") {
             Ok(source) => source,
-            Err(error) => return self.told(FileFault::from(&error), self.is_named),
+            Err(error) => return self.told(FileFault::from(&error), is_named),
         };
         let faults = self.lay_on(&source);
         if faults.is_empty() {
             return Ok(());
         }
-        self.told(FileFault::Inside(source, faults), self.is_named)
+        self.told(FileFault::Inside(source, faults), is_named)
     }
 
     fn read_words(&mut self, common: &Common) -> Result<(), Failure> {
-        let environment = self.layers.environment(variable);
+        let environment = self.sources.layers.environment(variable);
         let mut faults = environment.err().unwrap_or_default();
         for (setting, flag, value) in common.flags() {
-            faults.extend(self.layers.flag(setting, flag, value).err());
+            faults.extend(self.sources.layers.flag(setting, flag, value).err());
         }
         // POSIX: the first of these variables that is set decides, even if it names an unsupported language.
         let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
@@ -206,7 +194,7 @@ impl CliSettings {
         if let Some((name, value)) = locale
             && let Some(language) = Language::of(&value)
         {
-            self.layers.follow("lang", name, language.code());
+            self.sources.layers.follow("lang", name, language.code());
         }
         if faults.is_empty() {
             return Ok(());
@@ -225,7 +213,7 @@ impl CliSettings {
                 };
                 self.told(
                     FileFault::Inside(source, faults),
-                    self.has_to_be_right("theme"),
+                    self.sources.has_to_be_right("theme"),
                 )?;
             }
             Err(error) => return Err(Failure::Invalid(format!("sortie: {error}"))),
@@ -240,7 +228,7 @@ impl CliSettings {
             return Err(Failure::Invalid(format!("sortie: {text}")));
         }
         // A log that a file enables for every session belongs in the state folder, not in the current folder.
-        if self.is_of_file("log.file")
+        if self.sources.is_of_file("log.file")
             && let (Some(folders), Some(file)) = (&self.folders, &mut self.config.log.file)
         {
             *file = folders.state.join(&file).display().to_string();
@@ -258,7 +246,7 @@ impl CliSettings {
             "folder",
             "token_file",
         ]
-        .map(|key| self.folder_of(&format!("hangar.{key}")));
+        .map(|key| self.sources.folder_of(&format!("hangar.{key}")));
         let set = &mut self.config.hangar;
         let paths = [
             &mut set.arducopter,
@@ -299,7 +287,7 @@ impl CliSettings {
         match self.keymap.overlay(&source.text, &themes) {
             Ok(()) => Ok(()),
             Err(faults) => {
-                let is_usage = is_named && self.has_to_be_right("keymap");
+                let is_usage = is_named && self.sources.has_to_be_right("keymap");
                 self.told(FileFault::Inside(source, faults), is_usage)
             }
         }
@@ -308,7 +296,7 @@ impl CliSettings {
     /// The keymap file, which need not exist. A relative path in the configuration is relative to that file.
     pub fn keymap_file(&self) -> Option<PathBuf> {
         match &self.config.keymap {
-            Some(name) => Some(match self.folder_of("keymap") {
+            Some(name) => Some(match self.sources.folder_of("keymap") {
                 Some(folder) => folder.join(name),
                 None => PathBuf::from(name),
             }),
@@ -316,61 +304,12 @@ impl CliSettings {
         }
     }
 
-    /// Whether the command line or the environment sets it.
-    pub fn is_named(&self, setting: &str) -> bool {
-        matches!(
-            self.layers.origin(setting),
-            Origin::Flag(_) | Origin::Environment(_)
-        )
-    }
-
-    /// Whether a flag of the command line sets it.
-    pub fn is_flag(&self, setting: &str) -> bool {
-        matches!(self.layers.origin(setting), Origin::Flag(_))
-    }
-
-    /// Whether a wrong value is a fault of usage: it was set by a flag, by the environment or by a file that was
-    /// named, and not by a file that is read by default.
-    fn has_to_be_right(&self, setting: &str) -> bool {
-        match self.layers.origin(setting) {
-            Origin::Flag(_) | Origin::Environment(_) => true,
-            Origin::File { name, .. } => {
-                let named = self.file.as_ref().filter(|_| self.is_named);
-                named.is_some_and(|file| file.display().to_string() == *name)
-            }
-            Origin::Default => false,
-        }
-    }
-
-    fn is_of_file(&self, setting: &str) -> bool {
-        matches!(self.layers.origin(setting), Origin::File { .. })
-    }
-
-    /// The folder of the configuration file with this setting.
-    fn folder_of(&self, setting: &str) -> Option<PathBuf> {
-        match self.layers.origin(setting) {
-            Origin::File { name, .. } => {
-                let folder = Path::new(name).parent();
-                Some(folder.unwrap_or(Path::new("")).to_owned())
-            }
-            Origin::Default | Origin::Environment(_) | Origin::Flag(_) => None,
-        }
-    }
-
     /// Reports a wrong value of a setting: at its place in the file, otherwise as a fault of usage.
     fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
-        let place: Option<(Source, Range<usize>)> = match self.layers.origin(setting) {
-            Origin::File { name, span, .. } => {
-                let mut sources = self.sources.iter();
-                let source = sources.find(|source| source.name == *name);
-                source.cloned().zip(Some(span.clone()))
-            }
-            Origin::Default | Origin::Environment(_) | Origin::Flag(_) => None,
-        };
-        match place {
-            Some((source, span)) => {
+        match self.sources.place_of(setting) {
+            Some(SettingPlace { source, span }) => {
                 let fault = FileFault::Inside(source, vec![Diagnostic::new(span, text)]);
-                self.told(fault, self.has_to_be_right(setting))
+                self.told(fault, self.sources.has_to_be_right(setting))
             }
             None => Err(Failure::Invalid(format!("sortie: {text}"))),
         }

@@ -73,7 +73,7 @@ impl<'a> RunTrainee<'a> {
     /// # Errors
     /// The profile does not exist, or profiles cannot be opened.
     pub fn named(settings: &CliSettings, locale: &'a Locale) -> Result<Option<Self>, Failure> {
-        if !settings.is_named("profile") {
+        if !settings.sources.is_named("profile") {
             return Ok(None);
         }
         let profiles = trainee::open(settings, locale)?;
