@@ -16,9 +16,7 @@ use super::{Console, ConsoleOptions, Happened, Opening, Pace, Signals, key};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
-use crate::language::{
-    self, ConsoleLine, Findings, Meaning, Pilot, PilotEvent, Report, Scope, Script, Seen,
-};
+use crate::language::{self, ConsoleLine, Meaning, Report, Scope};
 use crate::scoring::FlownBy;
 use crate::text::{Text, text};
 use crate::vehicle::Severity;
@@ -29,11 +27,13 @@ mod end;
 mod input;
 mod output;
 mod report;
+mod wait;
 
 use end::{Beginning, Patience, START_PATIENCE};
-use input::PlainLine;
+use input::{PlainLine, is_said};
 use output::PlainOutput;
 use report::PlainReport;
+use wait::PlainWait;
 
 /// The time between news, so that reports of several vehicles are merged into one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
@@ -53,11 +53,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
     let mut plain = Plain {
-        beginning: Beginning::of(expected(&options), is_person),
+        beginning: Beginning::of(&options, is_person),
         console: Console::new(options, false),
         report: PlainReport::default(),
         output: PlainOutput::start(is_person),
-        pilot: None,
+        wait: PlainWait::default(),
         is_person,
         ended: false,
         said_at: Duration::ZERO,
@@ -103,21 +103,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.finish(told_to_end)
 }
 
-/// The number of vehicles that must be heard; 1 if their number is unknown.
-fn expected(options: &ConsoleOptions) -> usize {
-    match &options.opening {
-        Opening::Mission(mission) => mission.seats.count,
-        Opening::Free => usize::from(options.vehicles),
-        Opening::Home | Opening::Connect(_) | Opening::Replay(_) => 1,
-    }
-}
-
 struct Plain {
     console: Console,
     report: PlainReport,
     output: PlainOutput,
-    /// The script that delays the next line with its waits.
-    pilot: Option<Pilot>,
+    wait: PlainWait,
     /// The condition that the first line waits for.
     beginning: Beginning,
     is_person: bool,
@@ -162,7 +152,7 @@ impl Plain {
 
     fn is_idle(&self) -> bool {
         let mut entries = self.console.app.state().session().ledger().entries();
-        self.pilot.is_none() && entries.all(crate::ledger::LedgerEntry::is_final)
+        self.wait.is_over() && entries.all(crate::ledger::LedgerEntry::is_final)
     }
 
     async fn tick(&mut self) -> anyhow::Result<()> {
@@ -200,26 +190,9 @@ impl Plain {
     }
 
     fn hold(&mut self) {
-        let Some(pilot) = &mut self.pilot else { return };
-        let state = self.console.app.state();
-        let session = state.session();
-        let findings = session.mission().map(|progress| &progress.findings);
-        let none = Findings::default();
-        let seen = Seen {
-            vehicles: session.vehicles(),
-            ledger: session.ledger(),
-            findings: findings.unwrap_or(&none),
-        };
-        // Waits take flight time, as in a script: a speed-up shortens them as well.
-        let events = pilot.step(session.time(state.now()), seen);
-        if !events.is_empty() {
-            self.pilot = None;
-        }
-        for event in events {
-            if let PilotEvent::WaitTimedOut { text: line, .. } = event {
-                self.say(&text!("plain-wait-in-vain", line = line));
-                self.failed = true;
-            }
+        for line in self.wait.look(self.console.app.state()) {
+            self.say(&text!("plain-wait-in-vain", line = line));
+            self.failed = true;
         }
     }
 
@@ -357,21 +330,12 @@ impl Plain {
         }
     }
 
-    /// Delays the following lines, as in a script.
+    /// Delays the following lines.
     fn wait(&mut self, line: &str) {
-        let script = self
-            .console
-            .app
-            .state()
-            .with_context(|context| Script::parse(line, context));
-        match script {
-            Ok(script) => self.pilot = Some(Pilot::new(script)),
-            Err(faults) => {
-                self.failed = true;
-                for fault in faults {
-                    self.say(&explained(&fault));
-                }
-            }
+        let begun = self.wait.begin(line, self.console.app.state());
+        for fault in begun.err().into_iter().flatten() {
+            self.failed = true;
+            self.say(&explained(&fault));
         }
     }
 
@@ -422,11 +386,6 @@ impl Plain {
         self.output.finish(told_to_end)?;
         Ok(passed)
     }
-}
-
-/// Whether a line is more than empty or a comment.
-fn is_said(line: &str) -> bool {
-    !line.is_empty() && !line.starts_with('#')
 }
 
 /// A fault with its advice.

@@ -6,6 +6,7 @@ use crate::app::State;
 use crate::app::state::{FlightView, Instance};
 use crate::ledger::Ledger;
 use crate::mission::ObjectiveState;
+use crate::shell::{ConsoleOptions, Opening};
 
 /// How long lines from a pipe wait for the vehicles to be heard.
 const HEARD_PATIENCE: Duration = Duration::from_secs(30);
@@ -46,9 +47,9 @@ pub(super) struct Beginning {
 
 impl Beginning {
     /// The wait before the first line; a person's lines need none.
-    pub fn of(expected: usize, is_person: bool) -> Self {
+    pub fn of(options: &ConsoleOptions, is_person: bool) -> Self {
         Self {
-            expected,
+            expected: expected(options),
             ready: (!is_person).then(|| Patience::new(START_PATIENCE)),
         }
     }
@@ -70,6 +71,15 @@ impl Beginning {
         if is_there && (waited || is_ready(session)) {
             self.ready = None;
         }
+    }
+}
+
+/// The number of vehicles, if known.
+fn expected(options: &ConsoleOptions) -> usize {
+    match &options.opening {
+        Opening::Mission(mission) => mission.seats.count,
+        Opening::Free => usize::from(options.vehicles),
+        Opening::Home | Opening::Connect(_) | Opening::Replay(_) => 1,
     }
 }
 

@@ -16,6 +16,11 @@ pub(super) enum PlainLine {
     Garbled(String),
 }
 
+/// Whether a line is more than empty or a comment.
+pub(super) fn is_said(line: &str) -> bool {
+    !line.is_empty() && !line.starts_with('#')
+}
+
 /// Starts to read standard input.
 pub(super) fn read() -> mpsc::Receiver<PlainLine> {
     let (sender, lines) = mpsc::channel(LINES_AHEAD);
