@@ -17,13 +17,14 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, row_role, wrap};
-use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
+
+mod remarks;
+
+use remarks::{explanations, outcome};
 
 /// The indent of an outcome.
 const INDENT: usize = 2;
-/// The maximum width of a remark that counts as a value, not a sentence.
-const LONGEST_VALUE: usize = 24;
 
 /// Draws the newest entries that fit.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -36,7 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         if used >= rows {
             break;
         }
-        let block = lines_within(entry, state.session(), (width, rows - used), panel.look);
+        let block = lines_within(entry, state.session(), width, rows - used, panel.look);
         used += block.len();
         blocks.push(block);
     }
@@ -58,7 +59,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 pub fn lines_within<'a>(
     entry: &LedgerEntry,
     session: &FlightView,
-    (width, rows): (usize, usize),
+    width: usize,
+    rows: usize,
     look: &Look,
 ) -> Vec<Line<'a>> {
     let mut lines = entry_lines(entry, session, width, look);
@@ -122,14 +124,14 @@ pub fn entry_lines<'a>(
     // If all rows have ended with a remark, it replaces their states.
     let told = outcome(entry, look).is_some();
     let left = explanations(entry);
-    for (text, vehicles) in left.into_iter().filter(|_| !told) {
-        let text = text!(
+    for remark in left.into_iter().filter(|_| !told) {
+        let explained = text!(
             "state-explained",
-            count = vehicles.len(),
-            vehicles = ranges(vehicles),
-            text = text
+            count = remark.vehicles.len(),
+            vehicles = ranges(remark.vehicles),
+            text = remark.text
         );
-        let wrapped = wrap(&look.text(&text), width.saturating_sub(INDENT));
+        let wrapped = wrap(&look.text(&explained), width.saturating_sub(INDENT));
         lines.extend(wrapped.iter().map(|line| indented(line, style)));
     }
     lines
@@ -243,57 +245,6 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
     worst.map_or(Role::Muted, row_role)
 }
 
-/// The answer to a query, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` if they differ.
-fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
-    let told = |row: &LedgerRow| row.state == RowState::Done && row.explanation.is_some();
-    if !entry.rows.iter().all(told) {
-        return None;
-    }
-    // The line already contains the name of the value.
-    let asked = entry.line.split_whitespace().next_back()?;
-    let short = |text: &Text| {
-        let text = look.text(text);
-        match text.split_once(' ') {
-            Some((name, value)) if name.eq_ignore_ascii_case(asked) => value.to_owned(),
-            _ => text,
-        }
-    };
-    let remarks = explanations(entry);
-    if let [(text, _)] = remarks.as_slice() {
-        return Some(short(text));
-    }
-    // Different sentences on one line would run together, so each gets its own line.
-    let is_long = |(text, _): &(Text, Vec<VehicleId>)| look.text(text).width() > LONGEST_VALUE;
-    if remarks.iter().any(is_long) {
-        return None;
-    }
-    let parts = remarks.into_iter().map(|(text, vehicles)| {
-        let text = short(&text);
-        format!("{}: {}", ranges(vehicles), text.trim_start_matches("= "))
-    });
-    Some(parts.collect::<Vec<_>>().join("   "))
-}
-
-/// The explanations of rows, merged if they differ only in their vehicle, in the order of their first occurrence.
-fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
-    let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
-    let explained = |row: &&LedgerRow| row.state != RowState::Superseded;
-    for row in entry.rows.iter().filter(explained) {
-        let Some(text) = row.remark() else {
-            continue;
-        };
-        let text = text.regarding("");
-        match found.iter_mut().find(|(known, _)| *known == text) {
-            Some((_, vehicles)) => vehicles.push(row.vehicle),
-            None => found.push((text, vec![row.vehicle])),
-        }
-    }
-    for (text, vehicles) in &mut found {
-        *text = text.regarding(&ranges(vehicles.iter().copied()));
-    }
-    found
-}
-
 #[cfg(test)]
 mod tests {
     use std::time::Duration;
@@ -301,6 +252,7 @@ mod tests {
     use super::*;
     use crate::language::verb;
     use crate::ledger::{Given, Ledger, Risk, RowUpdate};
+    use crate::vehicle_id::VehicleId;
 
     fn texts(lines: &[Line<'_>]) -> Vec<String> {
         lines.iter().map(ToString::to_string).collect()

@@ -134,17 +134,17 @@ fn found(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let row = shown.room.row();
     let is_own = |it: &Finding| it.list == shown.room.list() && it.item.is_some() && it.item == row;
     let mut faults = shared(findings);
-    faults.sort_by_key(|(fault, _)| {
-        let is_own = findings.iter().any(|it| is_own(it) && is_same(it, fault));
-        Reverse((is_own, fault.severity()))
+    faults.sort_by_key(|fault| {
+        let mut same = findings.iter().filter(|it| is_same(it, fault.first));
+        Reverse((same.any(&is_own), fault.first.severity()))
     });
     let count = panel.text(&text!("plans-faults", count = faults.len()));
-    for (at, (fault, items)) in faults.into_iter().enumerate() {
-        let (mark, role) = match fault.severity() {
+    for (at, fault) in faults.into_iter().enumerate() {
+        let (mark, role) = match fault.first.severity() {
             Severity::Error => ("!", Role::Danger),
             Severity::Warning => ("?", Role::Warning),
         };
-        let words = panel.text(&shared_finding_words(fault, &items));
+        let words = panel.text(&shared_finding_words(fault.first, &fault.items));
         let text = if at == 0 {
             format!("{mark} {count}: {words}")
         } else {
@@ -159,13 +159,22 @@ fn is_same(a: &Finding, b: &Finding) -> bool {
     a.list == b.list && a.kind == b.kind
 }
 
-/// Each fault once, with the items that have it.
-fn shared(findings: &[Finding]) -> Vec<(&Finding, Vec<usize>)> {
-    let mut faults: Vec<(&Finding, Vec<usize>)> = Vec::new();
+/// A fault, with the items that have it.
+struct SharedFault<'a> {
+    first: &'a Finding,
+    items: Vec<usize>,
+}
+
+/// Each fault once.
+fn shared(findings: &[Finding]) -> Vec<SharedFault<'_>> {
+    let mut faults: Vec<SharedFault<'_>> = Vec::new();
     for finding in findings {
-        match faults.iter_mut().find(|(known, _)| is_same(known, finding)) {
-            Some((_, items)) => items.extend(finding.item),
-            None => faults.push((finding, finding.item.into_iter().collect())),
+        match faults.iter_mut().find(|it| is_same(it.first, finding)) {
+            Some(known) => known.items.extend(finding.item),
+            None => faults.push(SharedFault {
+                first: finding,
+                items: finding.item.into_iter().collect(),
+            }),
         }
     }
     faults
@@ -211,9 +220,9 @@ fn command(
     rows: usize,
     panel: Panel<'_>,
 ) -> Vec<Line<'static>> {
-    let size = (panel.width().saturating_sub(INDENT), rows);
-    let of = |entry, size| {
-        let lines = ledger::lines_within(entry, state.session(), size, panel.look);
+    let width = panel.width().saturating_sub(INDENT);
+    let of = |entry, rows| {
+        let lines = ledger::lines_within(entry, state.session(), width, rows, panel.look);
         let indented = lines.into_iter().map(|mut line| {
             line.spans.insert(0, " ".repeat(INDENT).into());
             line
@@ -221,7 +230,7 @@ fn command(
         indented.collect::<Vec<Line<'static>>>()
     };
     match last {
-        LastEntry::One(entry) => of(*entry, size),
+        LastEntry::One(entry) => of(*entry, rows),
         LastEntry::Upload(entries) => {
             let (text, role) = upload(entries);
             let mut report = Report::default();
@@ -230,7 +239,7 @@ fn command(
                 |entry: &&&LedgerEntry| entry.rows.iter().any(|row| row.state.is_failure());
             if let Some(failed) = entries.iter().find(failed) {
                 let left = rows.saturating_sub(report.lines.len());
-                report.lines.extend(of(failed, (size.0, left)));
+                report.lines.extend(of(failed, left));
             }
             report.lines
         }
@@ -286,7 +295,7 @@ mod tests {
         ];
         let faults = shared(&findings);
         assert_eq!(faults.len(), 2);
-        let words = shared_finding_words(faults[0].0, &faults[0].1).to_string();
+        let words = shared_finding_words(faults[0].first, &faults[0].items).to_string();
         assert!(words.starts_with("plan, items 5, 7: "), "{words}");
     }
 
