@@ -3,6 +3,7 @@
 use super::condition::condition;
 use crate::mission::format::{FileTable, text, whole, word};
 use crate::mission::{Clue, Hint, MissionAdvice, NEXT_CELL, Phase};
+use crate::text::Text;
 
 /// One piece of advice of either kind.
 pub(super) enum OneAdvice {
@@ -50,29 +51,7 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         "a condition as in events; of the automatic hints of a phase, the first whose `until` does not hold \
          is shown",
     );
-    let english = table.need(
-        "text",
-        text(""),
-        "text of the hint; `{next_cell}` is replaced by the next cell to sample",
-    );
-    let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
-    let no_cells = table.draft().surveys.is_empty() && table.draft().faults.is_empty();
-    for written in english.iter().chain(&ukrainian) {
-        let text = written.get_ref();
-        let rest = text.replace(NEXT_CELL, "");
-        if rest.contains(['{', '}']) {
-            let message = format!("unknown placeholder: a hint has only `{NEXT_CELL}`");
-            table.draft().faults.add(written.span(), message);
-        }
-        if rest.len() < text.len() && no_cells {
-            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
-            table.draft().faults.add(written.span(), message);
-        }
-    }
-    let text = table
-        .draft()
-        .faults
-        .translated(english?, ukrainian, "text_uk");
+    let text = hint_text(table)?;
     let Some(level) = level else {
         // Automatic advice needs a phase.
         let Some(phase) = phase else {
@@ -98,4 +77,29 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         objective: objective.map(toml::Spanned::into_inner),
         text,
     }))
+}
+
+/// The text of a hint; only the next cell to sample may be left open in it.
+fn hint_text(table: &mut FileTable<'_>) -> Option<Text> {
+    let english = table.need(
+        "text",
+        text(""),
+        "text of the hint; `{next_cell}` is replaced by the next cell to sample",
+    );
+    let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
+    let no_cells = table.draft().surveys.is_empty() && table.draft().faults.is_empty();
+    for written in english.iter().chain(&ukrainian) {
+        let text = written.get_ref();
+        let rest = text.replace(NEXT_CELL, "");
+        if rest.contains(['{', '}']) {
+            let message = format!("unknown placeholder: a hint has only `{NEXT_CELL}`");
+            table.draft().faults.add(written.span(), message);
+        }
+        if rest.len() < text.len() && no_cells {
+            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
+            table.draft().faults.add(written.span(), message);
+        }
+    }
+    let faults = &mut table.draft().faults;
+    Some(faults.translated(english?, ukrainian, "text_uk"))
 }

@@ -53,6 +53,12 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
             .map(|(_, fault)| fault)
             .collect(),
     };
+    check(table, &setup);
+    Some(setup)
+}
+
+/// Whether there are enough plans, for the pads and for the faults.
+fn check(table: &mut FileTable<'_>, setup: &BoardSetup) {
     let pads = table.draft().pads.len();
     if !setup.routes.is_empty() && setup.routes.len() != pads {
         let fault = format!(
@@ -67,7 +73,6 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
     if setup.faults.contains(&PlanFault::Copied) && setup.routes.len() == 1 {
         table.fault_of("faults", "`copied` needs two vehicles");
     }
-    Some(setup)
 }
 
 fn route(table: &mut FileTable<'_>) -> Option<Route> {
