@@ -20,7 +20,7 @@ mod layout;
 mod locale;
 
 pub use catalogue::messages;
-pub use figure::{clock, figure, lasting, rounded, utc_of};
+pub use figure::{clock, clock_s, figure, lasting, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 

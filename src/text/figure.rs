@@ -68,6 +68,11 @@ pub fn clock(time: Duration) -> String {
     }
 }
 
+/// A time in seconds, as [`clock`] writes it; one before 0 is 0.
+pub fn clock_s(seconds: f64) -> String {
+    clock(Duration::try_from_secs_f64(seconds.max(0.0)).unwrap_or(Duration::MAX))
+}
+
 /// A duration in words: `90 s`, beyond 120 s `2:05`.
 pub fn lasting(time: Duration) -> String {
     let seconds = time.as_secs();

@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
 
 use clap::Args;
 
@@ -12,7 +11,7 @@ use super::{Failure, convert, invalid};
 use crate::rehearsal::{self, Proposal, Remedy};
 use crate::store;
 use crate::text;
-use crate::text::{Locale, Text, clock, figure};
+use crate::text::{Locale, Text, clock_s, figure};
 
 /// Options of `sortie plan deconflict`.
 #[derive(Debug, Args)]
@@ -61,7 +60,7 @@ pub(super) fn deconflict(
     for (vehicle, (remedy, name)) in proposal.remedies.iter().zip(&cast.names).enumerate() {
         say!("{}", locale.text(&remedy_words(*remedy, vehicle + 1, name)))?;
     }
-    let lost = clock(Duration::from_secs_f64(proposal.lost_s));
+    let lost = clock_s(proposal.lost_s);
     say!(
         "{}",
         locale.text(&text!("plan-deconflict-cost", time = lost))

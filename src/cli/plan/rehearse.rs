@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
 use serde::Serialize;
@@ -19,7 +19,7 @@ use crate::rehearsal::{
     self, Approach, Conditions, FlightEnding, Flown, Outcome, Participant, RehearsalError,
 };
 use crate::text;
-use crate::text::{Locale, Text, clock, figure, rounded};
+use crate::text::{Locale, Text, clock_s, figure, rounded};
 use crate::vehicle::Mode;
 
 /// The number of pairs that are listed in addition to those that are too close.
@@ -177,7 +177,7 @@ pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<E
         say!("{}", serde_json::to_string_pretty(&document)?)?;
     } else {
         print(&outcome, &cast, locale)?;
-        let simulated = clock(Duration::from_secs_f64(outcome.simulated_s));
+        let simulated = clock_s(outcome.simulated_s);
         let wall = figure(wall_time_s, 2);
         let done = text!("plan-rehearse-done", simulated = simulated, wall = wall);
         say!("{}", locale.text(&done))?;
@@ -216,7 +216,7 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
         table.push(vec![
             (vehicle + 1).to_string(),
             name.clone(),
-            minutes(flown.time_s),
+            clock_s(flown.time_s),
             format!("{} %", figure(flown.energy_left_percent, 0)),
             format!("{} m", figure(flown.farthest_m, 0)),
             locale.text(&fence_words(flown)),
@@ -259,13 +259,9 @@ pub(super) fn print_approaches(outcome: &Outcome, locale: &Locale) -> Result<(),
     Ok(())
 }
 
-pub(super) fn minutes(seconds: f64) -> String {
-    clock(Duration::from_secs_f64(seconds.max(0.0)))
-}
-
 fn fence_words(flown: &Flown) -> Text {
     match flown.broke_fence_s {
-        Some(at_s) => text!("plan-rehearse-fence-broken", time = minutes(at_s)),
+        Some(at_s) => text!("plan-rehearse-fence-broken", time = clock_s(at_s)),
         None if flown.has_fence => text!("plan-rehearse-fence-kept"),
         None => text!("plan-rehearse-fence-none"),
     }
@@ -288,7 +284,7 @@ pub(super) fn ending_words(ending: FlightEnding) -> Text {
 fn approach_words(approach: &Approach) -> Text {
     let [horizontal, vertical] =
         [approach.horizontal_m, approach.vertical_m].map(|it| figure(it, 1));
-    let time = minutes(approach.at_s);
+    let time = clock_s(approach.at_s);
     let (a, b) = (approach.a + 1, approach.b + 1);
     if approach.is_conflict() {
         text!(

@@ -1,12 +1,10 @@
 //! The outcome of a trial in words.
 
-use std::time::Duration;
-
 use super::{PlanVerdict, TrialDraft, Tried};
 use crate::plan::ContentHash;
 use crate::rehearsal::{Approach, Outcome};
 use crate::text;
-use crate::text::{Text, clock, figure};
+use crate::text::{Text, clock_s, figure};
 
 /// The maximum number of pairs in conflict that one text names.
 const MOST_PAIRS: usize = 6;
@@ -57,7 +55,11 @@ impl TrialOutcome<'_> {
         let flown = self.outcome.vehicles.get(at)?;
         let name = self.name(at);
         match flown.broke_fence_s {
-            Some(at_s) => Some(text!("draft-trial-fence", name = name, time = time(at_s))),
+            Some(at_s) => Some(text!(
+                "draft-trial-fence",
+                name = name,
+                time = clock_s(at_s)
+            )),
             None if flown.is_as_planned() => None,
             None => Some(text!("draft-trial-unfinished", name = name)),
         }
@@ -67,7 +69,7 @@ impl TrialOutcome<'_> {
     fn meeting(&self, at: usize) -> Option<Text> {
         let conflict = self.outcome.conflicts_of(at).next()?;
         let [a, b] = self.names(conflict);
-        let at_s = time(conflict.at_s);
+        let at_s = clock_s(conflict.at_s);
         Some(text!("draft-trial-meeting", a = a, b = b, time = at_s))
     }
 
@@ -75,7 +77,7 @@ impl TrialOutcome<'_> {
     fn in_conflict(&self, conflicts: &[&Approach]) -> Tried {
         let pair = |conflict: &&Approach| -> Text {
             let [a, b] = self.names(conflict);
-            format!("{a} + {b} {}", time(conflict.at_s)).into()
+            format!("{a} + {b} {}", clock_s(conflict.at_s)).into()
         };
         let named = conflicts.iter().take(MOST_PAIRS).map(pair).collect();
         let named = Text::joined(", ", named);
@@ -102,7 +104,7 @@ impl TrialOutcome<'_> {
             "plan-rehearse-conflict",
             a = a,
             b = b,
-            time = time(conflict.at_s),
+            time = clock_s(conflict.at_s),
             horizontal = horizontal,
             vertical = vertical
         )
@@ -116,7 +118,7 @@ impl TrialOutcome<'_> {
         let figures = text!(
             "draft-trial-figures",
             count = self.drafts.len(),
-            time = time(longest_s),
+            time = clock_s(longest_s),
             left = figure(least, 0)
         );
         let closest = self.outcome.closest.first();
@@ -133,13 +135,9 @@ impl TrialOutcome<'_> {
             "draft-trial-closest",
             a = a,
             b = b,
-            time = time(closest.at_s),
+            time = clock_s(closest.at_s),
             horizontal = horizontal,
             vertical = vertical
         )
     }
-}
-
-fn time(seconds: f64) -> String {
-    clock(Duration::from_secs_f64(seconds.max(0.0)))
 }

@@ -8,7 +8,7 @@ use crate::notice::Notice;
 use crate::plan::ContentHash;
 use crate::rehearsal::{Approach, FlightEnding, Flown, Outcome};
 use crate::text;
-use crate::text::{Text, clock, figure};
+use crate::text::{Text, clock_s, figure};
 use crate::vehicle::{Mode, Severity, VehicleId};
 
 /// The maximum number of conflicts that are reported.
@@ -150,15 +150,11 @@ fn words(seats: &[Seat], approach: &Approach) -> Text {
         vec![
             ("a", a.into()),
             ("b", b.into()),
-            ("time", minutes(approach.at_s).into()),
+            ("time", clock_s(approach.at_s).into()),
             ("horizontal", figure(approach.horizontal_m, 1).into()),
             ("vertical", figure(approach.vertical_m, 1).into()),
         ],
     )
-}
-
-fn minutes(seconds: f64) -> String {
-    clock(Duration::from_secs_f64(seconds.max(0.0)))
 }
 
 /// The outcome for a vehicle: done if it flew as planned, apart from the others, with the charge that it has.
@@ -171,10 +167,10 @@ fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
     } else {
         RowState::NoEffect
     };
-    let time = minutes(flown.time_s);
+    let time = clock_s(flown.time_s);
     let [used, left] = [used, left].map(|percent| figure(percent, 0));
     let text = match (flown.broke_fence_s, flown.ending) {
-        (Some(at_s), _) => text!("rehearse-fence", time = minutes(at_s)),
+        (Some(at_s), _) => text!("rehearse-fence", time = clock_s(at_s)),
         (None, FlightEnding::Landed | FlightEnding::InAir) if is_empty => {
             text!("rehearse-battery", used = used)
         }

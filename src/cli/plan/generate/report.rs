@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::super::rehearse::{Cast, ending_words, minutes, print_approaches, unfit};
+use super::super::rehearse::{Cast, ending_words, print_approaches, unfit};
 use super::super::{Failure, convert, invalid};
 use super::team::TeamArguments;
 use crate::cli::table::{Side, TextTable};
@@ -15,7 +15,7 @@ use crate::preflight::{self, finding_words};
 use crate::rehearsal::{Outcome, rehearse};
 use crate::store;
 use crate::text;
-use crate::text::{Locale, Text, figure};
+use crate::text::{Locale, Text, clock_s, figure};
 
 /// The name of a vehicle's file where only a folder was given.
 const USUAL_NAME: &str = "part-{id}.plan";
@@ -78,7 +78,7 @@ fn print(
             (part.vehicle + 1).to_string(),
             name.clone(),
             format!("{} m", figure(part.length_m, 0)),
-            minutes(flown.time_s),
+            clock_s(flown.time_s),
             format!("{} %", figure(*used, 0)),
             format!("{} %", figure(100.0 * used / all, 0)),
             format!("{} m", figure(part.layer_m, 0)),
