@@ -10,7 +10,6 @@ use super::settings::CliSettings;
 use crate::campaign::without_end;
 use crate::debrief;
 use crate::mission::record::{Rescored, Stored};
-use crate::record::{JournalFit, JournalNeighbours};
 use crate::replay::TlogSpan;
 use crate::store::{self, RecordFiles, Runs};
 use crate::text;
@@ -84,17 +83,14 @@ fn stored_run(path: &Path, runs: Option<&Runs>) -> Result<Stored, Text> {
 /// Why the debrief of a record may not be that of its flight: damage, edits, a journal of another flight, another score.
 fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
     let files = RecordFiles::beside(path);
-    let beside = JournalNeighbours {
-        mission: Some(&stored.head.mission),
-        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
-    };
+    let first_unix_us = TlogSpan::of(&files).map(|it| it.first_unix_us);
     let journal = files.head().ok();
     let now = again.report.score;
     let before = again.before.map(|end| end.score);
     let doubts = [
         stored.damage.clone(),
         stored.is_altered().then(|| text!("verify-altered")),
-        journal.and_then(|head| JournalFit::of(&head, beside).fault()),
+        journal.and_then(|head| stored.journal_fit(&head, first_unix_us).fault()),
         before
             .filter(|before| *before != now)
             .map(|before| text!("record-differs", before = before, now = now)),

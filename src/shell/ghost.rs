@@ -13,7 +13,7 @@ use crate::language::GhostSource;
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::moment::Moment;
-use crate::record::{Journal, JournalFit, JournalNeighbours, MissionClock};
+use crate::record::{Journal, JournalFit, MissionClock};
 use crate::replay::{Replay, TlogSpan};
 use crate::review::Review;
 use crate::store::{self, RecordFiles, Records, read_run};
@@ -139,11 +139,11 @@ fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> 
 /// The bookmarks of the record that a run belongs to; none if it has no readable journal of the same flight.
 fn bookmarks_beside(path: &Path, run: &Stored) -> Vec<FlightBookmark> {
     let files = RecordFiles::beside(path);
-    let beside = JournalNeighbours {
-        mission: Some(&run.head.mission),
-        first_unix_us: TlogSpan::of(&files).map(|it| it.first_unix_us),
+    let first_unix_us = TlogSpan::of(&files).map(|it| it.first_unix_us);
+    let fits = |journal: &Journal| {
+        let fit = run.journal_fit(&journal.head, first_unix_us);
+        fit == JournalFit::Fits
     };
-    let fits = |journal: &Journal| JournalFit::of(&journal.head, beside) == JournalFit::Fits;
     let journal = files.read_journal().ok().flatten().filter(fits);
     let review = files.read_review().ok().flatten().unwrap_or_default();
     bookmarks(journal.as_ref(), &review)

@@ -63,17 +63,22 @@ impl Stored {
             return Some(text!("verify-other-backend"));
         }
         let journal = journal?;
-        let beside = JournalNeighbours {
-            mission: Some(&self.head.mission),
-            first_unix_us: None,
-        };
-        if let Some(other) = JournalFit::of(journal, beside).fault() {
+        if let Some(other) = self.journal_fit(journal, None).fault() {
             return Some(other);
         }
         if journal.program != self.head.program {
             return Some(other_program(&self.head.program, &journal.program));
         }
         (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
+    }
+
+    /// How a journal fits the record, and the first frame beside it, in microseconds since 1970 (UTC), if known.
+    pub fn journal_fit(&self, journal: &JournalHead, first_unix_us: Option<u64>) -> JournalFit {
+        let beside = JournalNeighbours {
+            mission: Some(&self.head.mission),
+            first_unix_us,
+        };
+        JournalFit::of(journal, beside)
     }
 
     /// Whether the record follows from the files beside it: its checksum is right, they do not contradict it, and the
