@@ -209,7 +209,8 @@ impl AttemptTerms<'_> {
         }
     }
 
-    /// A layout that the trainee has not flown; without a profile, always the same sequence.
+    /// A random layout, almost certainly new to the trainee; `None` without a profile, whose layouts follow a fixed
+    /// sequence.
     fn fresh_seed(&self) -> Option<u64> {
         self.trainee?;
         self.random.map(|random| random % FRESH_SEEDS)

@@ -7,7 +7,7 @@ use crate::language::Context;
 use crate::ledger::{LedgerRow, RowState};
 use crate::mission::Mission;
 use crate::mission::record::{Occasion, Stored, WithoutEnd};
-use crate::scoring::{EventKind, FlightBackend};
+use crate::scoring::{EventKind, FlightBackend, Medal};
 use crate::sim::{PortId, STEP, World};
 use crate::text;
 use crate::workshop::Design;

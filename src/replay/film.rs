@@ -289,7 +289,7 @@ fn no_frames(path: &Path) -> Text {
     }
 }
 
-/// The journal of a recording; an error if it is unreadable, or belongs to another flight than frames and run.
+/// The journal of a recording; an error if it is unreadable, or belongs to a different flight.
 fn own_journal(
     files: &RecordFiles,
     span: TlogSpan,

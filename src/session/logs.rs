@@ -272,7 +272,7 @@ impl LogsJob {
         }
     }
 
-    /// Does what is due. The end of the order is returned as an error.
+    /// Takes the steps that are due. The end of the order is returned as an error.
     fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<(), RowEnding> {
         match &mut self.phase {
             LogsPhase::Listing(listing) => match listing.complete() {

@@ -36,7 +36,7 @@ pub fn user_path(written: &str) -> PathBuf {
     in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }
 
-/// Why a file cannot be read; of one that is not there, the nearest name or folder.
+/// Why a file cannot be read; for a missing one, with the nearest name or folder.
 pub fn unread(path: &Path, error: &io::Error) -> Text {
     let shown = path.display().to_string();
     match error.kind() {

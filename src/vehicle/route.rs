@@ -131,7 +131,7 @@ impl<'a> Route<'a> {
         self.is_copter.then(|| Pace::default().speed_m_s)
     }
 
-    /// The seconds of the way to an item's end, and of the stay there.
+    /// The seconds to an item's end, with the stay there.
     fn whole_s(&self, item: &Item, way: &mut Waystate, is_current: bool) -> Option<f64> {
         let stay_s = self.pace(way.speed_m_s).stay_s(item)?;
         let arrived = self.vehicle.plan.arrived.filter(|_| is_current);
@@ -175,7 +175,7 @@ impl<'a> Route<'a> {
         u16::try_from(tagged).ok()
     }
 
-    /// The seconds of the way to an item's end, which becomes the new state.
+    /// The seconds of the path to an item's end, which becomes the new state.
     fn way_s(&self, item: &Item, way: &mut Waystate, is_current: bool) -> Option<f64> {
         let height_m = self.height_m(item).unwrap_or(way.at.height_m);
         match item.command {

@@ -124,7 +124,7 @@ pub enum FindingKind {
         /// The kind of vehicle that skips it.
         vehicle: VehicleKind,
     },
-    /// A parameter that the vehicle would store as another value.
+    /// A parameter that the vehicle would store with a different value.
     UnstorableValue(UnstorableValue),
     /// More items than the vehicle keeps, with home.
     TooMany {

@@ -337,7 +337,7 @@ fn neighbours_on_their_pads_are_no_conflict() {
     assert!((least - 3.75).abs() < 0.01, "{least}");
 }
 
-/// One vehicle hovers at the end of its plan, and another one flies into it: none of the two has landed.
+/// One vehicle hovers at the end of its plan, and another one flies into it: neither has landed.
 #[test]
 fn both_struck_vehicles_have_collided() {
     let mut hovers = vehicle((60.0, 0.0), &[]);

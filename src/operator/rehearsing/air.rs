@@ -56,7 +56,7 @@ impl WindProfile {
     }
 }
 
-/// Where the wind is known from.
+/// The source of the wind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum AirSource {
     /// The user gives it.

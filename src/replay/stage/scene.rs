@@ -96,7 +96,7 @@ impl Scene {
         let keys = request.watched.iter().map(|(_, key)| *key).collect();
         self.census.watch(&keys);
         LinkTraffic {
-            name,
+            name: name.into(),
             now,
             census: request.census.then(|| self.census.snapshot()),
             watched: self.census.take_watched(),

@@ -229,7 +229,7 @@ impl Reading {
         keeper.keep(&self.log, &bytes, self.transfer.gaps())
     }
 
-    /// Does what is due; returns the log once it is complete.
+    /// Takes the steps that are due; returns the log once it is complete.
     pub fn advance(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, RowEnding> {
         let collected: usize = self.unwritten.iter().map(|it| it.bytes.len()).sum();
         let is_whole = self.transfer.gaps().is_complete();

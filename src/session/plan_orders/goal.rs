@@ -1,7 +1,5 @@
 //! The list that an order sends, or why it cannot be sent.
 
-use mavlink::dialects::ardupilotmega::MavAutopilot;
-
 use super::list::PlanOrderGoal;
 use super::{Desk, PlanOnFile, PlanShelf, judging};
 use crate::commands::{PlanCommand, PlanDeed, PlanSource};

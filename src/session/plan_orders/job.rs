@@ -63,7 +63,7 @@ impl TransferResult {
 }
 
 impl Job {
-    /// Advances the transfer, and says how the order has ended.
+    /// Advances the transfer; returns the end of the order.
     pub fn poll(
         &mut self,
         shelf: Option<&dyn PlanShelf>,
@@ -225,7 +225,14 @@ impl Job {
             }
             Outcome::Unsupported => unknown(RowState::Refused, text!("refused-plan-no-list")),
             Outcome::Unread => unknown(RowState::TimedOut, text!("outcome-plan-unread")),
-            Outcome::Unknown => unknown(RowState::TimedOut, text!("outcome-plan-unknown")),
+            Outcome::Neither(items) => {
+                let text = counted("outcome-plan-neither", kind, &items);
+                TransferResult::holding(items, RowState::NoEffect, text)
+            }
+            Outcome::Unknown => {
+                let text = text!("outcome-plan-unknown", list = kind.name());
+                unknown(RowState::TimedOut, text)
+            }
         }
     }
 
