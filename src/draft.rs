@@ -22,7 +22,7 @@ mod squares;
 mod tests;
 mod trial;
 
-pub use area::drawn_areas;
+pub use area::{drawn_areas, rings};
 pub use edit::{
     Edit, Edited, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
     Surroundings,

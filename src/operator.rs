@@ -184,7 +184,7 @@ impl Operator {
         task: &PlanTask,
         scene: &OperatorScene<'_>,
     ) -> Vec<Dispatch> {
-        let plans = match self.conductor.plans(task, &order.targets, scene.vehicles) {
+        let plans = match self.conductor.plans(task, &order.targets, scene.vehicles, &[]) {
             Ok(plans) => plans,
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };

@@ -33,6 +33,32 @@ fn joined(outline: Vec<LatLon>, hole: &[LatLon]) -> Vec<LatLon> {
     line
 }
 
+/// The rings of an outline: the outline itself, and the holes that [`drawn_areas`] has joined to it.
+pub fn rings(outline: &Outline) -> Vec<Vec<LatLon>> {
+    let mut line = outline.corners();
+    let mut holes = Vec::new();
+    // A hole with its own holes contains theirs, so the shortest comes first.
+    while let Some((at, end)) = seam(&line) {
+        holes.push(line[at + 1..end - 1].to_vec());
+        line.drain(at + 1..=end);
+    }
+    std::iter::once(line).chain(holes).collect()
+}
+
+/// The shortest stretch of a line that leaves a place, goes around a hole and comes back the same way: the indices of
+/// the place before and after it.
+fn seam(line: &[LatLon]) -> Option<(usize, usize)> {
+    /// The places of the smallest hole and its two seams.
+    const LEAST: usize = 5;
+    let is_seam = |(at, end): &(usize, usize)| {
+        line[*at] == line[*end] && line[at + 1] == line[end - 1]
+    };
+    let ends = (LEAST..line.len()).flat_map(|length| {
+        (0..line.len() - length).map(move |at| (at, at + length))
+    });
+    ends.into_iter().find(is_seam)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -80,9 +106,11 @@ mod tests {
             panic!("one area: {areas:?}");
         };
         assert_eq!(outline.len(), 10);
+        let found = rings(&areas[0]);
+        assert_eq!(found.iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
         let (x, y) = HOME.to_e7();
         let task = Task::Survey {
-            rings: vec![outline.clone()],
+            rings: found,
             spacing_m: 20.0,
             course: Course::Degrees(0.0),
         };
@@ -100,6 +128,28 @@ mod tests {
         let plan = &plans.parts[0].document.plan;
         assert!(plan.len() > 20, "{} items", plan.len());
         assert_eq!(plan.iter().filter(inside).count(), 0);
+    }
+
+    #[test]
+    fn the_holes_of_an_outline_are_found_again() {
+        let mut document = Document {
+            fence: corners(command::FENCE_POLYGON_INCLUSION, &square(0.0, 200.0)),
+            ..Document::default()
+        };
+        for (from_m, to_m) in [(20.0, 40.0), (50.0, 70.0), (150.0, 180.0)] {
+            let hole = corners(command::FENCE_POLYGON_EXCLUSION, &square(from_m, to_m));
+            document.fence.extend(hole);
+        }
+        let expected = source::areas(&document).swap_remove(0);
+        let found = rings(&drawn_areas(&document)[0]);
+        assert_eq!(found.len(), 4);
+        assert_eq!(found[0], expected[0]);
+        for hole in &expected[1..] {
+            let is_same = |ring: &Vec<LatLon>| {
+                ring.len() == hole.len() && hole.iter().all(|it| ring.contains(it))
+            };
+            assert!(found[1..].iter().any(is_same), "{found:?}");
+        }
     }
 
     #[test]

@@ -5,9 +5,10 @@ use super::planner::SQUARE_TURNS;
 use super::site::Site;
 use super::{Conductor, Rules};
 use crate::commands::{Datum, Ground, Pattern, PlanTask};
+use crate::draft::rings;
 use crate::geo::{LatLon, Outline};
 use crate::plan::generate::{
-    GenerateError, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate,
+    GenerateError, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate, source,
 };
 use crate::plan::{Document, Home, Item};
 use crate::preflight::ungenerated;
@@ -17,7 +18,8 @@ use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
 impl Conductor {
     /// The plan of each target that has something to do. They begin and end where the vehicles stand, or at home for those
-    /// in the air, and stay inside the fence that the first target has switched on.
+    /// in the air, stay inside the fence that the first target has switched on, and outside the areas `keep_out` and the
+    /// holes of the area.
     ///
     /// # Errors
     /// A vehicle has no position, or the task has no plans.
@@ -26,6 +28,7 @@ impl Conductor {
         task: &PlanTask,
         targets: &[VehicleId],
         vehicles: &Vehicles,
+        keep_out: &[Item],
     ) -> Result<Vec<(VehicleId, Document)>, Text> {
         let team = TaskTeam::new(self.rules, targets, vehicles)?;
         let (task, height_m) = team.task(task)?;
@@ -33,7 +36,7 @@ impl Conductor {
             height_m,
             layer_m: self.rules.clearance().above_m,
             speed_m_s: None,
-            fence: team.fence(),
+            fence: team.fence(&task, keep_out),
         };
         let plans = generate(&task, &team.homes, &manner).map_err(|error| {
             let number = match error {
@@ -92,7 +95,7 @@ impl<'a> TaskTeam<'a> {
             } => {
                 let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
                 let task = Task::Survey {
-                    rings: vec![self.outline(ground)?],
+                    rings: self.rings(ground)?,
                     spacing_m: self.spacing_m(*spacing_m, height_m),
                     course: *course,
                 };
@@ -136,9 +139,10 @@ impl<'a> TaskTeam<'a> {
         Ok(self.site.place(spot))
     }
 
-    fn outline(&self, ground: &Ground) -> Result<Vec<LatLon>, Text> {
+    /// The outline of an area, and its holes.
+    fn rings(&self, ground: &Ground) -> Result<Vec<Vec<LatLon>>, Text> {
         Ok(match ground {
-            Ground::Outline(outline) => outline.corners(),
+            Ground::Outline(outline) => rings(outline),
             Ground::Between(from, to) => {
                 let spot = |datum| self.place(datum).map(|place| self.site.flat(place));
                 let (from, to) = (spot(*from)?, spot(*to)?);
@@ -149,20 +153,31 @@ impl<'a> TaskTeam<'a> {
                     (from.x, to.y),
                 ];
                 let place = |corner: (f64, f64)| self.site.place(corner.into());
-                corners.map(place).to_vec()
+                vec![corners.map(place).to_vec()]
             }
             Ground::Around { centre, radius_m } => {
                 let (centre, radius_m) = (self.place(*centre)?, *radius_m);
-                Outline::Circle { centre, radius_m }.corners()
+                vec![Outline::Circle { centre, radius_m }.corners()]
             }
         })
     }
 
-    /// The fence of the first vehicle, if it is on and has been read.
-    fn fence(&self) -> Vec<Item> {
+    /// The fence of the first vehicle, if it is on and has been read, with the areas to stay out of: those given,
+    /// otherwise the holes of the task's area.
+    fn fence(&self, task: &Task, keep_out: &[Item]) -> Vec<Item> {
         let is_on = self.first.fence.is_some();
         let read = self.first.plans.fence.content.as_ref().filter(|_| is_on);
-        read.map(|fence| fence.items.clone()).unwrap_or_default()
+        let fence = read.map(|fence| fence.items.clone()).unwrap_or_default();
+        match task {
+            Task::Survey { rings, .. } if keep_out.is_empty() => {
+                source::with_areas(fence, &source::holes(rings))
+            }
+            Task::Survey { .. }
+            | Task::Square { .. }
+            | Task::Sector { .. }
+            | Task::Line { .. }
+            | Task::Orbit { .. } => source::with_areas(fence, keep_out),
+        }
     }
 }
 

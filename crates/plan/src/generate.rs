@@ -255,19 +255,16 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
             course,
         } => {
             let lines = sweep::lines(&scene, &scene.flat_rings(rings), *spacing_m, *course)?;
-            let works = share::works(&scene, manner, &lines.ways, *spacing_m)?;
-            return Ok(Generated {
-                parts: compose(&scene, team, manner, &works)?,
-                uncovered: lines.uncovered,
-            });
+            return shared(&scene, team, manner, &lines, *spacing_m);
         }
         Task::Square {
             datum,
             spacing_m,
             radius_m,
         } => {
-            let ways = around::square(scene.flat(*datum), *spacing_m, *radius_m);
-            share::works(&scene, manner, &ways, *spacing_m)?
+            let datum = scene.flat(*datum);
+            let lines = around::square(&scene.field, datum, *spacing_m, *radius_m)?;
+            return shared(&scene, team, manner, &lines, *spacing_m);
         }
         Task::Sector { datum, radius_m } => {
             around::sectors(&scene, manner, scene.flat(*datum), *radius_m)
@@ -292,6 +289,21 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
     checked(&scene, team, manner, &works)
 }
 
+/// Plans of lines that are divided among the vehicles.
+fn shared(
+    scene: &Scene,
+    team: &[Home],
+    manner: &Manner,
+    lines: &sweep::Lines,
+    spacing_m: f64,
+) -> Result<Generated, GenerateError> {
+    let works = share::works(scene, manner, &lines.ways, spacing_m)?;
+    Ok(Generated {
+        parts: compose(scene, team, manner, &works)?,
+        uncovered: lines.uncovered,
+    })
+}
+
 /// Plans of a pattern that must not be cut off by a fence.
 fn checked(
     scene: &Scene,
@@ -299,7 +311,7 @@ fn checked(
     manner: &Manner,
     works: &[Work],
 ) -> Result<Generated, GenerateError> {
-    if !works.iter().all(|work| scene.field.holds(work)) {
+    if !works.iter().all(|work| scene.field.holds_work(work)) {
         return Err(GenerateError::OutsideFence);
     }
     Ok(Generated {

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use super::{Failure, invalid};
+use crate::plan::generate::source::with_areas;
 use crate::plan::generate::{
     Course, GenerateError, Manner, Task, USUAL_SECTOR_M, USUAL_SPACING_M, USUAL_TURNS, generate,
 };
@@ -141,12 +142,13 @@ fn parse_course(text: &str) -> Result<Course, String> {
 }
 
 pub(super) fn survey(options: &SurveyArguments, locale: &Locale) -> Result<ExitCode, Failure> {
+    let source = options.area.source();
     let task = Task::Survey {
-        rings: options.area.source().rings(locale)?,
+        rings: source.rings(locale)?,
         spacing_m: options.spacing,
         course: options.course,
     };
-    run(&task, &options.team, locale)
+    run(&task, source, &options.team, locale)
 }
 
 pub(super) fn search(options: &SearchArguments, locale: &Locale) -> Result<ExitCode, Failure> {
@@ -173,33 +175,40 @@ pub(super) fn search(options: &SearchArguments, locale: &Locale) -> Result<ExitC
         SearchPattern::Parallel => lines(Course::Long)?,
         SearchPattern::Creeping => lines(Course::Short)?,
     };
-    run(&task, &options.team, locale)
+    run(&task, source, &options.team, locale)
 }
 
 pub(super) fn line(options: &LineArguments, locale: &Locale) -> Result<ExitCode, Failure> {
+    let source = options.line.source();
     let task = Task::Line {
-        points: options.line.source().line(locale)?,
+        points: source.line(locale)?,
         spacing_m: options.spacing,
     };
-    run(&task, &options.team, locale)
+    run(&task, source, &options.team, locale)
 }
 
 pub(super) fn orbit(options: &OrbitArguments, locale: &Locale) -> Result<ExitCode, Failure> {
+    let source = options.place.source();
     let task = Task::Orbit {
-        centre: options.place.source().place(options.datum, locale)?,
+        centre: source.place(options.datum, locale)?,
         radius_m: options.radius,
         turns: options.turns,
     };
-    run(&task, &options.team, locale)
+    run(&task, source, &options.team, locale)
 }
 
-fn run(task: &Task, team: &TeamArguments, locale: &Locale) -> Result<ExitCode, Failure> {
+fn run(
+    task: &Task,
+    shape: ShapeSource<'_>,
+    team: &TeamArguments,
+    locale: &Locale,
+) -> Result<ExitCode, Failure> {
     let homes = team.homes(locale)?;
     let manner = Manner {
         height_m: f64::from(team.height),
         layer_m: f64::from(team.layer),
         speed_m_s: team.speed,
-        fence: team.fence(locale)?,
+        fence: with_areas(team.fence(locale)?, &shape.keep_out(locale)?),
     };
     let plans = generate(task, &homes, &manner);
     let plans = plans.map_err(|error| {

@@ -294,6 +294,25 @@ fn an_area_becomes_a_plan_for_each_vehicle_that_can_be_rehearsed() {
     assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stdout));
 }
 
+/// An area to stay out of is a hole of the survey, and a part of each plan: the check finds no leg that crosses it.
+#[test]
+fn a_survey_leads_around_the_holes_of_its_area() {
+    let field = r#"{"type": "Polygon", "coordinates": [
+        [[30.5220, 50.4508], [30.5260, 50.4508], [30.5260, 50.4528], [30.5220, 50.4528]],
+        [[30.5236, 50.4515], [30.5244, 50.4515], [30.5244, 50.4521], [30.5236, 50.4521]]]}"#;
+    let folder = folder_with(&[("field.geojson", field)]);
+    let survey = ["plan", "survey", "field.geojson", "--home", HOME];
+    let more = ["--vehicles", "3", "--spacing", "20", "--write", "out"];
+    let made = sortie_in(folder.path(), &[&survey[..], &more[..]].concat());
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stdout));
+    let part = folder.path().join("out/part-1.plan");
+    let written = fs::read_to_string(part).expect("a plan");
+    assert!(written.contains("\"inclusion\": false"), "{written}");
+    let parts = ["out/part-1.plan", "out/part-2.plan", "out/part-3.plan"];
+    let checked = sortie_in(folder.path(), &[&["plan", "check"], &parts[..]].concat());
+    assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stdout));
+}
+
 #[test]
 fn searches_lines_and_orbits_are_planned_from_places() {
     let folder = folder_with(&[("field.geojson", FIELD)]);

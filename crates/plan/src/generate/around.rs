@@ -4,16 +4,37 @@ use glam::DVec2;
 
 use super::field::Field;
 use super::layers::stack;
-use super::tour::Way;
-use super::{Circle, Manner, Scene, Work};
-use crate::pattern::{course, sector, square as expanding_square};
+use super::sweep::Lines;
+use super::tour::{Way, length_m};
+use super::{Circle, GenerateError, Manner, Scene, Work};
+use crate::pattern::{Lane, course, sector, square as expanding_square};
 
-/// The expanding square as one stroke.
-pub(super) fn square(datum: DVec2, spacing_m: f64, radius_m: f64) -> Vec<Way> {
+/// The expanding square: one stroke, or the parts of its legs inside the fence, with ways around what lies between them.
+pub(super) fn square(
+    field: &Field,
+    datum: DVec2,
+    spacing_m: f64,
+    radius_m: f64,
+) -> Result<Lines, GenerateError> {
     let points = expanding_square(spacing_m, radius_m).into_iter();
-    let stroke: Vec<DVec2> = points.map(|point| datum + point).collect();
-    let way = Way::new(vec![stroke], &Field::default());
-    way.into_iter().collect()
+    let points: Vec<DVec2> = points.map(|point| datum + point).collect();
+    let whole_m = length_m(&points);
+    let strokes = if field.holds(&points) {
+        vec![points]
+    } else {
+        let legs = points.windows(2).map(|leg| Lane {
+            from: leg[0],
+            to: leg[1],
+        });
+        let kept = legs.flat_map(|leg| field.inside(leg));
+        kept.map(|lane| vec![lane.from, lane.to]).collect()
+    };
+    let kept_m: f64 = strokes.iter().map(|stroke| length_m(stroke)).sum();
+    let way = Way::new(strokes, field).filter(|way| way.length_m() > 0.0);
+    Ok(Lines {
+        ways: vec![way.ok_or(GenerateError::OutsideFence)?],
+        uncovered: (1.0 - kept_m / whole_m.max(f64::EPSILON)).max(0.0),
+    })
 }
 
 /// A sector search for each vehicle: rotated relative to the others, and at a height of its own, as all cross the

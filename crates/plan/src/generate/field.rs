@@ -13,6 +13,10 @@ use crate::pattern::{Lane, course};
 const MARGIN_M: f64 = 2.0;
 /// Pieces of lines shorter than this are left out.
 const SHORTEST_M: f64 = 1.0;
+/// The distance that is kept beside an area to stay out of, in metres: a vehicle does not fly an exact line.
+const ASIDE_M: f64 = 1.0;
+/// The farthest that a corner of such an area is moved for that, in metres.
+const FARTHEST_M: f64 = 3.0;
 /// The number of corners of a path around a circle.
 const CIRCLE_CORNERS: u32 = 12;
 
@@ -28,7 +32,8 @@ impl Field {
     pub(super) fn new(fence: &[Item], origin: LatLon) -> Result<Self, GenerateError> {
         let fence = Fence::check(fence).map_err(|_| GenerateError::Fence)?;
         let metres = |point: &LatLon| <[f64; 2]>::from(origin.offset_to(*point));
-        let areas: Vec<_> = fence.areas.iter().map(|area| area.map(metres)).collect();
+        let areas = fence.areas.iter().map(|area| area.map(metres));
+        let areas: Vec<_> = areas.map(widened).collect();
         let mut field = Self {
             areas,
             bends: Vec::new(),
@@ -52,18 +57,23 @@ impl Field {
         areas.all(|area| !is_crossed(area, from.into(), to.into()))
     }
 
-    /// Whether all legs of the work stay inside.
-    pub(super) fn holds(&self, work: &Work) -> bool {
-        let rim = work.circle.iter().flat_map(|circle| {
+    /// Whether all points and legs stay inside.
+    pub(super) fn holds(&self, points: &[DVec2]) -> bool {
+        let mut legs = points.windows(2);
+        points.iter().all(|point| self.allows(*point))
+            && legs.all(|leg| self.is_clear(leg[0], leg[1]))
+    }
+
+    /// Whether all points and legs of the work stay inside, and the circle around its last place.
+    pub(super) fn holds_work(&self, work: &Work) -> bool {
+        let mut rim = work.circle.iter().flat_map(|circle| {
             let at = move |corner: u32| {
                 let turn = course(f64::from(corner) * 360.0 / 36.0);
                 circle.centre + turn * circle.radius_m
             };
             (0..36).map(at)
         });
-        let mut points = work.points.iter().copied().chain(rim);
-        let mut legs = work.points.windows(2);
-        points.all(|point| self.allows(point)) && legs.all(|leg| self.is_clear(leg[0], leg[1]))
+        self.holds(&work.points) && rim.all(|point| self.allows(point))
     }
 
     /// The parts of a line that lie inside, at a distance from the fence.
@@ -155,6 +165,39 @@ impl Field {
         bends.reverse();
         Some(bends)
     }
+}
+
+/// An area to stay out of with the distance that is kept from it; other areas stay as they are.
+fn widened(area: FenceArea<[f64; 2]>) -> FenceArea<[f64; 2]> {
+    if area.keeps_in {
+        return area;
+    }
+    let shape = match area.shape {
+        AreaShape::Circle { centre, radius_m } => AreaShape::Circle {
+            centre,
+            radius_m: radius_m + ASIDE_M,
+        },
+        AreaShape::Polygon(corners) => AreaShape::Polygon(spread(&corners)),
+    };
+    FenceArea { shape, ..area }
+}
+
+/// A polygon whose edges are moved outwards.
+fn spread(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let corners: Vec<DVec2> = corners.iter().map(|it| DVec2::from(*it)).collect();
+    let count = corners.len();
+    let next = |index: usize| corners[(index + 1) % count];
+    let doubled: f64 = (0..count).map(|at| corners[at].perp_dot(next(at))).sum();
+    let outwards = |edge: DVec2| -edge.normalize_or_zero().perp() * doubled.signum();
+    let moved = |index: usize| {
+        let here = corners[index];
+        let before = outwards(here - corners[(index + count - 1) % count]);
+        let after = outwards(next(index) - here);
+        let middle = (before + after).normalize_or(before);
+        let away_m = (ASIDE_M / middle.dot(before).max(1e-6)).min(FARTHEST_M);
+        <[f64; 2]>::from(here + middle * away_m)
+    };
+    (0..count).map(moved).collect()
 }
 
 /// Places beside the corners of an area, on both sides of its edge.

@@ -3,10 +3,10 @@
 use sortie_geo::{LatLon, Outline};
 
 use crate::areas::{AreaShape, Fence, FenceArea};
-use crate::{Document, command, is_inside};
+use crate::{Document, Item, command, is_inside};
 
 /// The areas of a document, each as its outline and then its holes: the inclusion areas of its fence, with the
-/// exclusion areas inside them as holes; without a fence, the area within the places of its plan.
+/// exclusion areas inside them as holes; without an inclusion area, the area within the places of its plan.
 pub fn areas(document: &Document) -> Vec<Vec<Vec<LatLon>>> {
     let fence = Fence::check(&document.fence).unwrap_or_default();
     let (inside, outside): (Vec<_>, Vec<_>) = fence.areas.iter().partition(|it| it.keeps_in);
@@ -24,10 +24,65 @@ pub fn areas(document: &Document) -> Vec<Vec<Vec<LatLon>>> {
     });
     let mut areas: Vec<Vec<Vec<LatLon>>> = areas.collect();
     let way = line(document);
-    if document.fence.is_empty() && way.len() >= 3 {
+    if areas.is_empty() && way.len() >= 3 {
         areas.push(vec![way]);
     }
     areas
+}
+
+/// The items of the areas that a fence forbids to enter.
+pub fn keep_out(fence: &[Item]) -> Vec<Item> {
+    let forbids = |item: &&Item| {
+        matches!(
+            item.command,
+            command::FENCE_POLYGON_EXCLUSION | command::FENCE_CIRCLE_EXCLUSION
+        )
+    };
+    fence.iter().filter(forbids).copied().collect()
+}
+
+/// A fence together with those of the areas `more` that it does not have yet.
+#[must_use]
+pub fn with_areas(mut fence: Vec<Item>, more: &[Item]) -> Vec<Item> {
+    let mut left = more;
+    while let Some(first) = left.first() {
+        let count = if command::is_corner(first.command) {
+            (first.params[0].max(1.0) as usize).min(left.len())
+        } else {
+            1
+        };
+        let (area, rest) = left.split_at(count);
+        let is_same = |own: &[Item]| {
+            let mut pairs = own.iter().zip(area);
+            pairs.all(|(own, new)| {
+                (own.command, own.x, own.y, own.params[0])
+                    == (new.command, new.x, new.y, new.params[0])
+            })
+        };
+        if !fence.windows(count).any(is_same) {
+            fence.extend_from_slice(area);
+        }
+        left = rest;
+    }
+    fence
+}
+
+/// The holes of an area (its rings after the first) as areas of a fence that forbid to enter them.
+pub fn holes(rings: &[Vec<LatLon>]) -> Vec<Item> {
+    let corners = rings.iter().skip(1).flat_map(|hole| {
+        hole.iter().map(|corner| {
+            let (x, y) = corner.to_e7();
+            Item {
+                command: command::FENCE_POLYGON_EXCLUSION,
+                auto_continue: true,
+                params: [hole.len() as f32, 0.0, 0.0, 0.0],
+                x,
+                y,
+                ..Item::default()
+            }
+        })
+    });
+    corners.collect()
 }
 
 fn corners(area: &FenceArea<LatLon>) -> Vec<LatLon> {

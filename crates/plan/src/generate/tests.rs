@@ -350,3 +350,36 @@ fn lanes_that_are_too_close_together_are_refused_at_once() {
     assert_eq!(made(3).err(), Some(GenerateError::TooNarrow(6)));
     assert!(made(1).is_ok(), "one vehicle has one lane");
 }
+
+/// An expanding square leads around the areas that its vehicles stay out of, as their transits do.
+#[test]
+fn a_square_leads_around_forbidden_areas() {
+    let centre = DVec2::new(150.0, 30.0);
+    let (x, y) = place(centre).to_e7();
+    let circle = Item {
+        command: command::FENCE_CIRCLE_EXCLUSION,
+        params: [30.0, 0.0, 0.0, 0.0],
+        x,
+        y,
+        ..Item::default()
+    };
+    let manner = Manner {
+        fence: vec![circle],
+        ..manner()
+    };
+    let task = Task::Square {
+        datum: place(DVec2::new(200.0, 0.0)),
+        spacing_m: 20.0,
+        radius_m: 120.0,
+    };
+    let generated = generate(&task, &team(3, DVec2::ZERO), &manner).expect("plans");
+    assert!(generated.uncovered > 0.02, "{}", generated.uncovered);
+    for part in &generated.parts {
+        assert_eq!(faults(part), vec![]);
+        assert_eq!(part.document.fence.len(), 1);
+        for leg in flown(part).windows(2) {
+            let near_m = distance_to_segment(centre, leg[0].0, leg[1].0);
+            assert!(near_m > 30.0, "{near_m}");
+        }
+    }
+}

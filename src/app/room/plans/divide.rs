@@ -9,6 +9,7 @@ use crate::draft::{Draft, areas, drawn_areas};
 use crate::geo::Outline;
 use crate::language::DraftWork;
 use crate::notice::Notice;
+use crate::plan::generate::source::keep_out;
 use crate::plan::{ListKind, command};
 use crate::swarm::{Conductor, Rules, carrying};
 use crate::text;
@@ -53,7 +54,9 @@ pub(super) fn divide(
     let mission = state.flown_mission();
     let rules = mission.map_or_else(Rules::default, |mission| mission.swarm_rules);
     let conductor = Conductor::new(rules);
-    let plans = conductor.plans(&task, vehicles, &state.session.vehicles)?;
+    let drawn = state.rooms.plans.drafts.current();
+    let keep_out = drawn.map_or_else(Vec::new, |it| keep_out(&it.document().fence));
+    let plans = conductor.plans(&task, vehicles, &state.session.vehicles, &keep_out)?;
     let idle: Vec<VehicleId> = vehicles
         .iter()
         .copied()

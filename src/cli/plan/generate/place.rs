@@ -5,7 +5,7 @@ use std::path::Path;
 use super::super::{Failure, invalid, load};
 use crate::geo::LatLon;
 use crate::plan::generate::source;
-use crate::plan::{Document, ReadOptions};
+use crate::plan::{Document, Item, ReadOptions};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -87,6 +87,14 @@ impl ShapeSource<'_> {
         } else {
             let text = text!("plan-generate-no-area", count = count);
             Err(self.fault(&text, locale))
+        }
+    }
+
+    /// The areas of the file that must not be entered, as items of a fence.
+    pub(super) fn keep_out(&self, locale: &Locale) -> Result<Vec<Item>, Failure> {
+        match self.file {
+            Some(_) => Ok(source::keep_out(&self.document(locale)?.fence)),
+            None => Ok(Vec::new()),
         }
     }
 

@@ -401,3 +401,36 @@ fn in_a_mission_lines_lie_as_close_as_its_sensors_need() {
     // Ten lines of 0.8 m with two ends each.
     assert!(lines.count() >= 20, "{:?}", desk.room().items());
 }
+
+/// The legs of all parts lead around the drawn areas to stay out of, and each draft is checked against them.
+#[test]
+fn divided_work_keeps_out_of_forbidden_areas() {
+    let mut desk = Desk::new();
+    for id in 1..=6 {
+        standing(&mut desk, id);
+    }
+    draw_field(&mut desk);
+    desk.give("draft fence circle 30 out n 150 e 0");
+    desk.give("draft survey all spacing 20 up 30");
+    let centre = HOME.moved(150.0, 0.0);
+    let drafts = desk.room().drafts().all().iter();
+    let parts: Vec<_> = drafts.filter(|it| it.vehicle().is_some()).collect();
+    assert!(parts.len() > 1);
+    for draft in parts {
+        let document = draft.document();
+        assert_eq!(document.fence.len(), 1, "the circle");
+        let places: Vec<_> = document.plan.iter().filter_map(Item::place).collect();
+        let nearest_m = |leg: &[crate::geo::LatLon]| {
+            let (north_m, east_m) = leg[0].offset_to(leg[1]);
+            let along = (0..=100).map(|step| f64::from(step) / 100.0);
+            let gaps = along.map(|share| {
+                let here = leg[0].moved(north_m * share, east_m * share);
+                here.distance_m(centre)
+            });
+            gaps.fold(f64::INFINITY, f64::min)
+        };
+        for leg in places.windows(2) {
+            assert!(nearest_m(leg) > 30.0, "{}", nearest_m(leg));
+        }
+    }
+}
