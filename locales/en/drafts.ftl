@@ -202,6 +202,8 @@ draft-trial-closest = closest: { $a } and { $b } at { $time }, { $horizontal } m
 draft-trial-meeting = { $a } and { $b } come too close at { $time }
 draft-trial-fence = { $name } breaches its fence at { $time }
 draft-trial-unfinished = { $name } was not flown to its end
+draft-trial-hit-ground = { $name } flies into the ground on the way to item { $number }
+draft-trial-in-air = { $name } ends in the air: add a landing or a return
 draft-trial-figures = { $count ->
     [one] { $count } plan
    *[other] { $count } plans

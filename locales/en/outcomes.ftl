@@ -133,6 +133,7 @@ rehearse-fence = breaches its fence after { $time }
 rehearse-left-plan = leaves its plan for { $mode } and ends after { $time }
 rehearse-grounded = does not take off
 rehearse-crashed = collides after { $time }
+rehearse-hit-ground = flies into the ground after { $time }, on the way to item { $number }
 rehearse-time-up = still flying after { $time }
 rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m horizontally, { $vertical } m vertically
 rehearse-late = rehearsal: { $a } and { $b } come too close if one of them is { $late } s late

@@ -108,6 +108,7 @@ plan-height-home = { $height } m above home
 plan-height-terrain = { $height } m above terrain
 plan-height-other = { $height } m above an unknown reference
 plan-low-height = { $height } m above home: the vehicle would fly into the ground
+plan-low-slope = { $height } m above home: the vehicle flies into the ground unless the ground is lower there
 plan-far-away = { $distance } km from home: check the coordinates
 
 plan-would-lose = this format cannot hold the { $list }: write a .plan file, or choose one list with `--list`
@@ -135,6 +136,7 @@ plan-rehearse-in-air = in the air
 plan-rehearse-left-plan = left its plan for { $mode }
 plan-rehearse-grounded = did not take off
 plan-rehearse-crashed = collided
+plan-rehearse-hit-ground = flew into the ground on the way to item { $number }
 plan-rehearse-time-up = still flying
 plan-rehearse-moved = vehicle { $vehicle } starts { $distance } m east of its home: another vehicle has the same home
 plan-rehearse-closest = closest: { $a } and { $b } at { $time }: { $horizontal } m horizontally, { $vertical } m vertically

@@ -205,6 +205,8 @@ draft-trial-closest = найближче: { $a } і { $b } на { $time }, { $ho
 draft-trial-meeting = { $a } і { $b } надто зближуються на { $time }
 draft-trial-fence = { $name } порушує геозону на { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану
+draft-trial-hit-ground = { $name }: апарат врізається в землю на шляху до пункту { $number }
+draft-trial-in-air = { $name }: план закінчується в повітрі; додайте посадку або повернення
 draft-trial-figures = { $count ->
     [one] { $count } план виконано
     [few] { $count } плани виконано

@@ -139,6 +139,7 @@ rehearse-fence = порушує геозону через { $time }
 rehearse-left-plan = переходить із плану в { $mode }; кінець через { $time }
 rehearse-grounded = не злітає
 rehearse-crashed = зіткнення через { $time }
+rehearse-hit-ground = врізається в землю через { $time }, на шляху до пункту { $number }
 rehearse-time-up = через { $time } ще летить
 rehearse-conflict = випробування: { $a } і { $b } надто зближуються на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі
 rehearse-late = випробування: { $a } і { $b } надто зближуються, якщо один із них запізниться на { $late } s

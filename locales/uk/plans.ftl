@@ -107,6 +107,7 @@ plan-height-home = { $height } m над домом
 plan-height-terrain = { $height } m над рельєфом
 plan-height-other = { $height } m від невідомого рівня
 plan-low-height = { $height } m над домом: апарат врізався б у землю
+plan-low-slope = { $height } m над домом: апарат вріжеться в землю, якщо вона там не нижча
 plan-far-away = { $distance } km від дому: перевірте координати
 
 plan-would-lose = цей формат не вміщує: { $list }; запишіть файл .plan або виберіть один список через `--list`
@@ -134,6 +135,7 @@ plan-rehearse-in-air = у повітрі
 plan-rehearse-left-plan = перейшов із плану в { $mode }
 plan-rehearse-grounded = не злетів
 plan-rehearse-crashed = зіткнувся
+plan-rehearse-hit-ground = врізався в землю на шляху до пункту { $number }
 plan-rehearse-time-up = ще летить
 plan-rehearse-moved = апарат { $vehicle } стартує на { $distance } m східніше від свого дому: той самий дім має інший апарат
 plan-rehearse-closest = найближче: { $a } і { $b } на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі

@@ -77,9 +77,14 @@ fn kind_words(kind: &FindingKind) -> Text {
             here,
             above_home_m,
         } => mixed_frames(*before, *here, *above_home_m),
-        FindingKind::LowHeight { height_m } => {
-            text!("plan-low-height", height = figure(*height_m, 0))
-        }
+        FindingKind::LowHeight {
+            height_m,
+            may_slope: false,
+        } => text!("plan-low-height", height = figure(*height_m, 0)),
+        FindingKind::LowHeight {
+            height_m,
+            may_slope: true,
+        } => text!("plan-low-slope", height = figure(*height_m, 0)),
         FindingKind::LowOverGround {
             height_m,
             along_m,

@@ -29,6 +29,8 @@ pub fn check_rules(
         },
         ceiling_m: limit(CEILING, "FENCE_ALT_MAX"),
         radius_m: limit(CIRCLE, "FENCE_RADIUS"),
+        // A vehicle may start on a hill: the ground around it is not known here.
+        may_slope: true,
         has_terrain: parameter("TERRAIN_ENABLE").is_none_or(|value| value > 0.0),
     }
 }

@@ -76,6 +76,8 @@ pub struct CheckOptions {
     pub radius_m: Option<f32>,
     /// Whether the vehicle has terrain data for the area.
     pub has_terrain: bool,
+    /// Whether the ground may be lower than home, so that a height below home need not lead into it.
+    pub may_slope: bool,
 }
 
 /// The severity of a finding.
@@ -204,6 +206,8 @@ pub enum FindingKind {
     LowHeight {
         /// The height above home, in metres.
         height_m: f32,
+        /// Whether the ground may be lower there.
+        may_slope: bool,
     },
     /// The leg to the item goes into the ground, or comes too close to it.
     LowOverGround {
@@ -250,13 +254,18 @@ impl FindingKind {
             | Self::AboveCeiling { .. }
             | Self::HomeBreaksFence { .. }
             | Self::NoTerrain
+            | Self::LowHeight {
+                may_slope: false, ..
+            }
             | Self::LowOverGround { .. } => Severity::Error,
             Self::Skipped { .. }
             | Self::NoTakeoff
             | Self::NoEnd
             | Self::Unreached
             | Self::MixedFrames { .. }
-            | Self::LowHeight { .. }
+            | Self::LowHeight {
+                may_slope: true, ..
+            }
             | Self::NoGround
             | Self::Uncovered(_)
             | Self::HomeHeight { .. }

@@ -1,7 +1,7 @@
 //! One vehicle of a rehearsal: its start, and the record of its flight.
 
 use sortie_geo::LatLon;
-use sortie_plan::{Fence, FenceArea};
+use sortie_plan::{Fence, FenceArea, command};
 use sortie_sim::mavlink::dialects::ardupilotmega::{
     COMMAND_LONG_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
 };
@@ -45,6 +45,8 @@ pub(crate) struct Flight {
     started_at: Option<u32>,
     areas: Vec<FenceArea<[f64; 2]>>,
     is_fence_on: bool,
+    /// The commands of the plan.
+    commands: Vec<u16>,
     flown: Flown,
     capacity_mah: f64,
     pub(crate) track: Track,
@@ -68,6 +70,12 @@ impl Flight {
             started_at: None,
             areas: fence.areas.iter().map(|area| area.map(metres)).collect(),
             is_fence_on: false,
+            commands: participant
+                .document
+                .plan
+                .iter()
+                .map(|item| item.command)
+                .collect(),
             flown: Flown {
                 time_s: 0.0,
                 energy_left_percent: 100.0,
@@ -137,7 +145,7 @@ impl Flight {
                 let lifted = lifted || !truth.on_ground;
                 self.stage = Stage::Flying { lifted };
                 self.note(sample, &truth);
-                if let Some(ending) = ending(&truth, lifted) {
+                if let Some(ending) = self.ending(&truth, lifted) {
                     self.end(ending);
                 }
             }
@@ -219,16 +227,37 @@ impl Flight {
         self.flown.ending = ending;
         self.stage = Stage::Over;
     }
-}
 
-fn ending(truth: &Truth, lifted: bool) -> Option<FlightEnding> {
-    if !truth.armed {
-        return Some(match (lifted, truth.mode) {
-            (false, _) => FlightEnding::Grounded,
-            (true, AUTO) => FlightEnding::Landed,
-            (true, mode) => FlightEnding::LeftPlan(mode),
-        });
+    fn ending(&self, truth: &Truth, lifted: bool) -> Option<FlightEnding> {
+        if !truth.armed {
+            return Some(match (lifted, truth.mode) {
+                (false, _) => FlightEnding::Grounded,
+                (true, AUTO) => FlightEnding::Landed,
+                (true, mode) => FlightEnding::LeftPlan(mode),
+            });
+        }
+        let is_under_way = truth.mode == AUTO && lifted;
+        if truth.on_ground {
+            let has_hit = is_under_way && !truth.plan_complete && self.flies_to(truth.plan_item);
+            return has_hit.then_some(FlightEnding::HitGround(truth.plan_item));
+        }
+        (is_under_way && truth.plan_complete).then_some(FlightEnding::InAir)
     }
-    let ends_in_air = truth.plan_complete && truth.mode == AUTO && lifted && !truth.on_ground;
-    ends_in_air.then_some(FlightEnding::InAir)
+
+    /// Whether an item, counted from 1, leads to a place in the air: on its way, there is no ground.
+    fn flies_to(&self, item: u16) -> bool {
+        let index = usize::from(item).checked_sub(1);
+        let command = index.and_then(|index| self.commands.get(index));
+        command.is_some_and(|command| {
+            matches!(
+                *command,
+                command::WAYPOINT
+                    | command::SPLINE_WAYPOINT
+                    | command::LOITER_UNLIMITED
+                    | command::LOITER_TURNS
+                    | command::LOITER_TIME
+                    | command::LOITER_TO_ALTITUDE
+            )
+        })
+    }
 }

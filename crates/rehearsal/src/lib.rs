@@ -102,6 +102,8 @@ pub enum FlightEnding {
     Grounded,
     /// The vehicle collided with another one; both have this ending.
     Crashed,
+    /// The vehicle touched the ground on the way to this item, which is not a landing; items are counted from 1.
+    HitGround(u16),
     /// The vehicle was still flying when the time was up.
     TimeUp,
 }
@@ -133,8 +135,10 @@ impl Flown {
     /// Whether the vehicle flew its plan to the end, inside its fence.
     pub fn is_as_planned(&self) -> bool {
         let is_at_end = match self.ending {
-            FlightEnding::Landed | FlightEnding::InAir => true,
-            FlightEnding::LeftPlan(_)
+            FlightEnding::Landed => true,
+            FlightEnding::InAir
+            | FlightEnding::HitGround(_)
+            | FlightEnding::LeftPlan(_)
             | FlightEnding::Grounded
             | FlightEnding::Crashed
             | FlightEnding::TimeUp => false,

@@ -396,3 +396,22 @@ fn the_narrowest_lanes_are_no_conflict() {
         }
     }
 }
+
+/// An item far below home, as after a mistaken reference of its height: the vehicle flies into the ground on the way to it.
+#[test]
+fn a_plan_that_leads_into_the_ground_does_not_land() {
+    let mut low = vehicle((0.0, 0.0), &[(60.0, 0.0), (120.0, 0.0), (180.0, 0.0)]);
+    low.document.plan[2].frame = 0;
+    low.document.plan[2].z = 60.0;
+    let waits = Item {
+        params: [3.0, -1.0, -1.0, -1.0],
+        ..item(command::DELAY, (0.0, 0.0), 0.0)
+    };
+    let mut waiting = low.clone();
+    waiting.document.plan.insert(0, waits);
+    for (plan, item) in [(low, 3), (waiting, 4)] {
+        let flown = rehearse(&[plan], &calm()).expect("it can fly").vehicles[0];
+        assert_eq!(flown.ending, FlightEnding::HitGround(item), "{flown:?}");
+        assert!(flown.time_s < 60.0, "{flown:?}");
+    }
+}

@@ -61,6 +61,7 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
         ceiling_m: options.ceiling,
         radius_m: options.radius,
         has_terrain: options.has_terrain,
+        may_slope: options.ground.is_known(),
     };
     let checking = Checking {
         reading: options.shapes.options(),

@@ -55,6 +55,11 @@ impl Ground {
 }
 
 impl GroundArguments {
+    /// Whether heights are compared with the ground.
+    pub(super) fn is_known(&self) -> bool {
+        self.terrain.is_some()
+    }
+
     /// The ground below a plan; `None` if no folder was given.
     pub(super) fn below(
         &self,

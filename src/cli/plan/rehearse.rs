@@ -277,6 +277,7 @@ pub(super) fn ending_words(ending: FlightEnding) -> Text {
         }
         FlightEnding::Grounded => text!("plan-rehearse-grounded"),
         FlightEnding::Crashed => text!("plan-rehearse-crashed"),
+        FlightEnding::HitGround(number) => text!("plan-rehearse-hit-ground", number = number),
         FlightEnding::TimeUp => text!("plan-rehearse-time-up"),
     }
 }
@@ -377,7 +378,7 @@ fn ending_name(ending: FlightEnding) -> &'static str {
         FlightEnding::InAir => "in_air",
         FlightEnding::LeftPlan(_) => "left_plan",
         FlightEnding::Grounded => "grounded",
-        FlightEnding::Crashed => "crashed",
+        FlightEnding::Crashed | FlightEnding::HitGround(_) => "crashed",
         FlightEnding::TimeUp => "time_up",
     }
 }

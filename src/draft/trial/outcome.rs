@@ -2,7 +2,7 @@
 
 use super::{PlanVerdict, TrialDraft, Tried};
 use crate::plan::ContentHash;
-use crate::rehearsal::{Approach, Outcome};
+use crate::rehearsal::{Approach, FlightEnding, Outcome};
 use crate::text;
 use crate::text::{Text, clock_s, figure};
 
@@ -54,14 +54,20 @@ impl TrialOutcome<'_> {
     fn failure(&self, at: usize) -> Option<Text> {
         let flown = self.outcome.vehicles.get(at)?;
         let name = self.name(at);
-        match flown.broke_fence_s {
-            Some(at_s) => Some(text!(
-                "draft-trial-fence",
-                name = name,
-                time = clock_s(at_s)
-            )),
-            None if flown.is_as_planned() => None,
-            None => Some(text!("draft-trial-unfinished", name = name)),
+        if let Some(at_s) = flown.broke_fence_s {
+            let time = clock_s(at_s);
+            return Some(text!("draft-trial-fence", name = name, time = time));
+        }
+        match flown.ending {
+            FlightEnding::Landed => None,
+            FlightEnding::InAir => Some(text!("draft-trial-in-air", name = name)),
+            FlightEnding::HitGround(number) => {
+                Some(text!("draft-trial-hit-ground", name = name, number = number))
+            }
+            FlightEnding::LeftPlan(_)
+            | FlightEnding::Grounded
+            | FlightEnding::Crashed
+            | FlightEnding::TimeUp => Some(text!("draft-trial-unfinished", name = name)),
         }
     }
 

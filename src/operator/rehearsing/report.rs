@@ -174,6 +174,9 @@ fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
         (None, FlightEnding::Landed | FlightEnding::InAir) if is_empty => {
             text!("rehearse-battery", used = used)
         }
+        (None, FlightEnding::HitGround(number)) => {
+            text!("rehearse-hit-ground", time = time, number = number)
+        }
         (None, FlightEnding::Landed | FlightEnding::InAir) if meets => {
             text!("rehearse-meets", time = time)
         }

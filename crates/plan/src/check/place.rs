@@ -159,7 +159,11 @@ fn check_heights(
             // Zero means the vehicle's current height.
             let is_unset = item.z == 0.0 && !command::is_takeoff(item.command);
             if height_m <= 0.0 && !is_unset {
-                add(FindingKind::LowHeight { height_m });
+                let may_slope = options.may_slope;
+                add(FindingKind::LowHeight {
+                    height_m,
+                    may_slope,
+                });
             }
         }
         if let Some(before) = before.filter(|before| before.frame != here.frame) {

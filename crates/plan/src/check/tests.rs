@@ -224,10 +224,18 @@ fn limits_hold_above_home_whatever_the_frame() {
     assert!(found_usual(&plan).contains(&(Some(2), FindingKind::NoTerrain)));
     plan.plan[2].frame = 3;
     plan.plan[2].z = -5.0;
-    assert_eq!(
-        found_usual(&plan),
-        [(Some(2), FindingKind::LowHeight { height_m: -5.0 })]
-    );
+    let low = |may_slope| FindingKind::LowHeight {
+        height_m: -5.0,
+        may_slope,
+    };
+    assert_eq!(found_usual(&plan), [(Some(2), low(false))]);
+    let slope = CheckOptions {
+        may_slope: true,
+        ..CheckOptions::default()
+    };
+    assert_eq!(found(&plan, &slope), [(Some(2), low(true))]);
+    let severities = [false, true].map(|may_slope| low(may_slope).severity());
+    assert_eq!(severities, [Severity::Error, Severity::Warning]);
 }
 
 /// MAVLink's list of commands with a place, and what the vehicle stores as a place.
