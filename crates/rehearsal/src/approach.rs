@@ -13,6 +13,8 @@ const NEIGHBOURS_FACTOR: f64 = 1.3;
 const NEIGHBOURS_SHARE: f64 = 0.75;
 /// The smallest horizontal limit, in metres.
 const LEAST_LIMIT_M: f64 = 1.0;
+/// Over the ground, a vehicle is beside its start within this distance, in metres: there it climbs and lands.
+const BESIDE_START_M: f64 = 15.0;
 
 /// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, each
 /// divided by its limit, was smallest.
@@ -30,8 +32,8 @@ pub struct Approach {
     pub at_s: f64,
     /// The place halfway between them.
     pub place: LatLon,
-    /// The horizontal limit of these two vehicles, in metres: [`TOO_NEAR_M`], or less if they started close to each
-    /// other.
+    /// The horizontal limit of these two vehicles there, in metres: [`TOO_NEAR_M`], or less if they started close to
+    /// each other, and one of them is beside its start.
     pub limit_m: f64,
     /// The minimum delay of one of them that causes a conflict, in whole seconds: 0 if they are in conflict anyway,
     /// `None` if more than [`LATE_S`](crate::LATE_S).
@@ -57,9 +59,43 @@ impl Approach {
     }
 }
 
-/// The horizontal limit of two vehicles that start at this distance from each other, in metres.
-pub(crate) fn limit_m(starts_m: f64) -> f64 {
-    neighbours_limit_m(starts_m.max(LEAST_LIMIT_M), TOO_NEAR_M)
+/// The rule of two vehicles, by their starts in metres north and east: [`TOO_NEAR_M`] everywhere, except that neighbours
+/// may be closer while one of them is beside its start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Separation {
+    starts_m: [[f64; 2]; 2],
+    /// The horizontal limit beside the starts, in metres.
+    beside_m: f64,
+}
+
+impl Separation {
+    pub(crate) fn new(starts_m: [[f64; 2]; 2]) -> Self {
+        let [a, b] = starts_m;
+        let apart_m = maths::hypot(a[0] - b[0], a[1] - b[1]);
+        Self {
+            starts_m,
+            beside_m: neighbours_limit_m(apart_m.max(LEAST_LIMIT_M), TOO_NEAR_M),
+        }
+    }
+
+    /// The horizontal limit of the two vehicles at two points, in metres.
+    pub(crate) fn limit_m(&self, points: [[f64; 3]; 2]) -> f64 {
+        if self.beside_m >= TOO_NEAR_M {
+            return TOO_NEAR_M;
+        }
+        let mut pairs = self.starts_m.iter().zip(points);
+        let is_beside = pairs
+            .any(|(start, at)| maths::hypot(start[0] - at[0], start[1] - at[1]) <= BESIDE_START_M);
+        if is_beside { self.beside_m } else { TOO_NEAR_M }
+    }
+
+    /// The nearness of the two vehicles at two points in metres north, east and up: less than 1 is a conflict.
+    pub(crate) fn nearness(&self, [a, b]: [[f64; 3]; 2]) -> f64 {
+        let limit_m = self.limit_m([a, b]);
+        let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        let horizontal = (north * north + east * east) / (limit_m * limit_m);
+        horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
+    }
 }
 
 /// The horizontal limit of two vehicles whose pads are `pads_m` apart, in metres; `usual_m` is that of vehicles from
@@ -72,13 +108,6 @@ pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
     }
 }
 
-/// The nearness of two points in metres north, east and up: less than 1 is a conflict.
-pub(crate) fn nearness(a: [f64; 3], b: [f64; 3], limit_m: f64) -> f64 {
-    let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    let horizontal = (north * north + east * east) / (limit_m * limit_m);
-    horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
-}
-
 /// The nearness of two vehicles, the sample at which it occurred, and their points.
 type Meeting = (f64, u32, [[f64; 3]; 2]);
 
@@ -88,37 +117,37 @@ pub(crate) struct Closest {
     vehicles: usize,
     /// For each pair (a, b) with a < b, in the order of a and then b.
     pairs: Vec<Option<Meeting>>,
-    /// For each pair, the horizontal limit of a conflict, in metres.
-    limits_m: Vec<f64>,
+    /// For each pair, the rule.
+    rules: Vec<Separation>,
 }
 
 impl Closest {
     /// No approaches yet, of vehicles that start at these points, in metres north and east.
     pub(crate) fn new(starts_m: &[[f64; 2]]) -> Self {
-        let limits = starts_m.iter().enumerate().flat_map(|(a, first)| {
+        let rules = starts_m.iter().enumerate().flat_map(|(a, first)| {
             let others = starts_m[a + 1..].iter();
-            others.map(|other| limit_m(maths::hypot(first[0] - other[0], first[1] - other[1])))
+            others.map(|other| Separation::new([*first, *other]))
         });
-        let limits_m: Vec<f64> = limits.collect();
+        let rules: Vec<Separation> = rules.collect();
         Self {
             vehicles: starts_m.len(),
-            pairs: vec![None; limits_m.len()],
-            limits_m,
+            pairs: vec![None; rules.len()],
+            rules,
         }
     }
 
     /// Updates the closest approaches with the points of the vehicles in the air.
     pub(crate) fn take(&mut self, sample: u32, points: &[Option<[f64; 3]>]) {
-        let mut pairs = self.pairs.iter_mut().zip(&self.limits_m);
+        let mut pairs = self.pairs.iter_mut().zip(&self.rules);
         for (a, first) in points.iter().enumerate() {
             for second in &points[a + 1..] {
-                let Some((pair, limit_m)) = pairs.next() else {
+                let Some((pair, rule)) = pairs.next() else {
                     return;
                 };
                 let (Some(first), Some(second)) = (first, second) else {
                     continue;
                 };
-                let near = nearness(*first, *second, *limit_m);
+                let near = rule.nearness([*first, *second]);
                 if pair.is_none_or(|(least, ..)| near < least) {
                     *pair = Some((near, sample, [*first, *second]));
                 }
@@ -129,10 +158,10 @@ impl Closest {
     /// The pairs that were in the air together, the closest first; points were measured from `origin`.
     pub(crate) fn found(&self, sample_s: f64, origin: LatLon) -> Vec<Approach> {
         let mut found = Vec::new();
-        let mut pairs = self.pairs.iter().zip(&self.limits_m);
+        let mut pairs = self.pairs.iter().zip(&self.rules);
         for a in 0..self.vehicles {
             for b in a + 1..self.vehicles {
-                let Some((Some((_, sample, [first, second])), limit_m)) = pairs.next() else {
+                let Some((Some((_, sample, [first, second])), rule)) = pairs.next() else {
                     continue;
                 };
                 let [north, east, up] = [0, 1, 2].map(|axis| first[axis] - second[axis]);
@@ -142,7 +171,7 @@ impl Closest {
                     horizontal_m: (north * north + east * east).sqrt(),
                     vertical_m: up.abs(),
                     at_s: f64::from(*sample) * sample_s,
-                    limit_m: *limit_m,
+                    limit_m: rule.limit_m([*first, *second]),
                     late_s: None,
                     place: origin.moved(
                         f64::midpoint(first[0], second[0]),

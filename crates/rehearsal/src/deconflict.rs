@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use sortie_geo::maths;
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
-use crate::approach::{TOO_NEAR_M, limit_m};
+use crate::approach::Separation;
 use crate::late::{LATE_S, Shifted, are_apart, points_in};
 use crate::order::best_order;
 use crate::place::{self, Place, Track};
@@ -328,18 +327,18 @@ impl<'a> Pairs<'a> {
             let (a_by, b_by) = if after_s > 0 { (shift, 0) } else { (0, shift) };
             let (a, b) = (&tracks[a], &tracks[b]);
             let (first, second) = (Shifted::new(a, a_by), Shifted::new(b, b_by));
-            are_apart(first, second, pads_limit_m(a, b), factor)
+            rule(a, b).is_none_or(|rule| are_apart(first, second, &rule, factor))
         })
     }
 }
 
-/// The horizontal limit of two vehicles, by the places at which they leave the ground.
-fn pads_limit_m(a: &Track, b: &Track) -> f64 {
-    let first = |track: &Track| track.points.iter().flatten().next().copied();
-    let Some(([a_north, a_east, _], [b_north, b_east, _])) = first(a).zip(first(b)) else {
-        return TOO_NEAR_M;
+/// The rule of two vehicles, by the places at which they leave the ground; `None` if one stays there.
+fn rule(a: &Track, b: &Track) -> Option<Separation> {
+    let first = |track: &Track| {
+        let [north, east, _] = track.points.iter().flatten().next().copied()?;
+        Some([north, east])
     };
-    limit_m(maths::hypot(a_north - b_north, a_east - b_east))
+    Some(Separation::new([first(a)?, first(b)?]))
 }
 
 /// The layers with the smallest sum that separate the vehicles that come near each other.

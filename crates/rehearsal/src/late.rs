@@ -1,26 +1,27 @@
 //! Whether vehicles still keep away from each other if one of them is late.
 
-use crate::approach::{Approach, TOO_NEAR_VERTICALLY_M, nearness};
+use crate::approach::{Approach, Separation, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
 use crate::place::{TRACK_EVERY, Track, sample_s};
 
 /// The margin in time, in seconds: vehicles should stay apart even if one of them is this late.
 pub const LATE_S: u32 = 3;
 
 /// The shortest delay of one of two vehicles that brings them into conflict, in seconds; see [`Approach::late_s`].
-pub(crate) fn late_s(approach: &Approach, tracks: &[Track]) -> Option<u32> {
+/// `starts_m` are the starts of all vehicles.
+pub(crate) fn late_s(approach: &Approach, tracks: &[Track], starts_m: &[[f64; 2]]) -> Option<u32> {
     if approach.is_conflict() {
         return Some(0);
     }
     let (a, b) = (tracks.get(approach.a)?, tracks.get(approach.b)?);
-    let limit_m = approach.limit_m;
-    if are_far(a, b, limit_m) {
+    let rule = Separation::new([*starts_m.get(approach.a)?, *starts_m.get(approach.b)?]);
+    if are_far(a, b) {
         return None;
     }
     (1..=LATE_S).find(|late_s| {
         let late = points_in(*late_s);
         let apart = |a_by, b_by| {
             let (a, b) = (Shifted::new(a, a_by), Shifted::new(b, b_by));
-            are_apart(a, b, limit_m, 1.0)
+            are_apart(a, b, &rule, 1.0)
         };
         !apart(late, 0) || !apart(0, late)
     })
@@ -56,11 +57,11 @@ pub(crate) fn points_in(seconds: u32) -> usize {
 }
 
 /// Whether the boxes around two tracks are apart, so that no lateness brings the vehicles together.
-fn are_far(a: &Track, b: &Track, limit_m: f64) -> bool {
+fn are_far(a: &Track, b: &Track) -> bool {
     let (Some(a), Some(b)) = (bounds(a), bounds(b)) else {
         return true;
     };
-    let limits_m = [limit_m, limit_m, TOO_NEAR_VERTICALLY_M];
+    let limits_m = [TOO_NEAR_M, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M];
     (0..3).any(|axis| {
         let gap_m = (b[axis].0 - a[axis].1).max(a[axis].0 - b[axis].1);
         gap_m > limits_m[axis]
@@ -81,14 +82,13 @@ fn bounds(track: &Track) -> Option<[(f64, f64); 3]> {
     )
 }
 
-/// Whether two vehicles stay apart by a horizontal limit in metres and the vertical one; `factor` multiplies the
-/// squares of both.
-pub(crate) fn are_apart(a: Shifted<'_>, b: Shifted<'_>, limit_m: f64, factor: f64) -> bool {
+/// Whether two vehicles stay apart by their rule; `factor` multiplies the squares of its limits.
+pub(crate) fn are_apart(a: Shifted<'_>, b: Shifted<'_>, rule: &Separation, factor: f64) -> bool {
     let times = a.by.max(b.by)..a.end().max(b.end());
     times
         .into_iter()
         .all(|time| match (a.at(time), b.at(time)) {
-            (Some(a), Some(b)) => nearness(a, b, limit_m) >= factor,
+            (Some(a), Some(b)) => rule.nearness([a, b]) >= factor,
             (None, _) | (_, None) => true,
         })
 }

@@ -102,7 +102,7 @@ impl Stage {
         let tracks: Vec<Track> = flights.map(|flight| flight.track).collect();
         let mut closest = closest.found(sample_s(), self.origin);
         for approach in &mut closest {
-            approach.late_s = late_s(approach, &tracks);
+            approach.late_s = late_s(approach, &tracks, &self.starts_m);
         }
         Outcome {
             vehicles,

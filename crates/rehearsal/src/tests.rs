@@ -397,6 +397,32 @@ fn the_narrowest_lanes_are_no_conflict() {
     }
 }
 
+/// Vehicles that start 5 m apart may be close to each other beside their pads, but not far away from them.
+#[test]
+fn neighbours_keep_the_full_distance_away_from_their_pads() {
+    let beside_m = 4.3;
+    let two = [
+        vehicle((0.0, 0.0), &[(60.0, 0.0), (200.0, 0.0)]),
+        vehicle((0.0, 5.0), &[(60.0, beside_m), (200.0, beside_m)]),
+    ];
+    let outcome = rehearse(&two, &calm()).expect("they can fly");
+    let conflict = outcome.conflicts().next().expect("too close on their way");
+    assert!((conflict.limit_m - TOO_NEAR_M).abs() < 1e-9, "{conflict:?}");
+    assert!(
+        (conflict.horizontal_m - beside_m).abs() < 0.5,
+        "{conflict:?}"
+    );
+    let short = [
+        vehicle((0.0, 0.0), &[(12.0, 0.0)]),
+        vehicle((0.0, 5.0), &[(12.0, 5.0)]),
+    ];
+    let outcome = rehearse(&short, &calm()).expect("they can fly");
+    assert_eq!(outcome.conflicts().next(), None, "{:?}", outcome.closest);
+    let proposal = deconflict(&two, &calm(), 6.0).expect("they can fly");
+    let proposal = proposal.expect("a way");
+    assert_eq!(proposal.outcome.conflicts().next(), None);
+}
+
 /// An item far below home, as after a mistaken reference of its height: the vehicle flies into the ground on the way to it.
 #[test]
 fn a_plan_that_leads_into_the_ground_does_not_land() {
