@@ -89,6 +89,7 @@ plan-above-ceiling = { $height } m above home; the limit is { $most } m
 plan-no-takeoff = no takeoff before the first place: the vehicle stays on the ground
 plan-no-end = the plan has no end: the vehicle hovers after the last item; add RTL or LAND
 plan-unreached = this item is never reached
+plan-never-ends = the plan never ends: it repeats items { $first } to { $last }
 plan-no-terrain = height above terrain, but the vehicle has no terrain data
 plan-below-ground = the leg to this item goes { $depth } m into the ground, { $along } m from its start
 plan-low-over-ground = the leg to this item passes { $height } m above the ground, { $along } m from its start; at least { $least } m are needed (`--clearance`)

@@ -71,6 +71,9 @@ fn kind_words(kind: &FindingKind) -> Text {
         FindingKind::NoTakeoff => text!("plan-no-takeoff"),
         FindingKind::NoEnd => text!("plan-no-end"),
         FindingKind::Unreached => text!("plan-unreached"),
+        FindingKind::NeverEnds { first, last } => {
+            text!("plan-never-ends", first = *first, last = *last)
+        }
         FindingKind::NoTerrain => text!("plan-no-terrain"),
         FindingKind::MixedFrames {
             before,

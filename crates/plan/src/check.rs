@@ -191,6 +191,13 @@ pub enum FindingKind {
     NoEnd,
     /// Items that are never reached, after an end or an endless jump.
     Unreached,
+    /// The plan never ends: an endless jump repeats items.
+    NeverEnds {
+        /// The number of the first item that is repeated.
+        first: usize,
+        /// The number of the last one, before the jump.
+        last: usize,
+    },
     /// A height above terrain, and the vehicle has no terrain data.
     NoTerrain,
     /// The heights of this item and of the one before are measured from different references.
@@ -262,6 +269,7 @@ impl FindingKind {
             | Self::NoTakeoff
             | Self::NoEnd
             | Self::Unreached
+            | Self::NeverEnds { .. }
             | Self::MixedFrames { .. }
             | Self::LowHeight {
                 may_slope: true, ..

@@ -27,9 +27,44 @@ pub(super) fn check(items: &[Item], vehicle: VehicleKind, findings: &mut Vec<Fin
     if reached.ends_openly && vehicle.flies_above_ground() {
         findings.push(whole(FindingKind::NoEnd));
     }
-    if let Some(index) = reached.seen.iter().position(|seen| !seen) {
-        findings.push(plan_finding(index, FindingKind::Unreached));
+    let unseen = reached.seen.iter().enumerate().filter(|(_, seen)| !**seen);
+    findings.extend(unseen.map(|(index, _)| plan_finding(index, FindingKind::Unreached)));
+    let endless = endless(items, &reached);
+    findings.extend(endless.map(whole));
+}
+
+/// The items that a plan without an end repeats; `None` if it ends, or if the vehicle ends it at a ring of jumps.
+fn endless(items: &[Item], reached: &Reached) -> Option<FindingKind> {
+    let seen = || items.iter().enumerate().filter(|(at, _)| reached.seen[*at]);
+    let ends = reached.ends_openly
+        || seen().any(|(at, item)| ends_at(items, at) || jump_fault(items, at, item).is_some());
+    if ends {
+        return None;
     }
+    let loops = seen().filter(|(_, item)| is_jump(item) && is_endless(item));
+    let loops = loops.filter_map(|(at, item)| Some((target(items, item)?, at)));
+    let (first, last) = loops
+        .filter(|(to, at)| to < at)
+        .reduce(|(first, last), (to, at)| (first.min(to), last.max(at)))?;
+    Some(FindingKind::NeverEnds {
+        first: first + 1,
+        last,
+    })
+}
+
+/// Whether the plan is over after an item.
+fn ends_at(items: &[Item], at: usize) -> bool {
+    let Some(item) = items.get(at) else {
+        return true;
+    };
+    // After a landing in the middle, the plan continues with the next takeoff.
+    let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
+    command::is_end(item.command) && !(lands && at + 1 < items.len())
+}
+
+/// Whether a jump is repeated without end.
+fn is_endless(jump: &Item) -> bool {
+    jump.params[1] as i16 == -1
 }
 
 /// The index in the list to which a jump leads.
@@ -96,15 +131,10 @@ fn reached(items: &[Item]) -> Reached {
         if std::mem::replace(&mut seen[at], true) {
             continue;
         }
-        let is_endless = item.params[1] as i16 == -1;
         if is_jump(item) {
             left.extend(target(items, item));
         }
-        let stops = command::is_end(item.command) || (is_jump(item) && is_endless);
-        // After a landing in the middle, the plan continues with the next takeoff.
-        let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
-        let goes_on = lands && at + 1 < items.len();
-        if !stops || goes_on {
+        if !ends_at(items, at) && !(is_jump(item) && is_endless(item)) {
             left.push(at + 1);
         }
     }

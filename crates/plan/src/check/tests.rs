@@ -127,12 +127,40 @@ fn jumps_lead_somewhere() {
     let nowhere = FindingKind::JumpNowhere { target: 9, last: 5 };
     assert!(with_jump(jump(9.0, 1.0)).contains(&(Some(3), nowhere)));
     assert!(with_jump(jump(4.0, 1.0)).contains(&(Some(3), FindingKind::JumpRing)));
+    let endless = FindingKind::NeverEnds { first: 2, last: 3 };
     assert_eq!(
         with_jump(jump(2.0, -1.0)),
-        [(Some(4), FindingKind::Unreached)]
+        [(None, endless), (Some(4), FindingKind::Unreached)]
     );
     let tag = with(item(601, 0.0, 0.0, 0.0), [7.0, 1.0, 0.0, 0.0]);
     assert_eq!(with_jump(tag), [(Some(3), FindingKind::NoTag(7))]);
+}
+
+#[test]
+fn a_plan_that_repeats_its_items_for_ever_never_ends() {
+    let jump = |target: f32, times| with(item(177, 0.0, 0.0, 0.0), [target, times, 0.0, 0.0]);
+    let mut plan = good();
+    plan.plan.truncate(3);
+    plan.plan.push(jump(1.0, -1.0));
+    let endless = FindingKind::NeverEnds { first: 1, last: 3 };
+    assert_eq!(found_usual(&plan), [(None, endless)]);
+    let rest = good().plan;
+    plan.plan.extend(&rest[2..]);
+    let mut expected = vec![(None, endless)];
+    let unreached = 4..plan.plan.len();
+    expected.extend(unreached.map(|index| (Some(index), FindingKind::Unreached)));
+    assert_eq!(found_usual(&plan), expected);
+    // A jump that skips items without end, and one that is repeated twice, let the plan end.
+    let mut ends = good();
+    ends.plan.insert(1, jump(3.0, -1.0));
+    ends.plan.insert(3, jump(1.0, 2.0));
+    let kinds = found_usual(&ends);
+    assert!(
+        kinds
+            .iter()
+            .all(|(_, kind)| !matches!(kind, FindingKind::NeverEnds { .. })),
+        "{kinds:?}"
+    );
 }
 
 #[test]
