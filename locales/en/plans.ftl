@@ -86,6 +86,7 @@ plan-leg-breaks-fence = the leg to this item crosses the fence (area { $area })
 plan-home-breaks-fence = home is outside the fence (area { $area })
 plan-beyond-radius = { $distance } m from home; the limit is { $most } m
 plan-above-ceiling = { $height } m above home; the limit is { $most } m
+plan-rally-ignored = { $what }: the vehicle ignores this rally point
 plan-no-takeoff = no takeoff before the first place: the vehicle stays on the ground
 plan-no-end = the plan has no end: the vehicle hovers after the last item; add RTL or LAND
 plan-unreached = this item is never reached

@@ -88,6 +88,7 @@ plan-leg-breaks-fence = відрізок до цього пункту перет
 plan-home-breaks-fence = дім поза геозоною (ділянка { $area })
 plan-beyond-radius = { $distance } m від дому; межа { $most } m
 plan-above-ceiling = { $height } m над домом; межа { $most } m
+plan-rally-ignored = { $what }: апарат не зважає на цю точку збору
 plan-no-takeoff = немає зльоту перед першою точкою: апарат лишається на землі
 plan-no-end = план не має завершення: після останнього пункту апарат зависає; додайте RTL або LAND
 plan-unreached = до цього пункту апарат не дійде

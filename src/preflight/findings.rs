@@ -2,7 +2,7 @@
 
 use super::{command_name, list_words};
 use crate::plan::board::{Refusal, UnstorableValue};
-use crate::plan::check::{Finding, FindingKind, Height, VehicleKind};
+use crate::plan::check::{Finding, FindingKind, Height, RallyFault, VehicleKind};
 use crate::plan::field::{FieldUnit, field_numbered};
 use crate::plan::{FenceError, HeightFrame};
 use crate::text;
@@ -100,10 +100,29 @@ fn kind_words(kind: &FindingKind) -> Text {
             home = figure(*home_m, 0),
             ground = figure(*ground_m, 0)
         ),
+        FindingKind::RallyIgnored(fault) => {
+            text!("plan-rally-ignored", what = rally_words(*fault))
+        }
         FindingKind::FarAway { distance_m } => {
             let distance = figure(f64::from(*distance_m) / 1000.0, 0);
             text!("plan-far-away", distance = distance)
         }
+    }
+}
+
+fn rally_words(fault: RallyFault) -> Text {
+    match fault {
+        RallyFault::Area { area } => text!("plan-breaks-fence", area = area + 1),
+        RallyFault::Radius { distance_m, most_m } => text!(
+            "plan-beyond-radius",
+            distance = figure(distance_m, 0),
+            most = figure(most_m, 0)
+        ),
+        RallyFault::Ceiling { height_m, most_m } => text!(
+            "plan-above-ceiling",
+            height = figure(height_m, 0),
+            most = figure(most_m, 0)
+        ),
     }
 }
 

@@ -236,10 +236,36 @@ pub enum FindingKind {
         /// The height of the ground, in metres above mean sea level.
         ground_m: f32,
     },
+    /// The rally point is outside the fence, so the vehicle ignores it.
+    RallyIgnored(RallyFault),
     /// The place is far from home, which often means a wrong sign or two swapped numbers.
     FarAway {
         /// The distance from home, in metres.
         distance_m: f32,
+    },
+}
+
+/// Why a vehicle ignores a rally point. Source: `AP_Rally_Copter::is_valid` of ArduPilot 4.6.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RallyFault {
+    /// It lies outside an inclusion area or inside an exclusion area.
+    Area {
+        /// The area, counted from 0.
+        area: usize,
+    },
+    /// It is farther from home than `FENCE_RADIUS`.
+    Radius {
+        /// The distance from home, in metres.
+        distance_m: f32,
+        /// The limit, in metres.
+        most_m: f32,
+    },
+    /// It is higher than `FENCE_ALT_MAX`.
+    Ceiling {
+        /// The height above home, in metres.
+        height_m: f32,
+        /// The limit, in metres.
+        most_m: f32,
     },
 }
 
@@ -277,6 +303,7 @@ impl FindingKind {
             | Self::NoGround
             | Self::Uncovered(_)
             | Self::HomeHeight { .. }
+            | Self::RallyIgnored(_)
             | Self::FarAway { .. } => Severity::Warning,
         }
     }

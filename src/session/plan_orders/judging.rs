@@ -67,7 +67,7 @@ fn as_flown(document: &Document, kind: ListKind, vehicle: &Vehicle) -> Document 
     let stored = &vehicle.plans.fence;
     let on_board = stored.content.as_ref();
     let on_board = on_board.filter(|_| is_on && stored.transfer == Transfer::Done);
-    if let Some(fence) = on_board.filter(|_| kind == ListKind::Plan && flown.fence.is_empty()) {
+    if let Some(fence) = on_board.filter(|_| kind != ListKind::Fence && flown.fence.is_empty()) {
         flown.fence.clone_from(&fence.items);
     }
     flown

@@ -2,7 +2,7 @@
 
 use sortie_geo::LatLon;
 
-use super::{CheckOptions, Finding, FindingKind, Height, VehicleKind, plan_finding};
+use super::{CheckOptions, Finding, FindingKind, Height, RallyFault, VehicleKind, plan_finding};
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
@@ -18,7 +18,11 @@ pub(super) fn check(
     check_heights(document, vehicle, options, findings);
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let fence = Fence::check(&document.fence).unwrap_or_default();
-    let first = document.plan.iter().find_map(place_of);
+    let first = document
+        .plan
+        .iter()
+        .chain(&document.rally)
+        .find_map(place_of);
     let Some(origin) = home.or(first) else {
         return;
     };
@@ -33,6 +37,17 @@ pub(super) fn check(
             item: None,
             kind: FindingKind::HomeBreaksFence { area },
         });
+    }
+    for (index, item) in document.rally.iter().enumerate() {
+        let fault = rally_fault(item, document.home, options);
+        let point = item.point();
+        let outside = broken(metres(&point)).map(|area| RallyFault::Area { area });
+        let fault = outside.or(fault).filter(|_| point.is_valid());
+        findings.extend(fault.map(|fault| Finding {
+            list: ListKind::Rally,
+            item: Some(index),
+            kind: FindingKind::RallyIgnored(fault),
+        }));
     }
     let mut before = home.map(|_| [0.0; 2]);
     for (index, item) in document.plan.iter().enumerate() {
@@ -61,6 +76,22 @@ pub(super) fn check(
         }
         before = Some(here);
     }
+}
+
+/// The limit of the fence beyond which a rally point lies.
+fn rally_fault(item: &Item, home: Option<Home>, options: &CheckOptions) -> Option<RallyFault> {
+    let home = home?;
+    let distance_m = LatLon::from_e7(home.x, home.y).distance_m(item.point()) as f32;
+    if let Some(most_m) = options.radius_m.filter(|most_m| distance_m > *most_m) {
+        return Some(RallyFault::Radius { distance_m, most_m });
+    }
+    let height = Height {
+        metres: item.z,
+        frame: item.height_frame(),
+    };
+    let height_m = above_home(height, Some(home))?;
+    let most_m = options.ceiling_m.filter(|most_m| height_m > *most_m)?;
+    Some(RallyFault::Ceiling { height_m, most_m })
 }
 
 /// The place of an item, if it has a valid one.

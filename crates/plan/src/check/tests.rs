@@ -218,6 +218,42 @@ fn fences_hold_for_home_for_places_and_for_the_legs_between_them() {
     assert_eq!(found_usual(&broken), [(Some(2), count)]);
 }
 
+/// ArduCopter ignores rally points outside its fence: it returns home instead.
+#[test]
+fn rally_points_outside_the_fence_are_ignored() {
+    let rally = |north_m, height_m| item(command::RALLY_POINT, north_m, 0.0, height_m);
+    let mut plan = Document {
+        fence: square(command::FENCE_POLYGON_INCLUSION, [50.0, 50.0], 80.0),
+        rally: vec![rally(20.0, 20.0), rally(200.0, 20.0)],
+        ..good()
+    };
+    let ignored = FindingKind::RallyIgnored;
+    let outside = RallyFault::Area { area: 0 };
+    assert_eq!(found_usual(&plan), [(Some(1), ignored(outside))]);
+    assert_eq!(ignored(outside).severity(), Severity::Warning);
+    plan.fence.clear();
+    let options = CheckOptions {
+        ceiling_m: Some(50.0),
+        radius_m: Some(150.0),
+        ..CheckOptions::default()
+    };
+    plan.rally[0].z = 60.0;
+    let above = RallyFault::Ceiling {
+        height_m: 60.0,
+        most_m: 50.0,
+    };
+    let findings = found(&plan, &options);
+    assert_eq!(findings[0], (Some(0), ignored(above)));
+    assert!(matches!(
+        findings[1],
+        (
+            Some(1),
+            FindingKind::RallyIgnored(RallyFault::Radius { .. })
+        )
+    ));
+    assert_eq!(findings.len(), 2);
+}
+
 #[test]
 fn limits_hold_above_home_whatever_the_frame() {
     let mut plan = good();
