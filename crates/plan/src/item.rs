@@ -1,6 +1,6 @@
 use sortie_geo::LatLon;
 
-use crate::frame;
+use crate::{command, frame};
 
 /// The kind of a list: each is uploaded, downloaded and cleared separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -85,6 +85,11 @@ impl Item {
     /// The level that the item's altitude is measured from.
     pub const fn height_frame(&self) -> HeightFrame {
         HeightFrame::of(self.frame)
+    }
+
+    /// Whether the vehicle flies to it at a height above the ground.
+    pub fn is_above_terrain(&self) -> bool {
+        command::is_flown_to(self.command) && self.height_frame() == HeightFrame::Terrain
     }
 
     /// The item's x and y as a point, whether or not the command has a place.

@@ -13,7 +13,7 @@ use crate::cli::backend::frame;
 use crate::cli::home::StartPlace;
 use crate::cli::table::{Side, TextTable};
 use crate::plan::check::Severity;
-use crate::plan::{Document as PlanDocument, Loaded};
+use crate::plan::{Document as PlanDocument, Item, Loaded};
 use crate::preflight::{finding_words, list_words};
 use crate::rehearsal::{
     self, Approach, Conditions, FlightEnding, Flown, Outcome, Participant, RehearsalError,
@@ -192,6 +192,9 @@ fn print_low_legs(cast: &Cast, ground: &GroundArguments, locale: &Locale) -> Res
     for (participant, name) in cast.participants.iter().zip(&cast.names) {
         let document = &participant.document;
         let ground = ground.below(document, locale)?;
+        if ground.is_none() && document.plan.iter().any(Item::is_above_terrain) {
+            tell!("{name}: {}", locale.text(&text!("plan-rehearse-level")));
+        }
         let findings = ground.map(|ground| ground.findings(document));
         for finding in findings.into_iter().flatten() {
             is_low |= finding.severity() == Severity::Error;

@@ -363,6 +363,38 @@ fn searches_lines_and_orbits_are_planned_from_places() {
     }
 }
 
+/// A plan into the ground and a plan without an end fail; heights above terrain need the ground.
+#[test]
+fn rehearsals_fail_for_plans_that_do_not_land() {
+    let low = good().replace("50.4511\t30.5248\t20", "50.4511\t30.5248\t-110");
+    let lines = good();
+    let lines = lines.trim_end().lines().collect::<Vec<_>>();
+    let open = lines[..lines.len() - 1].join("\n");
+    let follows = good().replace("\t3\t16\t", "\t10\t16\t");
+    assert!(low != good() && follows != good());
+    let files = [
+        ("low.waypoints", low.as_str()),
+        ("open.waypoints", &open),
+        ("follows.waypoints", &follows),
+    ];
+    let folder = folder_with(&files);
+    let rehearse = |file| {
+        let output = sortie_in(folder.path(), &["plan", "rehearse", file, "--json"]);
+        let said = format!("{}{}", text(&output.stdout), text(&output.stderr));
+        (output.status.code(), said)
+    };
+    for (file, ending) in [("low.waypoints", "crashed"), ("open.waypoints", "in_air")] {
+        let (code, said) = rehearse(file);
+        assert_eq!(code, Some(1), "{said}");
+        assert!(said.contains(&format!("\"ending\": \"{ending}\"")), "{said}");
+    }
+    let (code, said) = rehearse("follows.waypoints");
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("level ground") && said.contains("--terrain"), "{said}");
+    let checked = sortie_in(folder.path(), &["plan", "check", "low.waypoints"]);
+    assert_eq!(checked.status.code(), Some(1), "{}", text(&checked.stdout));
+}
+
 #[test]
 fn plans_are_compared_with_the_ground() {
     // Ground at 170 m, but for a hill of 100 m in the north.
