@@ -16,6 +16,8 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Flight;
 use crate::notice::Notice;
 use crate::plan::ListKind;
+use crate::plan::generate::Idle;
+use crate::preflight::idle_words;
 use crate::session::{Steering, VehicleCommand};
 use crate::swarm::{Conductor, DividedWork, Path, Rules, carrying};
 use crate::text;
@@ -184,11 +186,15 @@ impl Operator {
         task: &PlanTask,
         scene: &OperatorScene<'_>,
     ) -> Vec<Dispatch> {
-        let plans = match self.conductor.plans(task, &order.targets, scene.vehicles, &[]) {
+        let plans = match self
+            .conductor
+            .plans(task, &order.targets, scene.vehicles, &[])
+        {
             Ok(plans) => plans,
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };
-        let uploads = plans.into_iter().map(|(vehicle, document)| {
+        let idle = plans.idle;
+        let uploads = plans.plans.into_iter().map(|(vehicle, document)| {
             let source = PlanSource::document(Arc::new(document));
             (vehicle, plan_command(PlanDeed::Upload { source }))
         });
@@ -213,9 +219,7 @@ impl Operator {
             work.push(Dispatch::Command(vehicle, command));
             if is_idle {
                 self.divided.forget(vehicle);
-                let text = text!("outcome-plan-idle");
-                let notice = Notice::about(vehicle, scene.now, Severity::Notice, text);
-                work.push(Dispatch::Notice(notice));
+                work.push(without_part(vehicle, &idle, scene.now));
             }
         }
         let notice = left.map(|text| Notice::general(scene.now, Severity::Warning, text));
@@ -315,6 +319,14 @@ fn remark(command: &mut Command, text: &Text) {
 fn prepared(prepared: Prepared) -> impl Iterator<Item = Dispatch> {
     let rows = prepared.rows.into_iter().map(Dispatch::Row);
     rows.chain(prepared.rehearsal.map(Dispatch::Rehearse))
+}
+
+/// The notice that a vehicle has no part, and why.
+fn without_part(vehicle: VehicleId, idle: &[(VehicleId, Idle)], now: Duration) -> Dispatch {
+    let own = idle.iter().find(|(id, _)| *id == vehicle);
+    let why = own.map_or(Idle::Spare, |(_, why)| *why);
+    let text = text!("outcome-plan-idle", reason = idle_words(why));
+    Dispatch::Notice(Notice::about(vehicle, now, Severity::Notice, text))
 }
 
 /// Passes an order to the mission; without a mission it is refused.

@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::plan::board;
 use crate::plan::check::{Finding, Severity};
-use crate::plan::generate::GenerateError;
+use crate::plan::generate::{GenerateError, Idle};
 use crate::plan::{ContentHash, Document, Fault, ListKind, Loaded, Note};
 use crate::text;
 use crate::text::Text;
@@ -97,6 +97,14 @@ pub fn ungenerated(error: GenerateError, vehicle: usize) -> Text {
         GenerateError::Fence => text!("plan-generate-fence"),
         GenerateError::OutsideFence => text!("plan-generate-outside"),
         GenerateError::NoWay(_) => text!("plan-generate-no-way", vehicle = vehicle),
+    }
+}
+
+/// Why a vehicle has no part of a task.
+pub fn idle_words(why: Idle) -> Text {
+    match why {
+        Idle::Far => text!("plan-idle-far"),
+        Idle::Spare => text!("plan-idle-spare"),
     }
 }
 

@@ -125,7 +125,7 @@ outcome-logs-armed = з активними двигунами апарат не 
 outcome-log-length = у { $file } байтів: { $bytes }, а апарат називає { $expected }: завантажте ще раз
 
 outcome-plan-left = { $vehicles }: тепер без частини, але з планом попередньої роботи: `{ $vehicles } plan clear`
-outcome-plan-idle = для цього апарата немає частини; його план на борту стирається
+outcome-plan-idle = для цього апарата немає частини: { $reason }; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
 rehearse-waits = очікування планів { $vehicles }: їх передають або зчитують
 rehearse-unread = план на борту ще не зчитано: його читає `plan show`

@@ -50,12 +50,10 @@ pub fn rings(outline: &Outline) -> Vec<Vec<LatLon>> {
 fn seam(line: &[LatLon]) -> Option<(usize, usize)> {
     /// The places of the smallest hole and its two seams.
     const LEAST: usize = 5;
-    let is_seam = |(at, end): &(usize, usize)| {
-        line[*at] == line[*end] && line[at + 1] == line[end - 1]
-    };
-    let ends = (LEAST..line.len()).flat_map(|length| {
-        (0..line.len() - length).map(move |at| (at, at + length))
-    });
+    let is_seam =
+        |(at, end): &(usize, usize)| line[*at] == line[*end] && line[at + 1] == line[end - 1];
+    let ends = (LEAST..line.len())
+        .flat_map(|length| (0..line.len() - length).map(move |at| (at, at + length)));
     ends.into_iter().find(is_seam)
 }
 

@@ -8,13 +8,15 @@ use crate::commands::{Datum, Ground, Pattern, PlanTask};
 use crate::draft::rings;
 use crate::geo::{LatLon, Outline};
 use crate::plan::generate::{
-    GenerateError, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate, source,
+    GenerateError, Idle, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate,
+    source,
 };
 use crate::plan::{Document, Home, Item};
-use crate::preflight::ungenerated;
+use crate::preflight::{idle_words, ungenerated};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
+use crate::vehicle_id::ranges;
 
 impl Conductor {
     /// The plan of each target that has something to do. They begin and end where the vehicles stand, or at home for those
@@ -29,7 +31,7 @@ impl Conductor {
         targets: &[VehicleId],
         vehicles: &Vehicles,
         keep_out: &[Item],
-    ) -> Result<Vec<(VehicleId, Document)>, Text> {
+    ) -> Result<DividedPlans, Text> {
         let team = TaskTeam::new(self.rules, targets, vehicles)?;
         let (task, height_m) = team.task(task)?;
         let manner = Manner {
@@ -52,7 +54,42 @@ impl Conductor {
         })?;
         let parts = plans.parts.into_iter();
         let named = parts.filter_map(|part| Some((*targets.get(part.vehicle)?, part.document)));
-        Ok(named.collect())
+        let idle = plans.idle.into_iter();
+        let idle = idle.filter_map(|(vehicle, why)| Some((*targets.get(vehicle)?, why)));
+        Ok(DividedPlans {
+            plans: named.collect(),
+            idle: idle.collect(),
+        })
+    }
+}
+
+/// A task as plans for its vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DividedPlans {
+    pub plans: Vec<(VehicleId, Document)>,
+    /// The vehicles without a part.
+    pub idle: Vec<(VehicleId, Idle)>,
+}
+
+impl DividedPlans {
+    /// The vehicles without a part, and why they have none; empty if all have one.
+    pub fn idle_words(&self) -> Vec<Text> {
+        let of = |why: Idle| {
+            let ids = self.idle.iter().filter(|(_, own)| *own == why);
+            let ids: Vec<VehicleId> = ids.map(|(id, _)| *id).collect();
+            let text = || {
+                text!(
+                    "plan-idle",
+                    vehicles = ranges(ids.clone()),
+                    reason = idle_words(why)
+                )
+            };
+            (!ids.is_empty()).then(text)
+        };
+        [Idle::Far, Idle::Spare]
+            .into_iter()
+            .filter_map(of)
+            .collect()
     }
 }
 

@@ -159,11 +159,22 @@ pub struct Part {
     pub layer_m: f64,
 }
 
+/// Why a vehicle has no part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Idle {
+    /// It is so far away that its flight there and back takes more energy than any of the others uses.
+    Far,
+    /// With its help, the vehicle that uses the most energy would not use noticeably less.
+    Spare,
+}
+
 /// The plans of all vehicles that have something to do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Generated {
-    /// In the order of the vehicles; a vehicle whose home is too far away to help has none.
+    /// In the order of the vehicles.
     pub parts: Vec<Part>,
+    /// The vehicles without a part, counted from 0.
+    pub idle: Vec<(usize, Idle)>,
     /// The share of the area that is not covered because of the fence, from 0 to 1.
     pub uncovered: f64,
 }
@@ -297,9 +308,10 @@ fn shared(
     lines: &sweep::Lines,
     spacing_m: f64,
 ) -> Result<Generated, GenerateError> {
-    let works = share::works(scene, manner, &lines.ways, spacing_m)?;
+    let shares = share::works(scene, manner, &lines.ways, spacing_m)?;
     Ok(Generated {
-        parts: compose(scene, team, manner, &works)?,
+        parts: compose(scene, team, manner, &shares.works)?,
+        idle: shares.idle,
         uncovered: lines.uncovered,
     })
 }
@@ -316,6 +328,7 @@ fn checked(
     }
     Ok(Generated {
         parts: compose(scene, team, manner, works)?,
+        idle: Vec::new(),
         uncovered: 0.0,
     })
 }

@@ -223,5 +223,5 @@ fn run(
         };
         invalid(&ungenerated(error, vehicle), locale)
     })?;
-    report::report(&plans, &homes, team, locale)
+    report::report(&plans, team, locale)
 }

@@ -386,11 +386,17 @@ fn rehearsals_fail_for_plans_that_do_not_land() {
     for (file, ending) in [("low.waypoints", "crashed"), ("open.waypoints", "in_air")] {
         let (code, said) = rehearse(file);
         assert_eq!(code, Some(1), "{said}");
-        assert!(said.contains(&format!("\"ending\": \"{ending}\"")), "{said}");
+        assert!(
+            said.contains(&format!("\"ending\": \"{ending}\"")),
+            "{said}"
+        );
     }
     let (code, said) = rehearse("follows.waypoints");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("level ground") && said.contains("--terrain"), "{said}");
+    assert!(
+        said.contains("level ground") && said.contains("--terrain"),
+        "{said}"
+    );
     let checked = sortie_in(folder.path(), &["plan", "check", "low.waypoints"]);
     assert_eq!(checked.status.code(), Some(1), "{}", text(&checked.stdout));
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::compose::effort;
 use super::layers::{ASIDE_M, are_apart, set};
 use super::tour::Way;
-use super::{GenerateError, Manner, Scene, Work};
+use super::{GenerateError, Idle, Manner, Scene, Work};
 
 /// The bisection steps for the limit of the energy, and for the cut of a vehicle.
 const LIMIT_STEPS: u32 = 24;
@@ -15,43 +15,122 @@ const ROUNDS: usize = 8;
 /// Work shorter than this counts as none, in metres.
 const LEAST_WORK_M: f64 = 1.0;
 
-/// One of the ways, divided among the vehicles.
+/// A vehicle that spends little of its energy on its work is not used if its absence raises the largest energy by no
+/// more than this factor.
+const WORTH: f64 = 1.1;
+/// The least share of its energy that a vehicle should spend on its work.
+const LEAST_SHARE: f64 = 0.25;
+/// The number of places along the way at which a vehicle without a share is tried.
+const PLACES: u32 = 8;
+
+/// The shares, and the vehicles without one.
+pub(super) struct Shares {
+    pub(super) works: Vec<Work>,
+    pub(super) idle: Vec<(usize, Idle)>,
+}
+
+/// One of the ways, divided among the vehicles that are worth their transit.
 pub(super) fn works(
     scene: &Scene,
     manner: &Manner,
     ways: &[Way],
     spacing_m: f64,
-) -> Result<Vec<Work>, GenerateError> {
-    let first_m = manner.height_m + manner.layer_m;
-    let mut layers = vec![first_m; scene.homes.len()];
-    let mut best: Option<(f64, Vec<Work>)> = None;
-    let mut left: Vec<&Way> = ways.iter().collect();
-    for round in 0..ROUNDS {
-        let shared = left.iter().filter_map(|way| {
-            let crew = Crew::of(scene, manner, way, &layers);
-            let (most, cuts) = crew.cut()?;
-            Some((most, *way, crew.works(&cuts, spacing_m)))
-        });
-        let least = shared.min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((_, way, mut works)) = least else {
-            break;
-        };
-        left = vec![way];
-        let is_settled = are_apart(scene, &works, manner.layer_m);
-        if !is_settled {
-            set(scene, &mut works, manner.layer_m);
-        }
-        let costs = works.iter().filter_map(|work| effort(scene, work));
-        let most = costs.map(|effort| effort.hover_s).fold(0.0, f64::max);
-        next_layers(&works, manner.layer_m, round > 0, &mut layers);
-        if best.as_ref().is_none_or(|(least, _)| most < *least) {
-            best = Some((most, works));
-        }
-        if is_settled {
-            break;
+) -> Result<Shares, GenerateError> {
+    let mut team: Vec<usize> = (0..scene.homes.len()).collect();
+    let task = Sharing {
+        scene,
+        manner,
+        ways,
+        spacing_m,
+    };
+    let (mut most, mut works) = task.among(&team).ok_or(GenerateError::NoWay(0))?;
+    while let Some(spare) = spare(scene, &works) {
+        team = works.iter().map(|work| work.vehicle).collect();
+        team.retain(|vehicle| *vehicle != spare);
+        match task.among(&team) {
+            Some(fewer) if fewer.0 <= most * WORTH => (most, works) = fewer,
+            Some(_) | None => break,
         }
     }
-    best.map(|(_, works)| works).ok_or(GenerateError::NoWay(0))
+    let idle = (0..scene.homes.len()).filter(|it| works.iter().all(|work| work.vehicle != *it));
+    let idle = idle.map(|vehicle| (vehicle, task.reason(vehicle, most)));
+    let idle = idle.collect();
+    Ok(Shares { works, idle })
+}
+
+/// The vehicle with the least work, if that is little compared with its way there and back.
+fn spare(scene: &Scene, works: &[Work]) -> Option<usize> {
+    if works.len() < 2 {
+        return None;
+    }
+    let work_of = |work: &Work| scene.pace.path(&work.points).hover_s;
+    let least = works
+        .iter()
+        .min_by(|a, b| work_of(a).total_cmp(&work_of(b)))?;
+    let whole = effort(scene, least)?.hover_s;
+    (work_of(least) < LEAST_SHARE * whole).then_some(least.vehicle)
+}
+
+/// Work to be divided.
+struct Sharing<'a> {
+    scene: &'a Scene,
+    manner: &'a Manner,
+    ways: &'a [Way],
+    spacing_m: f64,
+}
+
+impl Sharing<'_> {
+    /// The largest energy of a vehicle, and the shares of these vehicles; `None` if no path leads to the work.
+    fn among(&self, team: &[usize]) -> Option<(f64, Vec<Work>)> {
+        let (scene, manner) = (self.scene, self.manner);
+        let first_m = manner.height_m + manner.layer_m;
+        let mut layers = vec![first_m; scene.homes.len()];
+        let mut best: Option<(f64, Vec<Work>)> = None;
+        let mut left: Vec<&Way> = self.ways.iter().collect();
+        for round in 0..ROUNDS {
+            let shared = left.iter().filter_map(|way| {
+                let crew = Crew::of(self, way, &layers, team);
+                let (most, cuts) = crew.cut()?;
+                Some((most, *way, crew.works(&cuts, self.spacing_m)))
+            });
+            let least = shared.min_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((_, way, mut works)) = least else {
+                break;
+            };
+            left = vec![way];
+            let is_settled = are_apart(scene, &works, manner.layer_m);
+            if !is_settled {
+                set(scene, &mut works, manner.layer_m);
+            }
+            let costs = works.iter().filter_map(|work| effort(scene, work));
+            let most = costs.map(|effort| effort.hover_s).fold(0.0, f64::max);
+            next_layers(&works, manner.layer_m, round > 0, &mut layers);
+            if best.as_ref().is_none_or(|(least, _)| most < *least) {
+                best = Some((most, works));
+            }
+            if is_settled {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Why a vehicle has no share, where no vehicle uses more energy than `most`.
+    fn reason(&self, vehicle: usize, most: f64) -> Idle {
+        let lowest_m = self.manner.height_m + self.manner.layer_m;
+        let layers = vec![lowest_m; self.scene.homes.len()];
+        let reaches = |way: &Way| {
+            let crew = Crew::of(self, way, &layers, &[vehicle]);
+            let end_m = way.length_m() - LEAST_WORK_M;
+            let mut places = (0..=PLACES).map(|it| end_m * f64::from(it) / f64::from(PLACES));
+            places.any(|at_m| crew.cost(vehicle, at_m, at_m + LEAST_WORK_M) < most)
+        };
+        if self.ways.iter().any(reaches) {
+            Idle::Spare
+        } else {
+            Idle::Far
+        }
+    }
 }
 
 /// The heights with which shares are cut again: those of the last cut, or with `apart` a separate one for each vehicle.
@@ -79,9 +158,10 @@ struct Crew<'a> {
 }
 
 impl<'a> Crew<'a> {
-    fn of(scene: &'a Scene, manner: &'a Manner, way: &'a Way, layers: &'a [f64]) -> Self {
+    fn of(task: &'a Sharing<'a>, way: &'a Way, layers: &'a [f64], team: &[usize]) -> Self {
+        let (scene, manner) = (task.scene, task.manner);
         let direction = way.direction();
-        let mut order: Vec<usize> = (0..scene.homes.len()).collect();
+        let mut order: Vec<usize> = team.to_vec();
         let key = |vehicle: &usize| scene.homes[*vehicle].dot(direction);
         order.sort_by(|a, b| key(a).total_cmp(&key(b)));
         Self {

@@ -383,3 +383,39 @@ fn a_square_leads_around_forbidden_areas() {
         }
     }
 }
+
+/// A vehicle far away, and vehicles that a small area does not need, have no part, each with its reason.
+#[test]
+fn vehicles_that_do_not_help_have_a_reason() {
+    let field = square(DVec2::new(100.0, 0.0), 100.0);
+    let mut homes = team(2, DVec2::ZERO);
+    homes.push(home(DVec2::new(-3000.0, 0.0)));
+    let generated = generate(&survey(&[field], 20.0), &homes, &manner()).expect("plans");
+    assert_eq!(generated.idle, [(2, Idle::Far)]);
+    assert_eq!(generated.parts.len(), 2);
+    // An area of 240 m by 180 m: the fifth and the sixth would climb over all others for a few metres.
+    let field = [
+        DVec2::new(60.0, -120.0),
+        DVec2::new(60.0, 120.0),
+        DVec2::new(240.0, 120.0),
+        DVec2::new(240.0, -120.0),
+    ];
+    for spacing_m in [10.0, 20.0] {
+        let homes: Vec<Home> = (0..6)
+            .map(|it| home(DVec2::Y * 5.0 * f64::from(it)))
+            .collect();
+        let generated = generate(&survey(&[field.to_vec()], spacing_m), &homes, &manner());
+        let generated = generated.expect("plans");
+        assert_eq!(generated.parts.len() + generated.idle.len(), 6);
+        assert!(generated.idle.iter().all(|(_, why)| *why == Idle::Spare));
+        for part in &generated.parts {
+            let legs = legs_at(part, HEIGHT_M);
+            let work_m: f64 = legs.iter().map(|[from, to]| from.distance(*to)).sum();
+            assert!(
+                work_m > 0.25 * part.length_m,
+                "{work_m} of {}",
+                part.length_m
+            );
+        }
+    }
+}

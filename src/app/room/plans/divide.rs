@@ -56,17 +56,19 @@ pub(super) fn divide(
     let conductor = Conductor::new(rules);
     let drawn = state.rooms.plans.drafts.current();
     let keep_out = drawn.map_or_else(Vec::new, |it| keep_out(&it.document().fence));
-    let plans = conductor.plans(&task, vehicles, &state.session.vehicles, &keep_out)?;
+    let divided = conductor.plans(&task, vehicles, &state.session.vehicles, &keep_out)?;
     let idle: Vec<VehicleId> = vehicles
         .iter()
         .copied()
-        .filter(|id| plans.iter().all(|(busy, _)| busy != id))
+        .filter(|id| divided.plans.iter().all(|(busy, _)| busy != id))
         .collect();
     let left = state.rooms.plans.divided.divide(vehicles);
     let idle: Vec<VehicleId> = idle.into_iter().chain(left).collect();
     // Their earlier plans would lead these vehicles through the parts of others.
     state.rooms.plans.drafts.drop_of(&idle);
-    let drafts = plans
+    let reasons = divided.idle_words();
+    let drafts = divided
+        .plans
         .into_iter()
         .map(|(id, document)| Draft::new(files::name_of(id), Arc::new(document), Some(id)));
     let drafts: Vec<Draft> = drafts.collect();
@@ -74,7 +76,9 @@ pub(super) fn divide(
     files::fill(state, drafts);
     let old = carrying(&idle, &state.session.vehicles);
     if old.is_empty() {
-        state.say(Severity::Info, text!("draft-divided", vehicles = busy));
+        let done = text!("draft-divided", vehicles = busy);
+        let parts = std::iter::once(done).chain(reasons).collect();
+        state.say(Severity::Info, Text::joined("; ", parts));
     } else {
         let idle = ranges(old);
         let text = text!("draft-divided-idle", vehicles = busy, idle = idle.as_str());

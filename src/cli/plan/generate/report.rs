@@ -8,10 +8,10 @@ use super::super::rehearse::{Cast, ending_words, print_approaches, unfit};
 use super::super::{Failure, convert, invalid};
 use super::team::TeamArguments;
 use crate::cli::table::{Side, TextTable};
+use crate::plan::Document;
 use crate::plan::check::{CheckOptions, Severity, check};
 use crate::plan::generate::Generated;
-use crate::plan::{Document, Home};
-use crate::preflight::{self, finding_words};
+use crate::preflight::{self, finding_words, idle_words};
 use crate::rehearsal::{Outcome, rehearse};
 use crate::store;
 use crate::text;
@@ -24,7 +24,6 @@ const NUMBER: &str = "{id}";
 
 pub(super) fn report(
     plans: &Generated,
-    homes: &[Home],
     team: &TeamArguments,
     locale: &Locale,
 ) -> Result<ExitCode, Failure> {
@@ -37,11 +36,13 @@ pub(super) fn report(
     let outcome = rehearse(&cast.participants, &cast.conditions)
         .map_err(|error| unfit(&error, &cast.names, locale))?;
     print(plans, &outcome, &cast, locale)?;
-    for vehicle in 0..homes.len() {
-        if plans.parts.iter().all(|part| part.vehicle != vehicle) {
-            let idle = text!("plan-generate-idle", vehicle = vehicle + 1);
-            say!("{}", locale.text(&idle))?;
-        }
+    for (vehicle, why) in &plans.idle {
+        let idle = text!(
+            "plan-generate-idle",
+            vehicle = vehicle + 1,
+            reason = idle_words(*why)
+        );
+        say!("{}", locale.text(&idle))?;
     }
     if plans.uncovered >= 0.0005 {
         let share = figure(plans.uncovered * 100.0, 1);
