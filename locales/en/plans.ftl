@@ -140,6 +140,7 @@ plan-rehearse-grounded = did not take off
 plan-rehearse-crashed = collided
 plan-rehearse-hit-ground = flew into the ground on the way to item { $number }
 plan-rehearse-level = heights above terrain are flown over level ground; `--terrain DIR` compares them with the ground
+plan-rehearse-tlog = { $path }: not written: { $reason }
 plan-rehearse-time-up = still flying
 plan-rehearse-moved = vehicle { $vehicle } starts { $distance } m east of its home: another vehicle has the same home
 plan-rehearse-closest = closest: { $a } and { $b } at { $time }: { $horizontal } m horizontally, { $vertical } m vertically

@@ -139,6 +139,7 @@ plan-rehearse-grounded = не злетів
 plan-rehearse-crashed = зіткнувся
 plan-rehearse-hit-ground = врізався в землю на шляху до пункту { $number }
 plan-rehearse-level = висоти над рельєфом відпрацьовано над рівною землею; `--terrain DIR` порівнює їх із рельєфом
+plan-rehearse-tlog = { $path }: не записано: { $reason }
 plan-rehearse-time-up = ще летить
 plan-rehearse-moved = апарат { $vehicle } стартує на { $distance } m східніше від свого дому: той самий дім має інший апарат
 plan-rehearse-closest = найближче: { $a } і { $b } на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі

@@ -21,6 +21,12 @@ pub(crate) const DISARM_DELAY: &str = "DISARM_DELAY";
 const RETRY: u32 = 50;
 const ATTEMPTS: u32 = 30;
 
+/// The messages that are kept, and the time between two of them in microseconds: `SYS_STATUS`, `SYSTEM_TIME`,
+/// `GPS_RAW_INT`, `ATTITUDE`, `LOCAL_POSITION_NED`, `GLOBAL_POSITION_INT`, `MISSION_CURRENT`, `NAV_CONTROLLER_OUTPUT`,
+/// `VFR_HUD`, `BATTERY_STATUS`, `EKF_STATUS_REPORT`, `HOME_POSITION`, `EXTENDED_SYS_STATE`.
+const TELEMETRY: &[u16] = &[1, 2, 24, 30, 32, 33, 42, 62, 74, 147, 193, 242, 245];
+const TELEMETRY_EVERY_US: f32 = 250_000.0;
+
 /// The phase of a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
@@ -39,6 +45,8 @@ pub(crate) struct Flight {
     vehicle: usize,
     port: Option<PortId>,
     encoder: Encoder,
+    /// What the vehicle has sent; `None` if nobody listens.
+    heard: Option<Vec<u8>>,
     stage: Stage,
     /// The start time, in samples.
     starts_at: u32,
@@ -65,6 +73,7 @@ impl Flight {
             vehicle,
             port: Some(world.connect(vehicle)),
             encoder: Encoder::new(255, 190),
+            heard: None,
             stage: Stage::Waiting(0),
             starts_at: (participant.delay_s / sample_s()).round().max(0.0) as u32,
             started_at: None,
@@ -133,7 +142,28 @@ impl Flight {
         self.encoder.encode(&message.into(), &mut bytes);
         world.receive(port, &bytes);
         // The answers are not needed: their effect shows in the vehicle's true state.
-        world.take_output(port, &mut Vec::new());
+        let heard = self.heard.as_mut();
+        world.take_output(port, heard.unwrap_or(&mut Vec::new()));
+    }
+
+    /// Requests telemetry, and keeps everything that the vehicle sends from now on.
+    pub(crate) fn listen(&mut self, world: &mut World) {
+        for id in TELEMETRY {
+            let request = [f32::from(*id), TELEMETRY_EVERY_US];
+            self.command(world, MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, request);
+        }
+        self.heard = Some(Vec::new());
+    }
+
+    /// What the vehicle has sent since the last call.
+    pub(crate) fn take_heard(&mut self, world: &mut World) -> Vec<u8> {
+        let Some(heard) = &mut self.heard else {
+            return Vec::new();
+        };
+        if let Some(port) = self.port {
+            world.take_output(port, heard);
+        }
+        std::mem::take(heard)
     }
 
     /// Follows the vehicle for one sample. Returns whether it is in the air.
@@ -169,7 +199,7 @@ impl Flight {
             self.started_at = Some(sample);
             self.stage = Stage::Flying { lifted: false };
             // Unread telemetry would take most of the computing time.
-            if let Some(port) = self.port.take() {
+            if let Some(port) = self.port.take_if(|_| self.heard.is_none()) {
                 world.disconnect(port);
             }
         } else if attempts >= ATTEMPTS {

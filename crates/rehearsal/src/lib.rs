@@ -200,5 +200,31 @@ pub fn rehearse(
     Ok(stage::Stage::new(participants, &places, origin, conditions)?.run())
 }
 
+/// Telemetry of one vehicle in a rehearsal: everything that it sends to its ground station.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heard<'a> {
+    /// The time since the start of the rehearsal, in seconds.
+    pub at_s: f64,
+    /// The vehicle, counted from 0; as a system it has the next number.
+    pub vehicle: usize,
+    /// Whole MAVLink frames.
+    pub bytes: &'a [u8],
+}
+
+/// Flies all plans at once, and hands over the telemetry of the vehicles, in order of time.
+///
+/// # Errors
+/// See [`RehearsalError`].
+pub fn rehearse_heard(
+    participants: &[Participant],
+    conditions: &Conditions,
+    listener: &mut dyn FnMut(Heard<'_>),
+) -> Result<Outcome, RehearsalError> {
+    let places = place::places(participants, conditions)?;
+    let origin = place::origin(&places);
+    let stage = stage::Stage::new(participants, &places, origin, conditions)?;
+    Ok(stage.run_heard(Some(listener)))
+}
+
 #[cfg(test)]
 mod tests;

@@ -8,7 +8,7 @@ use crate::approach::Closest;
 use crate::flight::{DISARM_DELAY, Flight};
 use crate::late::late_s;
 use crate::place::{Place, STEPS, TRACK_EVERY, Track, sample_s};
-use crate::{Conditions, Outcome, Participant, RehearsalError};
+use crate::{Conditions, Heard, Outcome, Participant, RehearsalError};
 
 /// The time in which the vehicles boot and find their position, in seconds.
 const BOOT_S: f64 = 5.0;
@@ -80,7 +80,17 @@ impl Stage {
         })
     }
 
-    pub(crate) fn run(mut self) -> Outcome {
+    pub(crate) fn run(self) -> Outcome {
+        self.run_heard(None)
+    }
+
+    /// Flies the plans, and hands the telemetry to a listener if there is one.
+    pub(crate) fn run_heard(mut self, mut listener: Option<&mut dyn FnMut(Heard<'_>)>) -> Outcome {
+        if listener.is_some() {
+            for flight in &mut self.flights {
+                flight.listen(&mut self.world);
+            }
+        }
         let mut closest = Closest::new(&self.starts_m);
         let mut points = vec![None; self.flights.len()];
         let mut sample = 0;
@@ -90,6 +100,9 @@ impl Stage {
             }
             sample += 1;
             self.look(sample, &mut points);
+            if let Some(listener) = &mut listener {
+                self.hand_over(sample, listener);
+            }
             closest.take(sample, &points);
             if sample.is_multiple_of(TRACK_EVERY) {
                 for (flight, point) in self.flights.iter_mut().zip(&points) {
@@ -109,6 +122,21 @@ impl Stage {
             closest,
             simulated_s: f64::from(sample) * sample_s(),
             tracks,
+        }
+    }
+
+    /// Hands over what the vehicles have sent since the last sample.
+    fn hand_over(&mut self, sample: u32, listener: &mut dyn FnMut(Heard<'_>)) {
+        let at_s = f64::from(sample) * sample_s();
+        for (vehicle, flight) in self.flights.iter_mut().enumerate() {
+            let bytes = flight.take_heard(&mut self.world);
+            if !bytes.is_empty() {
+                listener(Heard {
+                    at_s,
+                    vehicle,
+                    bytes: &bytes,
+                });
+            }
         }
     }
 

@@ -441,3 +441,20 @@ fn a_plan_that_leads_into_the_ground_does_not_land() {
         assert!(flown.time_s < 60.0, "{flown:?}");
     }
 }
+
+/// The telemetry of a rehearsal comes from all vehicles, and listening changes nothing.
+#[test]
+fn a_rehearsal_can_be_heard() {
+    let both = crossing();
+    let mut heard = [0; 2];
+    let mut last_s = 0.0;
+    let outcome = rehearse_heard(&both, &calm(), &mut |it: Heard<'_>| {
+        assert!(it.at_s >= last_s);
+        last_s = it.at_s;
+        heard[it.vehicle] += it.bytes.len();
+    });
+    let outcome = outcome.expect("they can fly");
+    assert!(heard.iter().all(|bytes| *bytes > 20_000), "{heard:?}");
+    assert!((last_s - outcome.simulated_s).abs() < 1.0, "{last_s}");
+    assert_eq!(rehearse(&both, &calm()), Ok(outcome));
+}

@@ -7,6 +7,8 @@ use std::time::Instant;
 use clap::Args;
 use serde::Serialize;
 
+mod recording;
+
 use super::ground::GroundArguments;
 use super::{Failure, ShapeArguments, invalid, load_all};
 use crate::cli::backend::frame;
@@ -35,6 +37,9 @@ pub(super) struct RehearseArguments {
     flying: FlyingArguments,
     #[command(flatten)]
     ground: GroundArguments,
+    /// Write the telemetry of all vehicles to this file, for `sortie replay` and other programs.
+    #[arg(long, value_name = "FILE")]
+    tlog: Option<PathBuf>,
     /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
@@ -169,8 +174,11 @@ pub(super) fn unfit(error: &RehearsalError, names: &[String], locale: &Locale) -
 pub(super) fn rehearse(options: &RehearseArguments, locale: &Locale) -> Result<ExitCode, Failure> {
     let cast = options.flying.cast(&options.files)?;
     let begun = Instant::now();
-    let outcome = rehearsal::rehearse(&cast.participants, &cast.conditions)
-        .map_err(|error| unfit(&error, &cast.names, locale))?;
+    let flown = match &options.tlog {
+        Some(path) => recording::rehearse_into(path, &cast, locale)?,
+        None => rehearsal::rehearse(&cast.participants, &cast.conditions),
+    };
+    let outcome = flown.map_err(|error| unfit(&error, &cast.names, locale))?;
     let wall_time_s = begun.elapsed().as_secs_f64();
     if options.json {
         let document = Document::of(&outcome, &cast.names, wall_time_s);

@@ -401,6 +401,41 @@ fn rehearsals_fail_for_plans_that_do_not_land() {
     assert_eq!(checked.status.code(), Some(1), "{}", text(&checked.stdout));
 }
 
+/// A rehearsal is a recording like that of a flight: replays and exports read it.
+#[test]
+fn a_rehearsal_is_written_as_a_recording() {
+    let folder = folder_with(&[("one.waypoints", &good()), ("two.waypoints", &good())]);
+    let run = |arguments: &[&str]| sortie_in(folder.path(), arguments);
+    let files = ["plan", "rehearse", "one.waypoints", "two.waypoints"];
+    let recorded = [&files[..], &["--tlog", "flown.tlog"]].concat();
+    let flown = run(&recorded);
+    assert_eq!(flown.status.code(), run(&files).status.code());
+    let again = run(&recorded);
+    assert_eq!(again.status.code(), Some(2), "a file that exists is kept");
+    let export = ["records", "export", "flown.tlog", "--format", "csv"];
+    let exported = run(&[&export[..], &["--output", "tables"]].concat());
+    assert_eq!(
+        exported.status.code(),
+        Some(0),
+        "{}",
+        text(&exported.stderr)
+    );
+    let tables = fs::read_dir(folder.path().join("tables")).expect("a folder");
+    let names: Vec<String> = tables
+        .map(|it| {
+            it.expect("a file")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    let has = |wanted: &str| names.iter().any(|name| name.contains(wanted));
+    assert!(
+        has("GLOBAL_POSITION_INT") && has("MISSION_CURRENT"),
+        "{names:?}"
+    );
+}
+
 #[test]
 fn plans_are_compared_with_the_ground() {
     // Ground at 170 m, but for a hill of 100 m in the north.
