@@ -61,9 +61,11 @@ impl TrialOutcome<'_> {
         match flown.ending {
             FlightEnding::Landed => None,
             FlightEnding::InAir => Some(text!("draft-trial-in-air", name = name)),
-            FlightEnding::HitGround(number) => {
-                Some(text!("draft-trial-hit-ground", name = name, number = number))
-            }
+            FlightEnding::HitGround(number) => Some(text!(
+                "draft-trial-hit-ground",
+                name = name,
+                number = number
+            )),
             FlightEnding::LeftPlan(_)
             | FlightEnding::Grounded
             | FlightEnding::Crashed

@@ -40,9 +40,9 @@ fn planned_spacing_m(swath: Option<Swath>) -> f64 {
         swath,
         ..Rules::default()
     });
-    let plans = conductor.plans(&task, &[1], &standing());
+    let plans = conductor.plans(&task, &[1], &standing(), &[]);
     let plans = plans.expect("there are plans");
-    let items = plans[0].1.plan.iter();
+    let items = plans.plans[0].1.plan.iter();
     let flown = items.filter(|item| item.command == command::WAYPOINT && item.z < 1.0);
     let mut easts_m: Vec<f64> = flown
         .map(|item| HOME.offset_to(LatLon::from_e7(item.x, item.y)).1)
