@@ -244,7 +244,7 @@ fn readings_that_are_none_become_no_figures() {
     let texts = texts(&flight).join("\n");
     assert!(!texts.contains("inf"), "{texts}");
     assert!(texts.contains("battery 256 lowest"), "{texts}");
-    assert!(texts.contains("limit 4294967295 times"), "{texts}");
+    assert!(texts.contains("clipped 4294967295 times"), "{texts}");
     let alignment = Alignment::identity();
     let length = std::time::Duration::from_secs(60);
     let joined = JoinedLog::new(1, "log.bin", &flight, &alignment, length);

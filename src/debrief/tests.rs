@@ -87,8 +87,8 @@ fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
 fn every_end_of_a_flight_is_named_at_the_top() {
     let mut report = do_nothing().report();
     for (outcome, words) in [
-        (FlightOutcome::Passed, ["PASSED", "ВИКОНАНО"]),
-        (FlightOutcome::Failed, ["FAILED", "НЕ ВИКОНАНО"]),
+        (FlightOutcome::Passed, ["PASSED", "ПРОЙДЕНО"]),
+        (FlightOutcome::Failed, ["FAILED", "НЕ ПРОЙДЕНО"]),
         (FlightOutcome::TimedOut, ["TIMED OUT", "ЧАС ВИЙШОВ"]),
         (FlightOutcome::Abandoned, ["ABANDONED", "ПРИПИНЕНО"]),
         (FlightOutcome::Flying, ["NOT FINISHED", "НЕ ЗАВЕРШЕНО"]),

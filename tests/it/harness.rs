@@ -78,6 +78,14 @@ impl Console {
         self.hear(SessionEvent::Started(Box::new(Self::started(activity))));
     }
 
+    /// Starts the session again, as by `r`.
+    pub fn start_again(&mut self, activity: Activity) {
+        self.hear(SessionEvent::Started(Box::new(Started {
+            is_again: true,
+            ..Self::started(activity)
+        })));
+    }
+
     /// Opens a recording of a session.
     pub fn replay(&mut self, view: ReplayView, activity: Activity) -> &mut Self {
         self.hear(ReplayEvent::Opened {

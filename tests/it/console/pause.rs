@@ -140,7 +140,7 @@ fn what_cannot_be_paused_says_why() {
 }
 
 #[test]
-fn a_mission_begins_with_its_brief_and_once_more_in_flight() {
+fn a_chosen_mission_begins_with_its_brief_and_a_restarted_one_in_flight() {
     let mut console = Console::new();
     console.start(mission());
     assert_eq!(console.state().room(), Room::Mission);
@@ -149,12 +149,10 @@ fn a_mission_begins_with_its_brief_and_once_more_in_flight() {
         assert!(screen.contains(words), "{words}: {screen}");
     }
     assert_eq!(console.press("enter").state().room(), Room::Fly);
+    console.start_again(mission());
+    assert_eq!(console.state().room(), Room::Fly);
     console.start(mission());
-    assert_eq!(
-        console.state().room(),
-        Room::Fly,
-        "who flies it again knows it"
-    );
+    assert_eq!(console.state().room(), Room::Mission, "chosen once more");
     let mut free = Console::new();
     free.start(Activity::Free);
     assert_eq!(free.state().room(), Room::Fly);

@@ -190,7 +190,7 @@ fn the_text_in_both_languages() {
 }
 
 #[test]
-fn who_flies_a_mission_again_is_in_the_air_at_once_and_who_comes_to_one_reads_it() {
+fn a_restarted_mission_begins_in_flight_and_another_one_with_its_brief() {
     let mut console = Console::new();
     let mission = |id: &str| Activity::Mission {
         id: id.to_owned(),
@@ -200,7 +200,7 @@ fn who_flies_a_mission_again_is_in_the_air_at_once_and_who_comes_to_one_reads_it
     console.start(mission("m01"));
     assert_eq!(console.state().room(), Room::Mission);
     for room in ["B", "F", "M"] {
-        console.press(room).start(mission("m01"));
+        console.press(room).start_again(mission("m01"));
         assert_eq!(console.state().room(), Room::Fly, "from {room}");
     }
     console.start(mission("m02"));
