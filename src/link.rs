@@ -33,6 +33,7 @@ mod meter;
 mod parcel;
 mod peer;
 mod playback;
+mod rehearsal_tape;
 mod relay;
 mod server;
 mod simulator;
@@ -47,6 +48,7 @@ mod tlog;
 use parcel::{Outlet, Parcel};
 
 pub use address::{Address, AddressError};
+pub use rehearsal_tape::RehearsalTape;
 pub use relay::{ForwardCounts, Relay, StationNews};
 pub use simulator::{
     Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,

@@ -31,6 +31,7 @@ mod drive;
 mod effects;
 mod files;
 mod ghost;
+mod last_rehearsal;
 mod missions;
 mod options;
 mod orders;

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use crate::plan::{ContentHash, Document};
 use crate::preflight::list_words;
-use crate::rehearsal::{Conditions, Outcome, Participant, RehearsalError, deconflict, rehearse};
+use crate::rehearsal::{
+    Conditions, Heard, Outcome, Participant, RehearsalError, deconflict, rehearse_heard,
+};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle_id::VehicleId;
@@ -70,6 +72,12 @@ pub struct PlanVerdict {
 impl Trial {
     /// Flies the drafts. Takes about a second for many vehicles, and several for changes that keep them apart.
     pub fn fly(&self) -> Tried {
+        self.fly_heard(&mut |_| {})
+    }
+
+    /// Flies the drafts, and passes on what the vehicles send, in the order of the drafts; nothing of a search for
+    /// changes.
+    pub fn fly_heard(&self, listener: &mut dyn FnMut(Heard<'_>)) -> Tried {
         let participant = |draft: &TrialDraft| Participant {
             document: Document::clone(&draft.document),
             ..Participant::default()
@@ -78,7 +86,7 @@ impl Trial {
         let tried = if self.is_apart {
             self.keep_apart(&crew)
         } else {
-            rehearse(&crew, &Conditions::default()).map(|outcome| {
+            rehearse_heard(&crew, &Conditions::default(), listener).map(|outcome| {
                 let found = self.found(&outcome);
                 Tried {
                     verdicts: found.verdicts(),

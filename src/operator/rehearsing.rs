@@ -8,7 +8,9 @@ use crate::ledger::{EntryId, RowState};
 use crate::notice::Notice;
 use crate::parameters::ParameterList;
 use crate::plan::{ContentHash, Document, Home};
-use crate::rehearsal::{Conditions, Outcome, Participant, RehearsalError, rehearse};
+use crate::rehearsal::{
+    Conditions, Heard, Outcome, Participant, RehearsalError, rehearse, rehearse_heard,
+};
 use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
@@ -212,8 +214,18 @@ impl PlanRehearsal {
 
     /// Flies the plans. Takes about a second for 32 vehicles and ten minutes.
     pub fn fly(&self, now: Duration) -> Rehearsed {
+        self.reported(self.outcome(), now)
+    }
+
+    /// Flies the plans, and hands over what the vehicles send, in the order of [`Self::vehicles`].
+    pub fn fly_heard(&self, now: Duration, listener: &mut dyn FnMut(Heard<'_>)) -> Rehearsed {
+        let outcome = rehearse_heard(&self.participants(), &self.weather(), listener);
+        self.reported(outcome, now)
+    }
+
+    fn reported(&self, outcome: Result<Outcome, RehearsalError>, now: Duration) -> Rehearsed {
         let seats: Vec<Seat> = self.crew.iter().map(|it| it.seat).collect();
-        match self.outcome() {
+        match outcome {
             Ok(outcome) => {
                 let mut rehearsed = report::report(self.entry, &seats, &outcome, now);
                 let said = Notice::general(now, Severity::Info, self.conditions());
@@ -238,16 +250,21 @@ impl PlanRehearsal {
     /// # Errors
     /// The simulator refuses a plan.
     pub fn outcome(&self) -> Result<Outcome, RehearsalError> {
-        let participants: Vec<Participant> =
-            self.crew.iter().map(|it| it.participant.clone()).collect();
+        rehearse(&self.participants(), &self.weather())
+    }
+
+    fn participants(&self) -> Vec<Participant> {
+        self.crew.iter().map(|it| it.participant.clone()).collect()
+    }
+
+    fn weather(&self) -> Conditions {
         let wind = self.air.wind();
-        let conditions = Conditions {
+        Conditions {
             wind_m_s: wind.speed_m_s,
             wind_from_deg: wind.from_deg,
             parameters: self.air.parameters(),
             ..Conditions::default()
-        };
-        rehearse(&participants, &conditions)
+        }
     }
 
     /// The wind and the airframes of the rehearsal, and where they come from.

@@ -65,6 +65,9 @@ fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles
     found.ok_or_else(|| text!("records-no-number", number = number))
 }
 
+/// The name of the last rehearsal.
+const REHEARSAL: &str = "rehearsal";
+
 fn has_content(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|file| file.len() > 0)
 }
@@ -92,6 +95,11 @@ impl Records {
                 bytes: u64::MAX,
             },
         }
+    }
+
+    /// The file with the telemetry of the console's last rehearsal, which is no record of a flight.
+    pub fn rehearsal(&self) -> PathBuf {
+        self.folder.join(format!("{REHEARSAL}{FRAMES}"))
     }
 
     pub fn folder(&self) -> &Path {
@@ -125,7 +133,7 @@ impl Records {
     }
 
     /// The record that a user names: by its number (the newest is 1), its name, or one of its files; a tlog of another
-    /// program is a record, too. Without a folder of records, only files are found.
+    /// program is a record, too, and so is the last rehearsal by its name. Without a folder of records, only files are found.
     ///
     /// # Errors
     /// No such record, or not a file; as text.
@@ -136,6 +144,10 @@ impl Records {
         }
         let path = user_path(named);
         if path.is_file() {
+            return Ok(RecordFiles::beside(&path));
+        }
+        let rehearsed = records.map(Self::rehearsal);
+        if let Some(path) = rehearsed.filter(|path| named == REHEARSAL && path.is_file()) {
             return Ok(RecordFiles::beside(&path));
         }
         let found = all.into_iter().find(|it| it.stem == named);

@@ -9,7 +9,10 @@ use tokio::task::spawn_blocking;
 use crate::app::event::{Event, VehicleEvent};
 use crate::operator::{PlanRehearsal, Rehearsed};
 use crate::parameters::ParameterSnapshot;
+use crate::rehearsal::Heard;
+use crate::shell::last_rehearsal::recorded;
 use crate::sim::Airframe;
+use crate::store::Records;
 use crate::vehicle::VehicleId;
 
 /// The rehearsals under way.
@@ -17,16 +20,20 @@ use crate::vehicle::VehicleId;
 pub(super) struct Rehearsals {
     sender: mpsc::UnboundedSender<Rehearsed>,
     results: mpsc::UnboundedReceiver<Rehearsed>,
-}
-
-impl Default for Rehearsals {
-    fn default() -> Self {
-        let (sender, results) = mpsc::unbounded_channel();
-        Self { sender, results }
-    }
+    /// Where the last one is recorded.
+    records: Option<Records>,
 }
 
 impl Rehearsals {
+    pub fn new(records: Option<Records>) -> Self {
+        let (sender, results) = mpsc::unbounded_channel();
+        Self {
+            sender,
+            results,
+            records,
+        }
+    }
+
     /// Begins a rehearsal, with the parameters that have been read and the airframes of the simulated vehicles.
     pub fn begin(
         &self,
@@ -39,9 +46,14 @@ impl Rehearsals {
             rehearsal.set_parameters(*vehicle, &list.borrow().list);
         }
         let sender = self.sender.clone();
+        let records = self.records.clone();
         spawn_blocking(move || {
+            let fly =
+                |listener: &mut dyn FnMut(Heard<'_>)| rehearsal.fly_heard(Duration::ZERO, listener);
+            let (mut rehearsed, notice) = recorded(records.as_ref(), &rehearsal.vehicles(), fly);
+            rehearsed.notices.extend(notice);
             // The session may be over by then.
-            let _ = sender.send(rehearsal.fly(Duration::ZERO));
+            let _ = sender.send(rehearsed);
         });
     }
 

@@ -144,7 +144,7 @@ impl RunningSession {
             inspection: Inspection::default(),
             dropped: 0,
             mission_run: None,
-            rehearsals: Rehearsals::default(),
+            rehearsals: Rehearsals::new(backend.records.clone()),
             airframes: Vec::new(),
             pace: watch::Sender::new(SimulatorPace {
                 speedup: backend.speedup,
