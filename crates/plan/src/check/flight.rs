@@ -134,7 +134,8 @@ fn reached(items: &[Item]) -> Reached {
         if is_jump(item) {
             left.extend(target(items, item));
         }
-        if !ends_at(items, at) && !(is_jump(item) && is_endless(item)) {
+        let stops = ends_at(items, at) || (is_jump(item) && is_endless(item));
+        if !stops {
             left.push(at + 1);
         }
     }

@@ -44,13 +44,15 @@ pub(super) fn works(
         spacing_m,
     };
     let (mut most, mut works) = task.among(&team).ok_or(GenerateError::NoWay(0))?;
+    let mut least = most;
     while let Some(spare) = spare(scene, &works) {
         team = works.iter().map(|work| work.vehicle).collect();
         team.retain(|vehicle| *vehicle != spare);
         match task.among(&team) {
-            Some(fewer) if fewer.0 <= most * WORTH => (most, works) = fewer,
+            Some(fewer) if fewer.0 <= least * WORTH => (most, works) = fewer,
             Some(_) | None => break,
         }
+        least = least.min(most);
     }
     let idle = (0..scene.homes.len()).filter(|it| works.iter().all(|work| work.vehicle != *it));
     let idle = idle.map(|vehicle| (vehicle, task.reason(vehicle, most)));

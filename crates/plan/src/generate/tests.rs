@@ -408,6 +408,17 @@ fn vehicles_that_do_not_help_have_a_reason() {
         let generated = generated.expect("plans");
         assert_eq!(generated.parts.len() + generated.idle.len(), 6);
         assert!(generated.idle.iter().all(|(_, why)| *why == Idle::Spare));
+        let most = |parts: &[Part]| {
+            let efforts = parts.iter().map(|part| part.effort.hover_s);
+            efforts.fold(0.0, f64::max)
+        };
+        let four = generate(
+            &survey(&[field.to_vec()], spacing_m),
+            &homes[..4],
+            &manner(),
+        );
+        let limit = 1.11 * most(&four.expect("plans").parts);
+        assert!(most(&generated.parts) <= limit, "{spacing_m}");
         for part in &generated.parts {
             let legs = legs_at(part, HEIGHT_M);
             let work_m: f64 = legs.iter().map(|[from, to]| from.distance(*to)).sum();

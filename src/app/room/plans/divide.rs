@@ -55,8 +55,8 @@ pub(super) fn divide(
     let rules = mission.map_or_else(Rules::default, |mission| mission.swarm_rules);
     let conductor = Conductor::new(rules);
     let drawn = state.rooms.plans.drafts.current();
-    let keep_out = drawn.map_or_else(Vec::new, |it| keep_out(&it.document().fence));
-    let divided = conductor.plans(&task, vehicles, &state.session.vehicles, &keep_out)?;
+    let forbidden = drawn.map_or_else(Vec::new, |it| keep_out(&it.document().fence));
+    let divided = conductor.plans(&task, vehicles, &state.session.vehicles, &forbidden)?;
     let idle: Vec<VehicleId> = vehicles
         .iter()
         .copied()
@@ -74,20 +74,30 @@ pub(super) fn divide(
     let drafts: Vec<Draft> = drafts.collect();
     let busy = ranges(drafts.iter().filter_map(Draft::vehicle));
     files::fill(state, drafts);
-    let old = carrying(&idle, &state.session.vehicles);
+    say_divided(state, busy, &idle, reasons);
+    Ok(())
+}
+
+/// Says which vehicles have a part (`busy`) and why others have none; of those without one (`idle`), some may carry an
+/// earlier plan.
+fn say_divided(state: &mut State, busy: String, idle: &[VehicleId], reasons: Vec<Text>) {
+    for reason in &reasons {
+        let notice = Notice::general(state.now, Severity::Info, reason.clone());
+        state.notices.push(notice);
+    }
+    let old = carrying(idle, &state.session.vehicles);
     if old.is_empty() {
         let done = text!("draft-divided", vehicles = busy);
         let parts = std::iter::once(done).chain(reasons).collect();
         state.say(Severity::Info, Text::joined("; ", parts));
-    } else {
-        let idle = ranges(old);
-        let text = text!("draft-divided-idle", vehicles = busy, idle = idle.as_str());
-        state.say(Severity::Warning, text);
-        let text = text!("outcome-plan-left", vehicles = idle);
-        let notice = Notice::general(state.now, Severity::Warning, text);
-        state.notices.push(notice);
+        return;
     }
-    Ok(())
+    let idle = ranges(old);
+    let text = text!("draft-divided-idle", vehicles = busy, idle = idle.as_str());
+    state.say(Severity::Warning, text);
+    let text = text!("outcome-plan-left", vehicles = idle);
+    let notice = Notice::general(state.now, Severity::Warning, text);
+    state.notices.push(notice);
 }
 
 fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {

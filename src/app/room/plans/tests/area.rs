@@ -434,3 +434,28 @@ fn divided_work_keeps_out_of_forbidden_areas() {
         }
     }
 }
+
+/// A small area does not need six vehicles: a notice says why some have no part.
+#[test]
+fn vehicles_that_are_not_needed_are_named_with_the_reason() {
+    let mut desk = Desk::new();
+    for id in 1..=6 {
+        standing(&mut desk, id);
+    }
+    desk.give("draft new garden");
+    desk.give("draft fence polygon n 50 e 0");
+    for corner in ["n 90 e 0", "n 90 e 40", "n 50 e 40"] {
+        desk.give(&format!("draft fence corner {corner}"));
+    }
+    desk.give("draft survey all spacing 20");
+    let parts = desk.room().drafts().all().iter();
+    let busy = parts.filter(|it| it.vehicle().is_some()).count();
+    assert!((1..6).contains(&busy), "{busy}");
+    let lines = desk.app.state().notices().lines();
+    let said: Vec<String> = lines.map(|line| line.notice.text.to_string()).collect();
+    let has_reason = said
+        .iter()
+        .any(|it| it.starts_with("no part for ") && it.contains("energy"));
+    assert!(has_reason, "{said:?}");
+    assert!(desk.said().contains("no part for"), "{}", desk.said());
+}
