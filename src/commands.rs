@@ -7,7 +7,7 @@
 use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{PauseChange, Vehicle};
 
 mod arming;
 mod claim;
@@ -159,6 +159,17 @@ impl Command {
             | Self::Log(_)
             | Self::Plan(_)
             | Self::Raw(_) => None,
+        }
+    }
+
+    /// What it does to the pause of a vehicle that flies its plan.
+    pub fn changes_pause(&self) -> Option<PauseChange> {
+        match self {
+            Self::Flight(FlightCommand::Hold) | Self::PlanFlight(PlanFlight::Pause) => {
+                Some(PauseChange::Begins)
+            }
+            Self::Flight(FlightCommand::Resume) => Some(PauseChange::Ends),
+            other => other.sets_plan_item().then_some(PauseChange::Ends),
         }
     }
 

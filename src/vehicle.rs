@@ -18,6 +18,7 @@ mod idle_disarm;
 mod leg;
 mod limits;
 mod mode;
+mod pause;
 mod plan;
 mod readings;
 mod route;
@@ -33,6 +34,7 @@ pub use idle_disarm::IdleDisarm;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
 pub use mode::{Mode, VehicleClass};
+pub use pause::{PauseChange, PlanPause};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
 };

@@ -104,7 +104,7 @@ fn is_flown(vehicle: &Vehicle) -> bool {
             PlanPhase::NoPlan | PlanPhase::NotStarted | PlanPhase::Paused | PlanPhase::Complete,
         ) => false,
     };
-    vehicle.flies_plan() && moves
+    vehicle.flies_plan() && moves && !vehicle.has_paused()
 }
 
 impl Effect {

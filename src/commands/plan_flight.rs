@@ -53,7 +53,7 @@ impl PlanFlight {
             }
             Self::Pause => {
                 in_auto(vehicle)?;
-                if vehicle.plan.phase == Some(PlanPhase::Paused) {
+                if vehicle.has_paused() {
                     return Err(text!("refused-plan-paused"));
                 }
                 one(FlightCommand::Hold.fields(vehicle)?)
@@ -146,18 +146,18 @@ fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text>
     match progress.phase {
         // A mission that has stopped in AUTO begins only with a reset of its jumps.
         Some(PlanPhase::Complete | PlanPhase::NotStarted) => Ok(vec![set_item(item, true)]),
-        Some(PlanPhase::Paused) => {
+        _ if vehicle.has_paused() => {
             let at = from.map(|item| set_item(item, false));
             Ok(at.into_iter().chain([go_on]).collect())
         }
-        Some(PlanPhase::Active | PlanPhase::NoPlan) | None if from.is_some() => {
+        Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) | None if from.is_some() => {
             Ok(vec![set_item(item, false)])
         }
         // Older autopilots do not report whether they pause.
         None => Ok(vec![go_on]),
         // A vehicle that reaches its item while it slows down for a pause stands, and reports the next item as active.
         Some(PlanPhase::Active) if stands(vehicle) => Ok(vec![go_on]),
-        Some(PlanPhase::Active | PlanPhase::NoPlan) => {
+        Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) => {
             Err(text!("refused-plan-flown", item = progress.current))
         }
     }

@@ -12,7 +12,7 @@ use crate::plan::Item;
 use crate::plan::command::{is_end, is_jump, is_navigation};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Plan, PlanPhase, PlanProgress, Severity, Vehicle};
+use crate::vehicle::{Plan, PlanPause, PlanPhase, PlanProgress, Severity, Vehicle};
 
 /// How long a change of the current item may be the effect of an order.
 const ASKED_WITHIN: Duration = Duration::from_secs(10);
@@ -44,12 +44,14 @@ impl PlanWatch {
         let is_same = before.total == total;
         let is_news = before.current != data.seq || !is_same;
         let since = before.since.filter(|_| !is_news).or(vehicle.clock());
+        let phase = phase(data.mission_state);
         vehicle.plan = PlanProgress {
             current: data.seq,
             total,
             // With a new plan, the item reached in the old one does not apply.
             reached: before.reached.filter(|_| is_same),
-            phase: phase(data.mission_state),
+            phase,
+            pause: PlanPause::reported(before.pause, [before.phase, phase], is_news),
             since,
             arrived: before.arrived.filter(|_| !is_news),
             asked: before.asked,

@@ -27,6 +27,9 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
         at: now,
     });
     vehicle.global = position;
+    if let Some(position) = position {
+        vehicle.note_speed(position.speed_m_s());
+    }
     if let Some(position) = position
         && vehicle.flies_plan()
         && vehicle.airborne()

@@ -199,6 +199,9 @@ impl Line {
             {
                 moment.vehicle.asked_speeds.ask(axis, speed_m_s);
             }
+            if let Some(change) = order.order.command.changes_pause() {
+                moment.vehicle.note_pause(change);
+            }
             if !order.claim().is_empty() {
                 self.holding = None;
                 self.places_in_a_row = 0;

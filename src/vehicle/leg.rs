@@ -60,11 +60,6 @@ impl Vehicle {
         self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
     }
 
-    /// Whether it has paused in the plan that it flies.
-    pub fn has_paused(&self) -> bool {
-        self.flies_plan() && self.plan.phase == Some(PlanPhase::Paused)
-    }
-
     /// Notes when it has arrived where it stays for the current item of its plan.
     pub fn note_arrival(&mut self, at: Duration) {
         let plan = self.plans.plan.content.as_ref();
@@ -87,7 +82,7 @@ impl Vehicle {
         let route = Route::of(self, plan);
         let to = route.goal(progress.current);
         let here = self.global.map(|global| global.at_point);
-        let moves = progress.phase != Some(PlanPhase::Paused) && !self.link.lost;
+        let moves = !self.has_paused() && !self.link.lost;
         let next = route.current_s(progress.current).filter(|_| moves);
         let end = route.end_s(progress.current).filter(|_| moves);
         let time = |seconds: f64| Duration::try_from_secs_f64(seconds).ok();

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{MavAutopilot, MavSysStatusSensor};
 
-use super::{EkfFlags, FixType, Mode, Severity, SystemStatus, VehicleClass};
+use super::{EkfFlags, FixType, Mode, PlanPause, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
@@ -71,6 +71,11 @@ impl GlobalPosition {
     /// Horizontal speed in m/s.
     pub fn ground_speed_m_s(&self) -> f32 {
         maths::hypot_f32(self.north_m_s, self.east_m_s)
+    }
+
+    /// Speed along its path, also up and down, in m/s.
+    pub fn speed_m_s(&self) -> f32 {
+        maths::hypot_f32(self.ground_speed_m_s(), self.down_m_s)
     }
 }
 
@@ -231,7 +236,7 @@ pub struct Vibration {
 }
 
 /// Progress through the plan on board.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PlanProgress {
     /// The item being flown; 0 is home.
     pub current: u16,
@@ -241,6 +246,8 @@ pub struct PlanProgress {
     pub reached: Option<u16>,
     /// The phase of the plan in AUTO; `None` if the vehicle does not report it.
     pub phase: Option<PlanPhase>,
+    /// The pause, while the vehicle flies its plan; it may outlast [`PlanPhase::Paused`].
+    pub pause: Option<PlanPause>,
     /// When the current item became current, by the vehicle's clock.
     pub since: Option<Duration>,
     /// When the vehicle arrived where it stays for the current item, by its clock.

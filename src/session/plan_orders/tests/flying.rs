@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavCmd};
 use super::*;
 use crate::commands::Act;
 use crate::language::{Context, Meaning};
-use crate::vehicle::PlanPhase;
+use crate::vehicle::{PlanPhase, Vehicle};
 
 /// An item at these distances north and east of home, 15 m high.
 fn item(command: u16, north_m: f64, east_m: f64) -> Item {
@@ -141,6 +141,29 @@ fn a_pause_close_to_a_place_can_be_resumed() {
     rig.works("plan resume", 10);
     rig.pass(s(5));
     assert!(speed(&rig) > 2.0, "{:?}", rig.session.vehicle().plan);
+}
+
+/// The vehicle reaches the height of its item while it slows down, and stands for as long as it is not resumed.
+#[test]
+fn an_item_reached_while_stopping_does_not_end_a_pause() {
+    let high = |command, north_m| Item {
+        z: 60.0,
+        ..item(command, north_m, 0.0)
+    };
+    let mut rig = Rig::flying(&[item(22, 0.0, 0.0), high(16, 0.0), high(16, 70.0)]);
+    let height = |vehicle: &Vehicle| vehicle.global.map_or(0.0, |it| it.altitude_m);
+    rig.until(60, |vehicle| height(vehicle) > 57.5);
+    rig.works("plan pause", 15);
+    for _ in 0..20 {
+        rig.pass(s(3));
+        let vehicle = rig.session.vehicle();
+        assert!(vehicle.has_paused(), "{:?}", vehicle.plan);
+    }
+    assert_eq!(rig.current(), 3, "the item was reached");
+    rig.refuses("plan pause", "already paused");
+    rig.works("plan resume", 10);
+    rig.pass(s(4));
+    assert!(!rig.session.vehicle().has_paused());
 }
 
 #[test]
