@@ -55,9 +55,23 @@ fn kind_words(kind: &FindingKind) -> Text {
         FindingKind::FenceTooLarge { bytes, most } => {
             text!("plan-fence-large", bytes = *bytes, most = *most)
         }
-        FindingKind::BreaksFence { area } => text!("plan-breaks-fence", area = area + 1),
+        FindingKind::BreaksFence { area, is_exclusion } => {
+            let area = area + 1;
+            if *is_exclusion {
+                text!("plan-inside-exclusion", area = area)
+            } else {
+                text!("plan-breaks-fence", area = area)
+            }
+        }
         FindingKind::LegBreaksFence { area } => text!("plan-leg-breaks-fence", area = area + 1),
-        FindingKind::HomeBreaksFence { area } => text!("plan-home-breaks-fence", area = area + 1),
+        FindingKind::HomeBreaksFence { area, is_exclusion } => {
+            let area = area + 1;
+            if *is_exclusion {
+                text!("plan-home-inside-exclusion", area = area)
+            } else {
+                text!("plan-home-breaks-fence", area = area)
+            }
+        }
         FindingKind::BeyondRadius { distance_m, most_m } => text!(
             "plan-beyond-radius",
             distance = figure(*distance_m, 0),

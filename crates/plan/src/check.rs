@@ -159,6 +159,8 @@ pub enum FindingKind {
     BreaksFence {
         /// The area, counted from 0.
         area: usize,
+        /// Whether the area is one to stay out of.
+        is_exclusion: bool,
     },
     /// The leg to the item crosses the border of an area, although both its ends are allowed.
     LegBreaksFence {
@@ -183,6 +185,8 @@ pub enum FindingKind {
     HomeBreaksFence {
         /// The area, counted from 0.
         area: usize,
+        /// Whether the area is one to stay out of.
+        is_exclusion: bool,
     },
     /// No takeoff before the first place: a vehicle on the ground stays there.
     NoTakeoff,

@@ -35,7 +35,10 @@ pub(super) fn check(
         findings.push(Finding {
             list: ListKind::Fence,
             item: None,
-            kind: FindingKind::HomeBreaksFence { area },
+            kind: FindingKind::HomeBreaksFence {
+                area,
+                is_exclusion: !areas[area].keeps_in,
+            },
         });
     }
     for (index, item) in document.rally.iter().enumerate() {
@@ -65,7 +68,10 @@ pub(super) fn check(
         }
         let is_clear = before.is_none_or(|before| broken(before).is_none());
         match (broken(here), before) {
-            (Some(area), _) => add(FindingKind::BreaksFence { area }),
+            (Some(area), _) => add(FindingKind::BreaksFence {
+                area,
+                is_exclusion: !areas[area].keeps_in,
+            }),
             (None, Some(before)) if is_clear => {
                 let crossed = areas.iter().position(|area| is_crossed(area, before, here));
                 if let Some(area) = crossed {

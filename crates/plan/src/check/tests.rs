@@ -190,8 +190,14 @@ fn fences_hold_for_home_for_places_and_for_the_legs_between_them() {
         fence: square(command::FENCE_POLYGON_INCLUSION, [100.0, 50.0], 80.0),
         ..good()
     };
-    let home = FindingKind::HomeBreaksFence { area: 0 };
-    let takeoff = FindingKind::BreaksFence { area: 0 };
+    let home = FindingKind::HomeBreaksFence {
+        area: 0,
+        is_exclusion: false,
+    };
+    let takeoff = FindingKind::BreaksFence {
+        area: 0,
+        is_exclusion: false,
+    };
     assert_eq!(found_usual(&narrow), [(Some(0), takeoff), (None, home)]);
     let tower = Document {
         fence: square(command::FENCE_POLYGON_EXCLUSION, [100.0, 50.0], 10.0),
