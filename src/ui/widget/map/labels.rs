@@ -18,6 +18,9 @@ pub type MapCell = (u16, u16);
 /// Columns after a vehicle's sign that its number is expected to cover.
 const NUMBER_WIDTH: u16 = 2;
 
+/// The rows by which a label may move away from its place.
+const FARTHEST_ROW: u16 = 4;
+
 /// A text at a cell.
 pub struct Label {
     pub cell: MapCell,
@@ -62,6 +65,29 @@ pub fn draw(labels: Vec<Label>, vehicles: &[MapCell], panel: Panel<'_>, buffer: 
             part(panel, cell, buffer);
         }
     }
+}
+
+/// Moves labels that begin in the same place to free rows below and above it, as far as there are any.
+pub fn spread(labels: Vec<Label>, rows: u16) -> Vec<Label> {
+    let mut taken: BTreeSet<MapCell> = BTreeSet::new();
+    let mut spread = Vec::new();
+    for mut label in labels {
+        let row = label.cell.1;
+        let below = (0..=FARTHEST_ROW).map(|off| row.saturating_add(off));
+        let above = (1..=FARTHEST_ROW).filter_map(|off| row.checked_sub(off));
+        let mut near: Vec<u16> = below.chain(above).filter(|row| *row < rows).collect();
+        near.sort_by_key(|other| other.abs_diff(row));
+        let is_free = |row: &u16| {
+            let (column, width) = (label.cell.0, label.width());
+            let mut around = column.saturating_sub(1)..=column + width;
+            around.all(|column| !taken.contains(&(column, *row)))
+        };
+        let free = near.into_iter().find(is_free);
+        label.cell.1 = free.unwrap_or(row);
+        taken.extend(cells(&label));
+        spread.push(label);
+    }
+    spread
 }
 
 fn cells(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
@@ -136,6 +162,7 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();
+    let mut figures: BTreeSet<MapCell> = BTreeSet::new();
     let mut kept = Vec::new();
     for mut label in labels.into_iter().rev() {
         let (column, row) = label.cell;
@@ -156,6 +183,12 @@ fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
             words.extend(cells(&label));
         } else if label.is_sign() && beside(&label).any(|at| words.contains(&at)) {
             continue;
+        } else if label.text.chars().all(char::is_numeric) {
+            // Two figures side by side would read as one number.
+            if beside(&label).any(|at| figures.contains(&at)) {
+                continue;
+            }
+            figures.extend(cells(&label));
         }
         taken.extend(cells(&label));
         kept.push(label);
@@ -206,6 +239,27 @@ mod tests {
         let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
         assert_eq!(texts, ["?", "!c2"]);
         assert_eq!(kept[1].cell, (14, 0));
+    }
+
+    #[test]
+    fn labels_in_one_place_are_spread_over_the_rows_around_it() {
+        let at = |row| Label {
+            cell: (10, row),
+            ..label(10, "!1/2")
+        };
+        let rows = |labels, rows| -> Vec<u16> {
+            let spread = spread(labels, rows).into_iter();
+            spread.map(|label| label.cell.1).collect()
+        };
+        assert_eq!(rows(vec![at(5), at(5), at(5)], 20), [5, 6, 4]);
+        assert_eq!(rows(vec![at(0), at(0), at(9)], 10), [0, 1, 9]);
+    }
+
+    #[test]
+    fn two_figures_side_by_side_do_not_make_one_number() {
+        let kept = readable(vec![label(10, "3"), label(11, "5"), label(20, "7")], &[]);
+        let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
+        assert_eq!(texts, ["5", "7"]);
     }
 
     #[test]
