@@ -10,7 +10,7 @@ use strum::IntoStaticStr;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
-use crate::verb::Verb;
+use crate::verb::{CountsAs, Verb};
 
 /// The maximum number of entries; the oldest are dropped, so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
@@ -201,6 +201,14 @@ pub struct LedgerEntry {
 }
 
 impl LedgerEntry {
+    /// The state of one of its rows in a few words. A rehearsal has no effect on a vehicle: it has failed instead.
+    pub fn state_of(&self, row: &LedgerRow) -> Text {
+        match (self.verb.counts_as, row.state) {
+            (CountsAs::Rehearsal, RowState::NoEffect) => text!("state-rehearsal-failed"),
+            _ => row.text(),
+        }
+    }
+
     /// Whether every row has ended.
     pub fn is_final(&self) -> bool {
         self.rows.iter().all(|row| row.state.is_final())

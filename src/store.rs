@@ -44,7 +44,7 @@ pub use logs::LogFolder;
 pub use names::{names_in, unread, user_path};
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
-pub use plans::{PlanFiles, read_plan_text};
+pub use plans::{PlanFiles, keep_drafts, kept_drafts, read_plan_text};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,

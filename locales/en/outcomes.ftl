@@ -9,6 +9,7 @@ state-accepted = accepted
 state-done = effect seen
 state-over = over
 state-no-effect = no effect
+state-rehearsal-failed = failed
 state-refused = refused
 state-timed-out = timed out
 state-superseded = superseded

@@ -9,6 +9,7 @@ state-accepted = прийнято
 state-done = виконано
 state-over = минуло
 state-no-effect = без ефекту
+state-rehearsal-failed = невдало
 state-refused = відхилено
 state-timed-out = без відповіді
 state-superseded = замінено

@@ -163,6 +163,8 @@ pub enum FileEffect {
         /// Whether an existing file may be replaced.
         replace: bool,
     },
+    /// Write the unsaved drafts to their file in the data folder; `None` removes the file.
+    KeepDrafts(Option<String>),
 }
 
 /// A change to the profile in use or to its data.

@@ -236,6 +236,8 @@ pub enum FileEvent {
     Listed { folder: String, names: Vec<String> },
     /// The ground in those squares that have files in the folder.
     Ground { folder: String, terrain: Terrain },
+    /// The drafts that an earlier session has not saved.
+    Kept { text: String },
     /// A file was written.
     Written { path: String },
     /// A file was not written because it exists already.

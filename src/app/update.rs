@@ -77,7 +77,9 @@ fn react(state: &mut State, event: Event) -> Effects {
     match event {
         Event::Tick { now, wall } => {
             telemetry::tick(state, now, wall);
-            return parameters::wanted(state);
+            let mut effects = parameters::wanted(state);
+            effects.extend(plans::keep(state));
+            return effects;
         }
         Event::Terminal(event) => return terminal(state, event),
         Event::Program(line) => return program::give(state, &line),
@@ -243,6 +245,7 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
         },
         FileEvent::Ground { folder, terrain } => plans::ground_read(state, &folder, terrain),
         FileEvent::Listed { folder, names } => palette::listed(state, &folder, names),
+        FileEvent::Kept { text } => plans::restore(state, &text),
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),
     }

@@ -20,6 +20,7 @@ impl Console {
                 Ok(terrain) => FileEvent::Ground { folder, terrain }.into(),
                 Err(reason) => Event::Failed(reason),
             },
+            FileEffect::KeepDrafts(text) => return self.keep_drafts(text.as_deref()),
             FileEffect::Read { kind, path } => {
                 let file = store::user_path(&path);
                 let content = match kind {
@@ -45,6 +46,23 @@ impl Console {
             },
         };
         self.post(event);
+    }
+
+    fn keep_drafts(&self, text: Option<&str>) {
+        let Some(data) = &self.options.preferences.data else {
+            return;
+        };
+        if let Err(error) = store::keep_drafts(data, text) {
+            tracing::warn!(%error, "the unsaved drafts were not written");
+        }
+    }
+
+    /// Opens the drafts that an earlier session has not saved.
+    pub(super) fn restore_drafts(&mut self) {
+        let data = self.options.preferences.data.as_deref();
+        if let Some(text) = data.and_then(store::kept_drafts) {
+            self.post(FileEvent::Kept { text });
+        }
     }
 
     /// Appends a new history line to its file, without waiting for a slow disk.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::names::unread;
 use super::regular::read_regular;
 use super::{Source, StoreError, read_bytes, sharing, user_path, write};
-use crate::plan::{Document, FileFormat, ListKind, ReadOptions};
+use crate::plan::{Document, Fault, FileFormat, ListKind, ReadOptions};
 use crate::preflight::{self, note_words};
 use crate::session::{PlanOnFile, PlanShelf, format_of};
 use crate::text;
@@ -83,23 +83,14 @@ impl PlanShelf for PlanFiles {
                     .collect(),
                 document: loaded.document,
             })
-            .map_err(|(text, faults)| {
-                let at = faults.first().map_or(0, |fault| fault.span.start);
-                let before = text.get(..at).unwrap_or_default();
-                let line = before.matches('\n').count() + 1;
-                let column = before.chars().rev().take_while(|it| *it != '\n').count() + 1;
-                text!(
-                    "refused-plan-file",
-                    file = file,
-                    line = line,
-                    column = column
-                )
-            })
+            .map_err(|(text, faults)| faulty(file, &text, faults.first()))
     }
 
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text> {
         let path = user_path(file);
-        let text = crate::plan::write(document, format_of(file, kind))
+        let format = format_of(file, kind);
+        let format = format.ok_or_else(|| text!("refused-plan-extension", file = file))?;
+        let text = crate::plan::write(document, format)
             .map_err(|_| text!("refused-plan-format", file = file))?;
         save(&path, &text)?;
         Ok(path.display().to_string())
@@ -127,6 +118,54 @@ impl PlanShelf for PlanFiles {
         });
         files.collect()
     }
+}
+
+/// Why a file is not a plan.
+fn faulty(file: &str, text: &str, fault: Option<&Fault>) -> Text {
+    let Some(fault) = fault.filter(|_| !text.trim().is_empty()) else {
+        return text!("refused-plan-blank", file = file);
+    };
+    let fault = preflight::fault(fault);
+    let (line, column) = fault.line_column(text);
+    text!(
+        "refused-plan-file",
+        file = file,
+        line = line,
+        column = column,
+        fault = &fault.message
+    )
+}
+
+fn drafts_file(data: &Path) -> PathBuf {
+    data.join("plans").join("unsaved-drafts.txt")
+}
+
+/// Writes the unsaved drafts of a console to their file in the data folder; `None` removes it.
+///
+/// # Errors
+/// The file cannot be written or removed.
+pub fn keep_drafts(data: &Path, text: Option<&str>) -> Result<(), StoreError> {
+    let path = drafts_file(data);
+    let unwritable = |error| StoreError::Unwritable {
+        path: path.clone(),
+        error,
+    };
+    match text {
+        Some(text) => {
+            sharing::folder_within(data, &data.join("plans")).map_err(unwritable)?;
+            write(&path, text, true)
+        }
+        None => match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(unwritable(error)),
+            _ => Ok(()),
+        },
+    }
+}
+
+/// The unsaved drafts in the data folder, if there are any.
+pub fn kept_drafts(data: &Path) -> Option<String> {
+    let bytes = read_regular(&drafts_file(data), LONGEST).ok()?;
+    String::from_utf8(bytes).ok()
 }
 
 fn save(path: &Path, text: &str) -> Result<(), Text> {
@@ -163,6 +202,30 @@ mod tests {
             let taken = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
             assert!(taken.is_err(), "{name}");
         }
+    }
+
+    #[test]
+    fn unsaved_drafts_are_kept_and_removed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let data = folder.path();
+        assert_eq!(kept_drafts(data), None);
+        keep_drafts(data, None).expect("nothing to remove");
+        for text in ["one", "another"] {
+            keep_drafts(data, Some(text)).expect("written");
+            assert_eq!(kept_drafts(data).as_deref(), Some(text));
+        }
+        keep_drafts(data, None).expect("removed");
+        assert_eq!(kept_drafts(data), None);
+    }
+
+    #[test]
+    fn an_unknown_extension_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.xyz").display().to_string();
+        let written = PlanFiles::default().write(&path, ListKind::Plan, &Document::default());
+        let reason = written.expect_err("unknown").to_string();
+        assert!(reason.contains("unknown extension"), "{reason}");
+        assert!(!folder.path().join("a.xyz").exists());
     }
 
     /// A zip archive with one stored file.

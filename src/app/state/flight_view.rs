@@ -22,6 +22,7 @@ use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{USUAL_RESERVE_PERCENT, Vehicle, VehicleClass, VehicleId, Vehicles};
+use crate::vehicle_id::ranges;
 
 /// The console's view of a session: its vehicles, its mission, the selection and the commands.
 #[derive(Debug, Clone, Default)]
@@ -191,11 +192,30 @@ impl FlightView {
             Some((*id, reason.clone()))
         };
         let (vehicle, reason) = order.targets.iter().find_map(failed)?;
-        Some(text!(
-            "hazard-plan-rehearsal",
-            vehicle = vehicle,
-            reason = reason
-        ))
+        let text = text!("hazard-plan-rehearsal", vehicle = vehicle, reason = reason);
+        let met = self.met_by(vehicle);
+        if met.is_empty() {
+            return Some(text);
+        }
+        let is_other = met.iter().any(|id| !order.targets.contains(id));
+        let named = text!("hazard-plan-met", vehicles = ranges(met));
+        let again = is_other.then(|| {
+            let targets = ranges(order.targets.iter().copied());
+            text!("hazard-plan-rehearse-these", targets = targets)
+        });
+        let parts = [text, named].into_iter().chain(again).collect();
+        Some(Text::joined("; ", parts))
+    }
+
+    /// The vehicles that came too close to this one in the last rehearsal.
+    fn met_by(&self, vehicle: VehicleId) -> Vec<VehicleId> {
+        let pairs = self.meetings.iter().map(|meeting| meeting.vehicles);
+        let other = |[a, b]: [VehicleId; 2]| match vehicle {
+            _ if a == vehicle => Some(b),
+            _ if b == vehicle => Some(a),
+            _ => None,
+        };
+        pairs.filter_map(other).collect()
     }
 
     /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
@@ -358,6 +378,32 @@ mod tests {
             ..RehearsalFindings::default()
         });
         assert_eq!(view.hazard(&start), None, "it passes now");
+    }
+
+    /// The question names the other vehicle, and how to rehearse without it.
+    #[test]
+    fn a_plan_that_met_another_names_it() {
+        let mut view = FlightView::default();
+        view.insert(Arc::new(carrying(20.0)));
+        let plan = carrying(20.0).plans.plan.content.expect("a plan");
+        view.note_rehearsal(RehearsalFindings {
+            failed: vec![FailedRehearsal {
+                vehicle: 1,
+                plan: ContentHash::of(plan.flown()),
+                reason: Text::verbatim("comes too close"),
+            }],
+            meetings: vec![Meeting {
+                vehicles: [1, 3],
+                at_point: LatLon::new(50.45, 30.52),
+            }],
+            ..RehearsalFindings::default()
+        });
+        let reason = view.hazard(&order("plan start")).expect("it asks");
+        let reason = reason.to_string();
+        assert!(
+            reason.contains("too close: 3; `1 plan rehearse`"),
+            "{reason}"
+        );
     }
 
     /// The same holds for a draft that fails before it is uploaded.

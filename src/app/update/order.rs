@@ -6,9 +6,9 @@ use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
-use crate::commands::Order;
+use crate::commands::{Act, Command, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, ConsoleLine, Meaning, Statement};
+use crate::language::{self, ConsoleLine, Meaning, Statement, words};
 use crate::ledger::EntryId;
 use crate::operator::{first_word, order_of};
 use crate::text;
@@ -46,8 +46,27 @@ pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Gi
             return Ok(Given::Own(own));
         }
         permit(state, line, &statement)?;
-        order_of(statement, line, context, selection).map(Given::Order)
+        let order = order_of(statement, line, context, selection)?;
+        check_file(&order, line)?;
+        Ok(Given::Order(order))
     })
+}
+
+/// Refuses a download of several vehicles into one file: the first one would take the name.
+fn check_file(order: &Order, line: &str) -> Result<(), Diagnostic> {
+    let Act::Command(Command::Plan(PlanCommand {
+        deed: PlanDeed::Download { file },
+        ..
+    })) = &order.act
+    else {
+        return Ok(());
+    };
+    if order.targets.len() < 2 || file.contains("{id}") {
+        return Ok(());
+    }
+    let place = words(line).pop().map_or(0..0, |word| word.span);
+    let message = text!("order-one-file", file = file);
+    Err(Diagnostic::new(place, message).with_help(text!("order-one-file-help")))
 }
 
 /// Reads a line that must be an order, and finds its targets.

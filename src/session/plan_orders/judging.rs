@@ -4,7 +4,7 @@ use super::list::{PlanOrderGoal, whole};
 use super::{Desk, PlanOnFile};
 use crate::plan::check::{Severity, check};
 use crate::plan::{Document, Home, ListKind};
-use crate::preflight::finding_words;
+use crate::preflight::{finding_words, list_words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Transfer, Vehicle, VehicleClass, check_rules};
@@ -23,7 +23,7 @@ pub(super) fn checked(
 ) -> Result<PlanOrderGoal, Text> {
     let PlanOnFile { document, notes } = content;
     if document.list(kind).is_empty() {
-        return Err(text!("refused-plan-empty"));
+        return Err(text!("refused-plan-empty", list = list_words(kind)));
     }
     let vehicle = &*desk.vehicle;
     let class = vehicle.heartbeat.map_or(VehicleClass::Other, |it| it.class);

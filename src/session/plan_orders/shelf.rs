@@ -74,12 +74,15 @@ impl<S: PlanShelf> PlanShelf for GuardedShelf<S> {
 }
 
 /// The format of a file to write, by its name: `QGC WPL 110` with one list, unless the extension says otherwise.
-pub(crate) fn format_of(file: &str, kind: ListKind) -> FileFormat {
-    let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
-    match FileFormat::of_ending(ending) {
-        None | Some(FileFormat::Wpl(_)) => FileFormat::Wpl(kind),
-        Some(other) => other,
-    }
+pub(crate) fn format_of(file: &str, kind: ListKind) -> Option<FileFormat> {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let Some((_, ending)) = name.rsplit_once('.') else {
+        return Some(FileFormat::Wpl(kind));
+    };
+    Some(match FileFormat::of_ending(ending)? {
+        FileFormat::Wpl(_) => FileFormat::Wpl(kind),
+        other => other,
+    })
 }
 
 /// The notices about interrupted transfers to a vehicle, whose old lists are still kept.

@@ -239,16 +239,23 @@ fn lines(entry: &LedgerEntry, look: &Look, width: usize) -> Vec<Line<'static>> {
         (!state.is_failure(), state.is_final(), row.vehicle)
     });
     let lines = rows.into_iter();
-    lines.flat_map(|row| row_lines(row, look, width)).collect()
+    lines
+        .flat_map(|row| row_lines(entry, row, look, width))
+        .collect()
 }
 
 /// One vehicle: its state, its answer, its attempts, and the full reason.
-fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
+fn row_lines(
+    entry: &LedgerEntry,
+    row: &LedgerRow,
+    look: &Look,
+    width: usize,
+) -> Vec<Line<'static>> {
     let muted = look.style(Role::Muted);
     let answer = row
         .answered_after
         .map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
-    let state = aligned(&look.text(&row.text()), STATE_WIDTH, false);
+    let state = aligned(&look.text(&entry.state_of(row)), STATE_WIDTH, false);
     let tries = text!("commands-sent-times", count = row.tries);
     let head = Line::from(vec![
         Span::raw(format!("{:>5}  ", row.vehicle)),

@@ -174,13 +174,13 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
 /// The number of vehicles in each state, as text.
 pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
-        return look.text(&row.text());
+        return look.text(&entry.state_of(row));
     }
     // The progress of each vehicle in percent would be too much here.
     let mut counts: BTreeMap<(u8, bool), (Text, usize)> = BTreeMap::new();
     for row in &entry.rows {
-        let name = if row.is_over() {
-            row.text()
+        let name = if row.state.is_final() {
+            entry.state_of(row)
         } else {
             row.state.name()
         };

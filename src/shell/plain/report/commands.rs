@@ -2,7 +2,7 @@
 
 use super::LISTED;
 use crate::app::State;
-use crate::ledger::{EntryId, LedgerEntry};
+use crate::ledger::{EntryId, LedgerEntry, RowState};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
@@ -58,7 +58,11 @@ fn outcome(entry: &LedgerEntry) -> Text {
     let mut groups: Vec<(Fate, Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
         let explanation = row.remark().map(|text| text.regarding(""));
-        let fate = (row.state.text(), explanation);
+        let state = match row.state {
+            RowState::NoEffect => entry.state_of(row),
+            state => state.text(),
+        };
+        let fate = (state, explanation);
         match groups.iter_mut().find(|(known, _)| *known == fate) {
             Some((_, ids)) => ids.push(row.vehicle),
             None => groups.push((fate, vec![row.vehicle])),
