@@ -6,13 +6,14 @@
 use std::sync::Arc;
 
 use crate::plan::Document;
-use crate::text::Text;
 use crate::vehicle_id::VehicleId;
 
 mod apply;
 mod area;
 mod edit;
 mod fence;
+mod flight;
+mod kept;
 mod place;
 mod plan;
 mod profile;
@@ -24,11 +25,14 @@ mod trial;
 
 pub use area::{drawn_areas, rings};
 pub use edit::{
-    Edit, Edited, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
-    Surroundings,
+    Edit, EditPart, Edited, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame,
+    Refusal, Spot, Surroundings,
 };
 pub use fence::areas;
+pub use flight::{TrialFlight, TrialPilot};
+pub use kept::{kept_drafts, kept_text};
 pub use place::place;
+pub use plan::needs_ground;
 pub use profile::{Profile, Stop, ground_above_home, height_above_home, profile};
 pub use shelf::Drafts;
 pub use squares::squares;
@@ -42,6 +46,8 @@ const MOST_CHANGES: usize = 1000;
 pub struct Draft {
     name: String,
     vehicle: Option<VehicleId>,
+    /// Its number among the open drafts without a vehicle, for its sign; it keeps the number while it is open.
+    slot: usize,
     /// The file that it was read from or last written to.
     file: Option<String>,
     now: Arc<Document>,
@@ -60,6 +66,7 @@ impl Draft {
         Self {
             name: name.into(),
             vehicle,
+            slot: 0,
             file: None,
             now: document,
             past: Vec::new(),
@@ -103,6 +110,11 @@ impl Draft {
         self.vehicle
     }
 
+    /// Its number among the open drafts without a vehicle, from 0.
+    pub fn slot(&self) -> usize {
+        self.slot
+    }
+
     /// The document as the last edit has left it.
     pub fn document(&self) -> &Arc<Document> {
         &self.now
@@ -127,7 +139,7 @@ impl Draft {
     ///
     /// # Errors
     /// The reason why the change is not possible; nothing changes.
-    pub fn edit(&mut self, edit: &Edit, around: &Surroundings) -> Result<Option<usize>, Text> {
+    pub fn edit(&mut self, edit: &Edit, around: &Surroundings) -> Result<Option<usize>, Refusal> {
         let Edited { document, item } = edit.apply(&self.now, around)?;
         self.note_change(Arc::new(document));
         Ok(item)

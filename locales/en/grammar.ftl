@@ -48,6 +48,7 @@ grammar-no-mode-sub = a sub has no mode `{ $mode }`
 grammar-no-area = unknown area `{ $area }`
 grammar-area = area
 grammar-no-items = `{ $word }` is not an item number or a range such as `3-5`
+grammar-no-longitude = the longitude is missing after `{ $latitude }`: write both, as in `50.45 30.52`
 grammar-no-plan-command = unknown plan command `{ $word }`
 grammar-plan-commands = completion lists all commands, such as { $words }
 grammar-no-plan-field = unknown parameter `{ $word }`

@@ -48,6 +48,7 @@ grammar-no-mode-sub = у підводного апарата немає режи
 grammar-no-area = невідома ділянка `{ $area }`
 grammar-area = ділянка
 grammar-no-items = `{ $word }` не є номером пункту чи проміжком, як-от `3-5`
+grammar-no-longitude = після `{ $latitude }` бракує довготи: запишіть обидва числа, як-от `50.45 30.52`
 grammar-no-plan-command = невідома команда плану `{ $word }`
 grammar-plan-commands = доповнення показує всі команди, як-от { $words }
 grammar-no-plan-field = невідомий параметр `{ $word }`

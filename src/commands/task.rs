@@ -3,6 +3,7 @@
 //! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into plans.
 
 use super::{Datum, Ground, Pattern};
+use crate::geo::LatLon;
 use crate::plan::generate::Course;
 
 /// The joint task of the plans of several vehicles.
@@ -26,6 +27,15 @@ pub enum PlanTask {
         /// The radius of the search.
         radius_m: Option<f64>,
         /// The spacing of the square's turns in metres; `None` as for a survey.
+        spacing_m: Option<f64>,
+        /// Height above home; `None` for the usual one.
+        up_m: Option<f64>,
+    },
+    /// A lane for each vehicle, side by side along a line.
+    Line {
+        /// The places of the line.
+        points: Vec<LatLon>,
+        /// The distance between lanes; `None` for the width that the sensor covers.
         spacing_m: Option<f64>,
         /// Height above home; `None` for the usual one.
         up_m: Option<f64>,

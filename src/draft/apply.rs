@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use super::edit::{Edit, Edited, Items, ItemsChange, PlanFrame, Spot, Surroundings};
+use super::edit::{
+    Edit, EditPart, Edited, Items, ItemsChange, PlanFrame, Refusal, Spot, Surroundings,
+};
 use super::place::{found, known, place, refused};
 use super::{fence, plan};
 use crate::geo::LatLon;
@@ -10,7 +12,6 @@ use crate::plan::edit::{self, HeightChange};
 use crate::plan::generate::USUAL_HEIGHT_M;
 use crate::plan::{Document, Home, Item, ListKind, command, field};
 use crate::text;
-use crate::text::Text;
 
 /// The smallest radius that a change to a circle leaves, in metres.
 const LEAST_RADIUS_M: f32 = 1.0;
@@ -20,7 +21,7 @@ impl Edit {
     ///
     /// # Errors
     /// The reason why it is not possible.
-    pub fn apply(&self, document: &Document, around: &Surroundings) -> Result<Edited, Text> {
+    pub fn apply(&self, document: &Document, around: &Surroundings) -> Result<Edited, Refusal> {
         let mut document = document.clone();
         document.home = document.home.or(around.home);
         let item = match self {
@@ -51,7 +52,7 @@ impl ItemsChange {
         list: ListKind,
         items: Items,
         around: &Surroundings,
-    ) -> Result<Option<usize>, Text> {
+    ) -> Result<Option<usize>, Refusal> {
         let range = known(document.list(list), items)?;
         match self {
             Self::Delete => return delete(document, list, range),
@@ -80,7 +81,7 @@ fn delete(
     document: &mut Document,
     list: ListKind,
     range: Range<usize>,
-) -> Result<Option<usize>, Text> {
+) -> Result<Option<usize>, Refusal> {
     let at = range.start;
     match list {
         ListKind::Plan => {
@@ -107,7 +108,7 @@ fn shift(items: &mut [Item], range: &Range<usize>, (north_m, east_m): (f64, f64)
 }
 
 /// Moves items so that the first of them that has a place gets this one.
-fn put(items: &mut [Item], range: &Range<usize>, to: LatLon) -> Result<(), Text> {
+fn put(items: &mut [Item], range: &Range<usize>, to: LatLon) -> Result<(), Refusal> {
     if let Some(first) = items[range.clone()].iter().find_map(place) {
         shift(items, range, first.offset_to(to));
         return Ok(());
@@ -115,7 +116,9 @@ fn put(items: &mut [Item], range: &Range<usize>, to: LatLon) -> Result<(), Text>
     let mut placeable = items[range.clone()]
         .iter_mut()
         .filter(|item| command::has_place(item.command));
-    let item = placeable.next().ok_or_else(|| text!("draft-no-place"))?;
+    let item = placeable
+        .next()
+        .ok_or_else(|| Refusal::new(EditPart::Items, text!("draft-no-place")))?;
     (item.x, item.y) = to.to_e7();
     Ok(())
 }
@@ -125,7 +128,7 @@ fn change_height(
     list: ListKind,
     range: Range<usize>,
     change: HeightChange,
-) -> Result<(), Text> {
+) -> Result<(), Refusal> {
     let changed = |now: f32| match change {
         HeightChange::To(metres) => metres,
         HeightChange::By(metres) => now + metres,
@@ -145,7 +148,7 @@ fn change_height(
                 .filter(|it| command::is_circle(it.command))
                 .peekable();
             if circles.peek().is_none() {
-                return Err(text!("draft-no-radius"));
+                return Err(Refusal::new(EditPart::Items, text!("draft-no-radius")));
             }
             for item in circles {
                 item.params[0] = changed(item.params[0]).max(LEAST_RADIUS_M);
@@ -156,7 +159,7 @@ fn change_height(
 }
 
 /// Sets a parameter of the items that have it.
-fn set(items: &mut [Item], name: &str, value: f32) -> Result<(), Text> {
+fn set(items: &mut [Item], name: &str, value: f32) -> Result<(), Refusal> {
     let mut is_any = false;
     for item in items.iter_mut() {
         if let Some(field) = field::field_named(item.command, name) {
@@ -170,7 +173,7 @@ fn set(items: &mut [Item], name: &str, value: f32) -> Result<(), Text> {
     let command = first.command;
     let names: Vec<&str> = field::fields(command).iter().map(|it| it.name).collect();
     let word = field::word(command).unwrap_or_default();
-    Err(if names.is_empty() {
+    let reason = if names.is_empty() {
         text!("draft-no-fields", command = word)
     } else {
         text!(
@@ -179,10 +182,11 @@ fn set(items: &mut [Item], name: &str, value: f32) -> Result<(), Text> {
             name = name,
             names = names.join(", ")
         )
-    })
+    };
+    Err(Refusal::new(EditPart::Field, reason))
 }
 
-fn move_home(document: &mut Document, spot: Spot, around: &Surroundings) -> Result<(), Text> {
+fn move_home(document: &mut Document, spot: Spot, around: &Surroundings) -> Result<(), Refusal> {
     let (x, y) = found(spot, document, around)?.to_e7();
     let z = document.home.or(around.home).map_or(0.0, |home| home.z);
     document.home = Some(Home { x, y, z });

@@ -2,11 +2,16 @@
 
 use std::ops::Range;
 
+use mavlink::dialects::ardupilotmega::MavCmd;
 use strum::{EnumString, VariantNames};
 
 use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::HeightChange;
-use crate::plan::{Document, HeightFrame, Home, Item, ListKind};
+use crate::plan::{Document, HeightFrame, Home, Item, ListKind, command};
+use crate::text::Text;
+
+const CONDITION_DELAY: u16 = MavCmd::MAV_CMD_CONDITION_DELAY as u16;
+const SET_SERVO: u16 = MavCmd::MAV_CMD_DO_SET_SERVO as u16;
 
 /// Items of a list by their numbers, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,8 +104,20 @@ impl NewItem {
             spot: None,
             height_m: None,
             frame: None,
-            params: [0.0; 4],
+            params: usual_params(command),
         }
+    }
+}
+
+/// The parameters of a new item: such that the command does something, where 0 would mean nothing.
+const fn usual_params(command: u16) -> [f32; 4] {
+    match command {
+        command::LOITER_TURNS => [1.0, 0.0, 0.0, 0.0],
+        command::LOITER_TIME | command::DELAY | CONDITION_DELAY => [10.0, 0.0, 0.0, 0.0],
+        command::DO_CHANGE_SPEED => [0.0, 5.0, 0.0, 0.0],
+        // The first output that drives no motor, in the middle.
+        SET_SERVO => [9.0, 1500.0, 0.0, 0.0],
+        _ => [0.0; 4],
     }
 }
 
@@ -221,4 +238,46 @@ pub struct Edited {
     pub document: Document,
     /// The item that the change is about, counted from 0.
     pub item: Option<usize>,
+}
+
+/// The part of a change at fault.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EditPart {
+    /// The change as a whole.
+    Whole,
+    /// The items that it changes.
+    Items,
+    /// The number that items get, or the item that a jump leads to.
+    Target,
+    /// A place.
+    Place,
+    /// The name of a parameter.
+    Field,
+    /// The vehicles that a line names.
+    Vehicles,
+}
+
+/// Why a change is not possible.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refusal {
+    pub part: EditPart,
+    pub reason: Text,
+}
+
+impl Refusal {
+    pub fn new(part: EditPart, reason: Text) -> Self {
+        Self { part, reason }
+    }
+}
+
+impl From<Text> for Refusal {
+    fn from(reason: Text) -> Self {
+        Self::new(EditPart::Whole, reason)
+    }
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.reason.fmt(formatter)
+    }
 }

@@ -2,11 +2,10 @@
 
 use std::ops::Range;
 
-use super::edit::{FenceEdit, Items, Surroundings};
+use super::edit::{FenceEdit, Items, Refusal, Surroundings};
 use super::place::{found, known};
 use crate::geo::LatLon;
 use crate::plan::{Document, Item, command};
-use crate::text::Text;
 
 /// Changes the fence, and returns the item that the change is about.
 ///
@@ -16,7 +15,7 @@ pub(super) fn change(
     document: &mut Document,
     edit: &FenceEdit,
     around: &Surroundings,
-) -> Result<usize, Text> {
+) -> Result<usize, Refusal> {
     match edit {
         FenceEdit::Corner { spot, after } => {
             let place = found(*spot, document, around)?;
@@ -25,7 +24,7 @@ pub(super) fn change(
         }
         FenceEdit::Polygon { keeps_in, corners } => {
             let corners = corners.iter().map(|spot| found(*spot, document, around));
-            let corners = corners.collect::<Result<Vec<LatLon>, Text>>()?;
+            let corners = corners.collect::<Result<Vec<LatLon>, Refusal>>()?;
             Ok(add_polygon(&mut document.fence, *keeps_in, &corners))
         }
         FenceEdit::Circle {

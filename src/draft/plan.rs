@@ -1,12 +1,13 @@
 //! Changes to the plan.
 
-use super::edit::{Insertion, Items, NewItem, PlanEdit, PlanFrame, Spot, Surroundings};
+use super::edit::{
+    EditPart, Insertion, Items, NewItem, PlanEdit, PlanFrame, Refusal, Spot, Surroundings,
+};
 use super::place::{found, known, place, refused};
 use crate::geo::{LatLon, Terrain};
 use crate::plan::edit::{self, FrameChange};
 use crate::plan::generate::USUAL_HEIGHT_M;
 use crate::plan::{Document, Item, command};
-use crate::text::Text;
 
 /// Changes the plan, and returns the item that the change is about.
 ///
@@ -16,12 +17,17 @@ pub(super) fn change(
     document: &mut Document,
     edit: &PlanEdit,
     around: &Surroundings,
-) -> Result<Option<usize>, Text> {
+) -> Result<Option<usize>, Refusal> {
     let at = match edit {
         PlanEdit::Add { item, at } => add(document, item, *at, around)?,
         PlanEdit::Reorder { items, to } => {
+            let range = known(&document.plan, *items)?;
             let to = to.saturating_sub(1);
-            document.plan = edit::relocate(&document.plan, items.range(), to).map_err(refused)?;
+            let at_target = |error| Refusal {
+                part: EditPart::Target,
+                ..refused(error)
+            };
+            document.plan = edit::relocate(&document.plan, range, to).map_err(at_target)?;
             to
         }
         PlanEdit::Split(item) => {
@@ -43,7 +49,7 @@ fn add(
     new: &NewItem,
     at: Insertion,
     around: &Surroundings,
-) -> Result<usize, Text> {
+) -> Result<usize, Refusal> {
     let at = match at {
         Insertion::Last => document.plan.len(),
         Insertion::Before(number) => number.saturating_sub(1),
@@ -64,7 +70,7 @@ fn built(
     new: &NewItem,
     at: usize,
     around: &Surroundings,
-) -> Result<Item, Text> {
+) -> Result<Item, Refusal> {
     let has_place = command::has_place(new.command);
     let spot = match new.spot {
         None if has_place && !stays_in_place(new.command) => Some(Spot::Cursor),
@@ -94,20 +100,35 @@ fn built(
     })
 }
 
-/// Changes the frame of items. Their true height stays the same; between home and terrain the number stays instead if
-/// the ground or home is not known: the ground then counts as level.
+/// Whether a change of frame needs the height of the ground: between terrain and sea level.
+pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame) -> bool {
+    let before = document.plan.get(items.range()).unwrap_or_default();
+    before.iter().any(|item| {
+        matches!(
+            (PlanFrame::of(item), frame),
+            (Some(PlanFrame::Terrain), PlanFrame::Sea) | (Some(PlanFrame::Sea), PlanFrame::Terrain)
+        )
+    })
+}
+
+/// Changes the frame of items. Their true height stays the same; where the ground is not known, it counts as level with
+/// home. Between home and terrain, the number stays if home is not known either.
 fn change_frame(
     document: &mut Document,
     items: Items,
     frame: PlanFrame,
     ground: &Terrain,
-) -> Result<(), Text> {
+) -> Result<(), Refusal> {
     let home = document.home;
     for at in known(&document.plan, items)? {
         let before = PlanFrame::of(&document.plan[at]);
         let keep = FrameChange::KeepHeights {
             home,
-            ground_amsl_m: &|item| ground.height_m(place(item)?).map(|metres| metres as f32),
+            ground_amsl_m: &|item| {
+                let metres = place(item).and_then(|at| ground.height_m(at));
+                let level = home.map(|home| home.z);
+                metres.map(|metres| metres as f32).or(level)
+            },
         };
         let is_known = place(&document.plan[at]).is_some_and(|at| ground.height_m(at).is_some());
         let change = match (before, frame) {
@@ -127,7 +148,7 @@ fn change_command(
     number: usize,
     command: u16,
     around: &Surroundings,
-) -> Result<usize, Text> {
+) -> Result<usize, Refusal> {
     let at = known(&document.plan, Items::one(number))?.start;
     let old = document.plan[at];
     let here = place(&old);

@@ -1,5 +1,6 @@
 //! The drafts that are open at the same time.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::Draft;
@@ -49,7 +50,8 @@ impl Drafts {
     /// that undo can restore the earlier content.
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
-        for draft in drafts {
+        for mut draft in drafts {
+            draft.slot = self.free_slot();
             let known = self.all.iter().position(|it| it.name == draft.name);
             let at = known.unwrap_or(self.all.len());
             match known {
@@ -98,6 +100,13 @@ impl Drafts {
             self.all.remove(self.current);
         }
         self.current = self.current.min(self.all.len().saturating_sub(1));
+    }
+
+    /// The lowest number that no draft without a vehicle has.
+    fn free_slot(&self) -> usize {
+        let own = self.all.iter().filter(|draft| draft.vehicle.is_none());
+        let taken: BTreeSet<usize> = own.map(|draft| draft.slot).collect();
+        (0..).find(|slot| !taken.contains(slot)).unwrap_or_default()
     }
 
     /// A name that no draft has: the proposed one, or the same followed by a number.

@@ -236,10 +236,20 @@ fn a_frame_changes_the_number_only_towards_sea_level() {
         .edit(&frame(PlanFrame::Terrain), &around())
         .expect("level ground");
     assert_eq!(height(&draft), (10, 20.0));
-    assert!(
-        draft.edit(&frame(PlanFrame::Sea), &around()).is_err(),
-        "the ground is not known"
-    );
+    draft
+        .edit(&frame(PlanFrame::Sea), &around())
+        .expect("level ground");
+    assert_eq!(height(&draft), (0, 190.0));
+    let nowhere = Surroundings {
+        home: None,
+        ..around()
+    };
+    let document = Document {
+        home: None,
+        ..Document::clone(draft.document())
+    };
+    let to_home = frame(PlanFrame::Home);
+    assert!(to_home.apply(&document, &nowhere).is_err(), "no home");
 }
 
 #[test]
@@ -271,7 +281,7 @@ fn parameters_are_set_by_name_and_commands_change_in_place() {
     draft.edit(&turns, &around()).expect("possible");
     let after = draft.document().plan[2];
     assert_eq!((after.x, after.y, after.z), (before.x, before.y, before.z));
-    assert_eq!(after.params.map(|it| it as i32), [0; 4]);
+    assert_eq!(after.params.map(|it| it as i32), [1, 0, 0, 0], "one turn");
 }
 
 fn corner(north_m: f64, east_m: f64, after: Option<usize>) -> Edit {

@@ -57,6 +57,8 @@ pub struct Tried {
     pub changed: Vec<TrialDraft>,
     /// The plans that were flown as they are.
     pub verdicts: Vec<PlanVerdict>,
+    /// The flights, if there were any.
+    pub flight: Option<TrialFlight>,
     /// Whether the user waits for it.
     pub is_awaited: bool,
 }

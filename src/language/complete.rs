@@ -80,8 +80,8 @@ pub fn file_begun<'a>(line: &'a str, cursor: usize, context: &Context) -> Option
 
 /// A hint for the next word. If the line fits one form of the verb, the hint is that form with the next argument
 /// between ‹ and › and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several forms fit, it
-/// lists the possible next arguments. If the line is complete, it is the verb's summary. `None` without a verb, and
-/// after a fault.
+/// lists the possible next arguments. If the line is complete, it is the meaning of the form, otherwise of the verb.
+/// `None` without a verb, and after a fault.
 pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
@@ -97,7 +97,7 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let name = row.name();
     match fitting.as_slice() {
         [] => None,
-        [(_, None)] => Some(described(name.into(), row.summary())),
+        [(form, None)] => Some(meaning(row, form)),
         [(form, Some(next))] => {
             let usage = form.usage(name, Some(next));
             Some(described(usage.into(), next.explained()))
@@ -108,10 +108,21 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
                 .filter_map(|(_, next)| next.map(Argument::usage))
                 .collect();
             if next.is_empty() {
-                return Some(described(name.into(), row.summary()));
+                return several.first().map(|(form, _)| meaning(row, form));
             }
             Some(format!("{name} ‹{}›", next.join(" | ")).into())
         }
+    }
+}
+
+/// The usage and the meaning of a form that begins with a word of its own; of other forms, the meaning of the verb.
+fn meaning(row: &VerbRow, form: &Form) -> Text {
+    let said = form.beginning().last();
+    let mut own = form.arguments.iter();
+    let word = own.find(|argument| Some(argument.keyword) == said && !argument.help.is_empty());
+    match word {
+        Some(word) => described(form.usage(row.name(), None).into(), word.meaning()),
+        None => described(row.name().into(), row.summary()),
     }
 }
 

@@ -349,6 +349,21 @@ pub enum DraftWork {
         spacing_m: Option<f64>,
         up_m: Option<f64>,
     },
+    /// Lanes side by side along a line.
+    Line {
+        /// Its places; empty for the places of the current draft's plan.
+        points: Vec<LatLon>,
+        spacing_m: Option<f64>,
+        up_m: Option<f64>,
+    },
+    /// Circles around a place.
+    Orbit {
+        /// The centre; `None` for the cursor of the map.
+        centre: Option<LatLon>,
+        radius_m: f64,
+        turns: Option<u8>,
+        up_m: Option<f64>,
+    },
 }
 
 /// A command about alerts.

@@ -108,6 +108,13 @@ impl Meant {
 
 /// What is missing after the last word, or why its names do not exist.
 fn incomplete(meant: &Meant, closest: &[&Fit], rest: &[Word], context: &Context) -> Text {
+    let is_half_a_place = closest
+        .iter()
+        .any(|fit| fit.begun.is_some_and(|it| it.kind == Kind::Point));
+    let latitude = rest.last().filter(|word| number_length(word.text) > 0);
+    if let Some(latitude) = latitude.filter(|_| is_half_a_place) {
+        return text!("grammar-no-longitude", latitude = latitude.text);
+    }
     let expected = || closest.iter().flat_map(|fit| fit.expected.iter().copied());
     if let Some(why_not) = expected().find_map(|item| unavailable(item, context)) {
         return why_not;

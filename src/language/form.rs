@@ -12,6 +12,8 @@ pub(super) struct Fit {
     pub arguments: Arguments,
     /// The arguments that may follow the last word.
     pub expected: Vec<Expected>,
+    /// The argument of which only the first words are there.
+    pub begun: Option<&'static Argument>,
     /// Whether nothing is missing.
     pub complete: bool,
     /// The first word that does not match.
@@ -99,7 +101,11 @@ pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit
         match reader.step(&words[at..]) {
             FormStep::Took(count) => at += count,
             FormStep::Unfinished(argument) => {
-                return reader.end(vec![Expected::Value(argument)], false, None);
+                let fit = reader.end(vec![Expected::Value(argument)], false, None);
+                return Fit {
+                    begun: Some(argument),
+                    ..fit
+                };
             }
             FormStep::Misfit(mut misfit) => {
                 misfit.word += at;
@@ -122,6 +128,7 @@ impl FormReader<'_> {
         Fit {
             arguments: self.arguments,
             expected,
+            begun: None,
             complete,
             misfit,
         }
@@ -130,8 +137,19 @@ impl FormReader<'_> {
     /// The arguments possible now: all up to the first one that must precede the rest.
     fn open(&self) -> Vec<usize> {
         let mut open = Vec::new();
-        for (index, argument) in self.form.arguments.iter().enumerate() {
+        let arguments = self.form.arguments.iter().enumerate();
+        let is_value = |argument: &Argument| argument.keyword.is_empty();
+        // Values keep their order: after a later one, an earlier one is no longer possible.
+        let last = arguments
+            .clone()
+            .filter(|(index, argument)| self.filled[*index] && is_value(argument))
+            .map(|(index, _)| index)
+            .next_back();
+        for (index, argument) in arguments {
             if self.filled[index] && !argument.repeated {
+                continue;
+            }
+            if is_value(argument) && !argument.repeated && last.is_some_and(|last| index < last) {
                 continue;
             }
             open.push(index);

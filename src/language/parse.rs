@@ -1,13 +1,17 @@
 //! Parses a line into a statement.
 
+use std::ops::Range;
+
 use super::console::ConsoleLine;
 use super::fault::fault;
 use super::form::fit;
 use super::head::{Head, end_of, head};
 use super::lexer::{Word, words};
+use super::table::arguments_of;
 use super::verb::{Form, Meaning, Scope};
 use super::{Context, Statement};
 use crate::diagnostic::Diagnostic;
+use crate::draft::EditPart;
 
 /// Reads a line.
 ///
@@ -56,6 +60,19 @@ pub(super) fn understand(
         fits.push(fit);
     }
     Err(fault(head.row, &fits, rest, all, context))
+}
+
+/// The place in a line about a draft where it names a part of its change.
+pub fn draft_part(line: &str, part: EditPart, context: &Context) -> Option<Range<usize>> {
+    let words = words(line);
+    let head = head(&words, context).ok()?;
+    let mut fits = head.row.forms.iter();
+    let fit = fits.find_map(|form| {
+        let fit = fit(form, &words[head.len..], context);
+        fit.complete.then_some(fit)
+    })?;
+    let mut names = arguments_of(part).iter();
+    names.find_map(|name| fit.arguments.span(name))
 }
 
 /// The line in its canonical spelling.

@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use super::modes::{mode_named, mode_names, mode_summary};
-use super::names::NameList;
+use super::names::{Listed, NameList};
 use super::targets::Targets;
 use super::{Context, VehicleChoice};
 use crate::commands::{command_by_name, command_names};
@@ -178,13 +178,12 @@ fn listed(list: NameList, context: &Context) -> Vec<(String, Text)> {
 
 /// The parameters of the current item with their values, otherwise all parameters with their units.
 fn plan_fields(context: &Context) -> Vec<(String, Text)> {
-    let own = listed(NameList::ItemField, context);
-    if !own.is_empty() {
-        return own;
+    match context.names.listed(NameList::ItemField) {
+        Listed::Anything => field::field_names()
+            .map(|(name, unit)| (name.to_owned(), Unit::of_field(unit).symbol().into()))
+            .collect(),
+        Listed::Names(_) | Listed::Nothing(_) => listed(NameList::ItemField, context),
     }
-    field::field_names()
-        .map(|(name, unit)| (name.to_owned(), Unit::of_field(unit).symbol().into()))
-        .collect()
 }
 
 fn unexplained<'a>(words: &'a [&'a str]) -> impl Iterator<Item = (String, Text)> {

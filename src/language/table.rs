@@ -19,6 +19,8 @@ mod session;
 mod swarm;
 mod waiting;
 
+pub(super) use drafts::arguments_of;
+
 /// The whole table, in display order.
 pub fn rows() -> impl Iterator<Item = &'static VerbRow> {
     TABLE.into_iter().flatten()

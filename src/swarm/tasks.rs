@@ -150,6 +150,18 @@ impl<'a> TaskTeam<'a> {
                 let task = search(*pattern, self.place(*datum)?, *radius_m, spacing_m);
                 Ok((task, height_m))
             }
+            PlanTask::Line {
+                points,
+                spacing_m,
+                up_m,
+            } => {
+                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
+                let task = Task::Line {
+                    points: points.clone(),
+                    spacing_m: self.spacing_m(*spacing_m, height_m),
+                };
+                Ok((task, height_m))
+            }
             PlanTask::Orbit {
                 centre,
                 radius_m,

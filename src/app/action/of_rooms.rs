@@ -98,6 +98,8 @@ pub enum PlansAction {
     SurveyDraft,
     /// Write a line that flies the drafts in simulation.
     TryDrafts,
+    /// Show the figures of the last rehearsal, or the items again.
+    ShowFigures,
     UndoEdit,
     RedoEdit,
     /// Write a line that changes heights.

@@ -12,6 +12,7 @@ use crate::preflight::summary;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
 
 /// The names known to the state and to the rooms.
 #[derive(Debug)]
@@ -94,6 +95,26 @@ impl State {
                 Channel::Plain
             },
         })
+    }
+
+    /// Refuses vehicles that have not been heard: the grammar accepts every number.
+    ///
+    /// # Errors
+    /// The first vehicle that is unknown, with the known ones.
+    pub(in crate::app) fn check_known(&self, ids: &[VehicleId]) -> Result<(), Text> {
+        let known = &self.session.vehicles;
+        let Some(unknown) = ids.iter().find(|id| !known.contains_key(id)) else {
+            return Ok(());
+        };
+        if known.is_empty() {
+            return Err(text!("grammar-no-vehicles-yet"));
+        }
+        let known = ranges(known.keys().copied());
+        Err(text!(
+            "grammar-no-vehicle",
+            vehicle = *unknown,
+            known = known
+        ))
     }
 
     /// The vehicles that a choice selects.

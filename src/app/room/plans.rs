@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crossterm::event::KeyCode;
 
 use self::ground::GroundFiles;
+use self::keeping::KeptContent;
 use super::map::Map;
 use crate::app::State;
 use crate::app::action::{Action, DrawAction, PlansAction, Step};
@@ -20,10 +21,12 @@ use crate::swarm::DividedWork;
 mod act;
 mod change;
 mod divide;
+mod figures;
 mod files;
 mod ground;
 mod hints;
 mod judge;
+mod keeping;
 mod line;
 mod stage;
 mod trial;
@@ -34,6 +37,7 @@ pub use files::{ask_close, close, fill, is_elsewhere, is_kept, read, uploads, wr
 pub use ground::{ground_read, wanted_ground};
 pub use hints::of_items as room_hints;
 pub use judge::{findings, pace};
+pub use keeping::{keep, restore};
 pub use line::carry_out;
 pub use stage::{NextStep, PlanStage, next_step};
 pub use trial::tried;
@@ -62,6 +66,10 @@ pub struct Drawing {
     divided: DividedWork,
     /// The outcome of the last trial, until a draft changes.
     tried: Option<Tried>,
+    /// The first line of the trial's figures that is shown in place of the items, if they are.
+    figures_top: Option<usize>,
+    /// The unsaved drafts that the data folder has.
+    written: KeptContent,
 }
 
 impl Default for Drawing {
@@ -78,6 +86,8 @@ impl Default for Drawing {
             ground: GroundFiles::default(),
             divided: DividedWork::default(),
             tried: None,
+            figures_top: None,
+            written: KeptContent::new(),
         }
     }
 }
@@ -203,6 +213,7 @@ impl RoomModel for Drawing {
         does(key('y'), own(PlansAction::TakePlan)),
         does(key('w'), own(PlansAction::SaveDraft)),
         does(key('U'), own(PlansAction::UploadDraft)),
+        does(key('F'), own(PlansAction::ShowFigures)),
         does(key('S'), own(PlansAction::SurveyDraft)),
         does(key('R'), own(PlansAction::TryDrafts)),
         does(key(']'), own(PlansAction::CloserDraft)),
@@ -225,7 +236,9 @@ impl RoomModel for Drawing {
     }
 
     fn escape(state: &mut State) -> Answer {
-        state.rooms.plans.mark.take().map(|_| Vec::new())
+        let room = &mut state.rooms.plans;
+        let is_closed = room.figures().is_some() && room.turn_figures();
+        (is_closed || room.mark.take().is_some()).then(Vec::new)
     }
 
     fn entered(state: &mut State) {

@@ -13,7 +13,7 @@ use crate::app::room::{Room, fly, hangar, parameters};
 use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
-use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, Targets, words};
+use crate::language::{self, ConsoleLine, ParametersLine, Report, TableLine, Targets, words};
 use crate::plan::ListKind;
 use crate::text;
 use crate::text::Text;
@@ -33,6 +33,12 @@ pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effe
             state.typing.macro_lines.push_front(line);
         }
         return Ok(Effects::none());
+    }
+    if let ConsoleLine::Draft(draft_line) = own {
+        return drafts::carry_out(state, draft_line).map_err(|refusal| {
+            let faulty = state.with_context(|it| language::draft_part(line, refusal.part, it));
+            Diagnostic::new(faulty.unwrap_or(last_word), refusal.reason)
+        });
     }
     obey(state, own).map_err(|text| Diagnostic::new(last_word, text))
 }
@@ -72,8 +78,8 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
             state.session.leave_brief();
             return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
         }
-        // Its lines were queued above.
-        ConsoleLine::Macro(_) => {}
+        // They were carried out above.
+        ConsoleLine::Macro(_) | ConsoleLine::Draft(_) => {}
         ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
         ConsoleLine::Parameters(own) => return parameters(state, own),
         ConsoleLine::Process { deed, vehicle } => return Ok(hangar::order(state, deed, vehicle)),
@@ -86,7 +92,6 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Bookmark(text) => return replay::bookmark(state, text),
         ConsoleLine::Unbookmark => return replay::unbookmark(state),
         ConsoleLine::Review(line) => return review::carry_out(state, line),
-        ConsoleLine::Draft(line) => return drafts::carry_out(state, line),
         ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
@@ -114,19 +119,7 @@ fn inform(state: &mut State, report: &Report) {
 fn carried(state: &mut State, kind: ListKind, targets: &Targets) -> Result<(), Text> {
     let selection = state.addressed();
     let ids = state.with_context(|context| targets.resolve(&selection, context))?;
-    let known = &state.session.vehicles;
-    // Before a vehicle is heard, the grammar accepts every number.
-    if let Some(unknown) = ids.iter().find(|id| !known.contains_key(id)) {
-        if known.is_empty() {
-            return Err(text!("grammar-no-vehicles-yet"));
-        }
-        let known = ranges(known.keys().copied());
-        return Err(text!(
-            "grammar-no-vehicle",
-            vehicle = *unknown,
-            known = known
-        ));
-    }
+    state.check_known(&ids)?;
     let vehicles = ids.iter().filter_map(|id| state.session.vehicles.get(id));
     let lists = CarriedLists::of(kind, vehicles.map(Arc::as_ref));
     let severity = if lists.are_same() {

@@ -8,7 +8,7 @@ use crate::app::State;
 use crate::app::effect::Effects;
 use crate::app::room::{Room, plans};
 use crate::commands::{Act, Command, Order, PlanDeed, PlanSource};
-use crate::draft::Draft;
+use crate::draft::{Draft, Refusal};
 use crate::language::DraftLine;
 use crate::text;
 use crate::text::Text;
@@ -18,7 +18,7 @@ use crate::vehicle::VehicleId;
 ///
 /// # Errors
 /// The reason why it is not possible.
-pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
+pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal> {
     match line {
         DraftLine::Upload(vehicles) => {
             let ids = match vehicles {
@@ -27,16 +27,16 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             };
             let draft = state.rooms.plans.drafts().current().cloned();
             let draft = draft.ok_or_else(|| text!("draft-none"))?;
-            upload(state, &[(draft, ids)])
+            Ok(upload(state, &[(draft, ids)])?)
         }
         DraftLine::UploadEach => {
             let drafts = state.rooms.plans.drafts().all().iter();
             let own = drafts.filter_map(|draft| Some((draft.clone(), vec![draft.vehicle()?])));
             let own: Vec<(Draft, Vec<VehicleId>)> = own.collect();
             if own.is_empty() {
-                return Err(text!("draft-none-for-vehicles"));
+                return Err(text!("draft-none-for-vehicles").into());
             }
-            upload(state, &own)
+            Ok(upload(state, &own)?)
         }
         other => {
             if state.display.has_rooms {

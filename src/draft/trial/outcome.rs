@@ -1,6 +1,7 @@
 //! The outcome of a trial in words.
 
 use super::{PlanVerdict, TrialDraft, Tried};
+use crate::draft::TrialFlight;
 use crate::plan::ContentHash;
 use crate::rehearsal::{Approach, FlightEnding, Outcome};
 use crate::text;
@@ -28,8 +29,15 @@ impl TrialOutcome<'_> {
         drafts.map(verdict).collect()
     }
 
-    /// The figures of the flights, their conflicts, or the first plan that is not flown as planned.
+    /// The flights, and in words their figures, their conflicts, or the first plan that is not flown as planned.
     pub fn tried(&self) -> Tried {
+        Tried {
+            flight: Some(TrialFlight::of(self.drafts, self.outcome)),
+            ..self.judged()
+        }
+    }
+
+    fn judged(&self) -> Tried {
         let conflicts: Vec<&Approach> = self.outcome.conflicts().collect();
         if !conflicts.is_empty() {
             return self.in_conflict(&conflicts);

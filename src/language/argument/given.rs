@@ -89,6 +89,13 @@ impl Arguments {
         self.get(name)?.try_as_point_ref().copied()
     }
 
+    /// All places of a repeatable argument.
+    pub fn points(&self, name: &str) -> Vec<LatLon> {
+        let named = self.values.iter().filter(|(known, _, _)| *known == name);
+        let points = named.filter_map(|(_, value, _)| value.try_as_point_ref());
+        points.copied().collect()
+    }
+
     /// Vehicles that the form requires.
     pub fn required_vehicles(&self, name: &'static str) -> Result<VehicleChoice, Problem> {
         self.vehicles(name).ok_or_else(|| Problem::missing(name))

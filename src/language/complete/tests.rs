@@ -1,9 +1,17 @@
 use super::*;
+use crate::language::Channel;
 use crate::language::tests::{context, groups, places};
 
 fn completions(line: &str) -> Vec<Completion> {
     let (groups, places) = (groups(), places());
     complete(line, line.len(), &context(&groups, &places))
+}
+
+fn on_screen() -> Context<'static> {
+    Context {
+        channel: Channel::Screen,
+        ..Context::default()
+    }
 }
 
 fn first_completion(line: &str) -> Option<String> {
@@ -80,6 +88,19 @@ fn the_best_completion_comes_first() {
     assert_eq!(first_completion("all arm # ta"), None);
 }
 
+/// A list stands before the items, so after them only their parameters are possible.
+#[test]
+fn an_optional_word_is_not_offered_after_the_words_that_follow_it() {
+    let offered = |line: &str| {
+        let found = complete(line, line.len(), &on_screen()).into_iter();
+        found.map(|it| it.text).collect::<Vec<String>>()
+    };
+    assert_eq!(offered("draft set ")[..3], ["plan", "fence", "rally"]);
+    let fields = offered("draft set 3 ");
+    assert!(fields.contains(&"hold".to_owned()), "{fields:?}");
+    assert!(!fields.contains(&"plan".to_owned()), "{fields:?}");
+}
+
 #[test]
 fn a_completion_replaces_the_whole_word_under_the_cursor() {
     let found = complete("all tak 20", 6, &Context::default());
@@ -107,4 +128,15 @@ fn the_hint_marks_what_comes_next() {
     assert_eq!(hint("all arm now"), "");
     assert_eq!(hint("arm"), "arm: start the motors");
     assert_eq!(hint("nonsense"), "");
+    let own = |line| super::hint(line, &on_screen()).unwrap_or_default();
+    assert_eq!(
+        own("draft split 4"),
+        "draft split ITEM: put a waypoint in the middle of the leg to an item"
+    );
+    let set = own("draft set 3 hold 5s");
+    assert!(
+        set.to_string()
+            .starts_with("draft set [plan|fence|rally] ITEMS"),
+        "{set}"
+    );
 }

@@ -1,7 +1,7 @@
 //! Drafts of plans, fences and rally points.
 
 use super::{Built, console};
-use crate::draft::{Edit, Spot};
+use crate::draft::{Edit, EditPart, Spot};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::console::{ConsoleLine, DraftLine};
 use crate::language::verb::{Form, Scope, VerbRow};
@@ -62,6 +62,18 @@ fn height_m(given: &Arguments) -> Option<f32> {
     given.number("up").map(|metres| metres as f32)
 }
 
+/// The arguments that may name a part of a change.
+pub(in crate::language) const fn arguments_of(part: EditPart) -> &'static [&'static str] {
+    match part {
+        EditPart::Whole => &[],
+        EditPart::Items => &["items", "item", "before"],
+        EditPart::Target => &["to"],
+        EditPart::Place => &["point", "north", "east", "around"],
+        EditPart::Field => &["field"],
+        EditPart::Vehicles => &["targets"],
+    }
+}
+
 const DRAFT: VerbRow = VerbRow {
     verb: Verb::unsent("draft"),
     scope: Scope::Console,
@@ -87,6 +99,8 @@ const DRAFT: VerbRow = VerbRow {
         "draft survey all",
         "draft survey 1-6 spacing 20 up 40 course 90",
         "draft search parallel 1-4",
+        "draft line 1-3 spacing 20",
+        "draft orbit 1-3 around 50.4501 30.5234 radius 40 turns 2",
         "draft rehearse",
         "draft rehearse 1-4",
         "draft deconflict",

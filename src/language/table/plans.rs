@@ -140,6 +140,7 @@ const PLAN: VerbRow = VerbRow {
         "1-6 plan survey lane spacing 20 up 40",
         "1-4 plan search parallel lane",
         "1-3 plan search square around 50.4501 30.5234 radius 200",
+        "1-3 plan line 50.4501 30.5234 50.4521 30.5234 spacing 20",
         "1-4 plan orbit 50.4501 30.5234 radius 40 turns 3",
         "all plan rehearse",
         "all plan rehearse wind 270 8",
@@ -158,6 +159,7 @@ const PLAN: VerbRow = VerbRow {
         tasks::SEARCH_AREA.meaning(&PUT),
         tasks::SEARCH_AROUND.meaning(&PUT),
         tasks::SEARCH_FROM_ORIGIN.meaning(&PUT),
+        tasks::LINE.meaning(&PUT),
         tasks::ORBIT.meaning(&PUT),
         Form::new(
             &[

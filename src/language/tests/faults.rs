@@ -81,7 +81,12 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
             "LON: `200` is out of range: -180 to 180 deg",
             "",
         ),
-        ("goto 50", "", "goto needs", ""),
+        (
+            "goto 50",
+            "",
+            "the longitude is missing after `50`",
+            "goto ",
+        ),
         ("goto tower keep face 90", "face 90", "not both", ""),
         ("goto tower up -3", "-3", "UP: `-3` is out of range", ""),
         (
@@ -245,6 +250,13 @@ fn a_fault_in_a_draft_names_its_own_word() {
             "TIMES: `x` is not a number",
             "",
         ),
+        (
+            "draft add 50.45",
+            "",
+            "the longitude is missing after `50.45`",
+            "",
+        ),
+        ("draft jump 2 to 1 times 0", "times 0", "never jumps", ""),
         ("draft fence polygn", "polygn", "`polygon`", "`polygon`"),
         (
             "draft add takof 30",

@@ -9,7 +9,10 @@ use crate::draft::{
     Edit, FenceEdit, Insertion, Items, ItemsChange, NewItem, PlanEdit, PlanFrame, Spot,
 };
 use crate::plan::edit::HeightChange;
-use crate::plan::{ListKind, command};
+use crate::plan::{ListKind, command, field};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
 use crate::vehicle_id::ranges;
 
 /// Cells that Page Up and Page Down move the map's cursor.
@@ -45,6 +48,9 @@ fn go(state: &mut State, row: usize) {
 }
 
 fn by_one(state: &mut State, forward: bool) {
+    if state.rooms.plans.scroll_figures(forward) {
+        return;
+    }
     let row = state.rooms.plans.row().unwrap_or(0);
     let next = if forward {
         row + 1
@@ -60,6 +66,11 @@ pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<R
     match action {
         PlansAction::NextItem => by_one(state, true),
         PlansAction::PreviousItem => by_one(state, false),
+        PlansAction::ShowFigures => {
+            if !state.rooms.plans.turn_figures() {
+                state.say(Severity::Notice, text!("plans-figures-none"));
+            }
+        }
         PlansAction::MarkItems => {
             let room = &mut state.rooms.plans;
             room.mark = match room.mark {
@@ -89,7 +100,13 @@ pub(in crate::app::room) fn act(state: &mut State, action: PlansAction) -> Vec<R
         PlansAction::TryDrafts => return write(Some("draft rehearse".to_owned())),
         PlansAction::SurveyDraft => return write(Some(surveying(state))),
         PlansAction::WriteHeight => return write(about_marked(state, "height")),
-        PlansAction::SetField => return write(about_marked(state, "set")),
+        PlansAction::SetField => {
+            if let Some(reason) = no_fields(state) {
+                state.say(Severity::Notice, reason);
+                return Vec::new();
+            }
+            return write(about_marked(state, "set"));
+        }
         PlansAction::WriteCommand => return write(about_item(state, "command", "")),
         PlansAction::WriteJump => return write(about_item(state, "jump", "to ")),
     }
@@ -160,6 +177,15 @@ fn about_marked(state: &State, verb: &str) -> Option<String> {
     Some(format!("draft {verb} {list}{} ", words(room.marked()?)))
 }
 
+/// Why the item under the cursor has no parameter to set, if it has none.
+fn no_fields(state: &State) -> Option<Text> {
+    let room = &state.rooms.plans;
+    let command = room.items().get(room.row()?)?.command;
+    let word = field::word(command).unwrap_or_default();
+    let has_none = field::fields(command).is_empty();
+    has_none.then(|| text!("draft-no-fields", command = word))
+}
+
 /// The beginning of a line about the item under the cursor, which must be one of the plan.
 fn about_item(state: &State, verb: &str, then: &str) -> Option<String> {
     let room = &state.rooms.plans;
@@ -179,8 +205,13 @@ fn words(items: Items) -> String {
 /// Changes the current draft.
 pub(in crate::app::room) fn draw(state: &mut State, action: DrawAction) -> Vec<RoomRequest> {
     state.hush();
-    if let Some(edit) = meant(state, action) {
-        change::try_edit(state, &edit);
+    let is_rally = state.rooms.plans.list == ListKind::Rally;
+    match meant(state, action) {
+        Some(edit) => change::try_edit(state, &edit),
+        None if is_rally && action == DrawAction::NextFrame => {
+            state.say(Severity::Notice, text!("draft-rally-frame"));
+        }
+        None => {}
     }
     Vec::new()
 }

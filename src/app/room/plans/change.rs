@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use super::view;
 use crate::app::State;
-use crate::draft::{Draft, Edit, Surroundings};
+use crate::draft::{Draft, Edit, PlanEdit, Refusal, Surroundings, needs_ground};
 use crate::geo::LatLon;
 use crate::plan::{Document, Home, ListKind};
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::{Place, Severity};
 
 /// The name of a draft that begins with its first item.
@@ -61,6 +60,7 @@ pub(super) fn begin(state: &mut State, name: &str) {
 pub(super) fn look_at(state: &mut State, list: ListKind) {
     let room = &mut state.rooms.plans;
     (room.list, room.row, room.mark) = (list, 0, None);
+    room.figures_top = None;
     view::see(state);
 }
 
@@ -75,13 +75,14 @@ pub(super) fn ensure(state: &mut State) {
 ///
 /// # Errors
 /// The reason why the change is not possible.
-pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Text> {
+pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Refusal> {
     ensure(state);
     let around = surroundings(state);
     let room = &mut state.rooms.plans;
     let Some(draft) = room.drafts.current_mut() else {
         return Ok(());
     };
+    let is_level = around.ground.is_empty() && is_over_ground(draft.document(), edit);
     let item = draft.edit(edit, &around)?;
     room.tried = None;
     if !matches!(edit, Edit::Home(_)) {
@@ -94,13 +95,24 @@ pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Text> {
     if item.is_some() {
         view::point_at_item(state);
     }
+    if is_level {
+        state.say(Severity::Notice, text!("draft-ground-level"));
+    }
     Ok(())
+}
+
+/// Whether a change depends on the height of the ground.
+fn is_over_ground(document: &Document, edit: &Edit) -> bool {
+    match edit {
+        Edit::Plan(PlanEdit::Frame { items, frame }) => needs_ground(document, *items, *frame),
+        _ => false,
+    }
 }
 
 /// Changes the current draft by a key: a refusal is shown on the last line.
 pub(super) fn try_edit(state: &mut State, change: &Edit) {
-    if let Err(reason) = edit(state, change) {
-        state.say(Severity::Warning, reason);
+    if let Err(refusal) = edit(state, change) {
+        state.say(Severity::Warning, refusal.reason);
     }
 }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::{Drawing, change, files};
 use crate::app::State;
 use crate::commands::{Datum, Ground, PlanTask};
-use crate::draft::{Draft, areas, drawn_areas};
-use crate::geo::Outline;
+use crate::draft::{Draft, areas, drawn_areas, place};
+use crate::geo::{LatLon, Outline};
 use crate::language::DraftWork;
 use crate::notice::Notice;
 use crate::plan::generate::source::keep_out;
@@ -137,5 +137,48 @@ fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
                 up_m,
             }
         }
+        DraftWork::Line {
+            points,
+            spacing_m,
+            up_m,
+        } => PlanTask::Line {
+            points: if points.is_empty() {
+                drawn_line(state)?
+            } else {
+                points
+            },
+            spacing_m,
+            up_m,
+        },
+        DraftWork::Orbit {
+            centre,
+            radius_m,
+            turns,
+            up_m,
+        } => {
+            let centre = centre.or_else(|| change::cursor(state));
+            let centre = centre.ok_or_else(|| text!("draft-no-cursor"))?;
+            PlanTask::Orbit {
+                centre: Datum::Global(centre),
+                radius_m,
+                turns,
+                up_m,
+            }
+        }
     })
+}
+
+/// The places of the current draft's plan, in order.
+///
+/// # Errors
+/// There are fewer than two.
+fn drawn_line(state: &State) -> Result<Vec<LatLon>, Text> {
+    let draft = state.rooms.plans.drafts.current();
+    let items = draft.into_iter().flat_map(|draft| &draft.document().plan);
+    let flown = items.filter(|item| item.is_waypoint() && !item.is_takeoff());
+    let points: Vec<LatLon> = flown.filter_map(place).collect();
+    if points.len() < 2 {
+        return Err(text!("draft-line-short"));
+    }
+    Ok(points)
 }

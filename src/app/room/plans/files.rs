@@ -9,6 +9,7 @@ use crate::app::state::Consequence;
 use crate::draft::Draft;
 use crate::plan::{self, ContentHash, Document, FileFormat, Home, Item, ListKind, ReadOptions};
 use crate::preflight;
+use crate::session::format_of;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Transfer, Vehicle, VehicleId};
@@ -30,6 +31,11 @@ pub(super) fn proposed(draft: &Draft) -> String {
     }
 }
 
+fn has_extension(path: &str) -> bool {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+    name.contains('.')
+}
+
 fn ending(path: &str) -> Option<FileFormat> {
     let (_, ending) = path.rsplit_once('.')?;
     FileFormat::of_ending(ending)
@@ -45,6 +51,9 @@ pub(super) fn open(path: String) -> Effects {
 
 /// Handles a file that has been read: it becomes the current draft, under the name of the file.
 pub fn read(state: &mut State, path: &str, content: &str) {
+    if content.trim().is_empty() {
+        return state.say(Severity::Error, text!("refused-plan-blank", file = path));
+    }
     match plan::read(content.as_bytes(), &ReadOptions::default()) {
         Ok(loaded) => {
             let mut document = loaded.document;
@@ -107,10 +116,11 @@ pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, T
     let Some(first) = document.kinds().next() else {
         return Err(text!("draft-empty"));
     };
-    let (path, format) = match ending(&path) {
-        Some(FileFormat::Wpl(_)) => (path, FileFormat::Wpl(first)),
+    let (path, format) = match format_of(&path, first) {
+        // Without an extension, a format that holds all lists.
+        _ if !has_extension(&path) => (format!("{path}.{ENDING}"), FileFormat::QgcPlan),
         Some(format) => (path, format),
-        None => (format!("{path}.{ENDING}"), FileFormat::QgcPlan),
+        None => return Err(text!("refused-plan-extension", file = path)),
     };
     let text =
         plan::write(&document, format).map_err(|_| text!("refused-plan-format", file = &path))?;

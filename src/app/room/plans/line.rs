@@ -3,22 +3,22 @@
 use super::{change, divide, files, ground, trial};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
+use crate::draft::{EditPart, Refusal};
 use crate::language::{DraftLine, VehicleChoice};
 use crate::plan::ListKind;
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Carries out a line about drafts, except uploads.
 ///
 /// # Errors
 /// The reason why it is not possible.
-pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
+pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal> {
     state.hush();
     match line {
         DraftLine::Show | DraftLine::Upload(_) | DraftLine::UploadEach => {}
         DraftLine::Open(path) => return Ok(files::open(path)),
-        DraftLine::Save(path) => return files::save(state, path),
+        DraftLine::Save(path) => return Ok(files::save(state, path)?),
         DraftLine::New(name) => change::begin(state, &plain_name(name)),
         DraftLine::Take(vehicles) => {
             let ids = meant(state, vehicles)?;
@@ -32,7 +32,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
         }
         DraftLine::Use(name) => {
             if !state.rooms.plans.drafts.choose(&name) {
-                return Err(text!("grammar-no-name", word = name));
+                return Err(text!("grammar-no-name", word = name).into());
             }
             change::look_at(state, ListKind::Plan);
         }
@@ -47,8 +47,8 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
             return Ok(Effects::none());
         }
         DraftLine::Try { is_apart, vehicles } => {
-            let vehicles = vehicles.map(|it| state.chosen(&it)).transpose()?;
-            return trial::ask(state, is_apart, vehicles.as_deref());
+            let named = vehicles.map(|it| meant(state, Some(it))).transpose()?;
+            return Ok(trial::ask(state, is_apart, named.as_deref())?);
         }
         DraftLine::Ground(folder) => {
             ground::choose(state, folder);
@@ -63,11 +63,13 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Text> {
 }
 
 /// The vehicles that a line names, otherwise the addressed ones.
-fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Text> {
-    match vehicles {
-        Some(vehicles) => state.chosen(&vehicles),
-        None => Ok(state.addressed()),
-    }
+fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Refusal> {
+    let Some(vehicles) = vehicles else {
+        return Ok(state.addressed());
+    };
+    let named = state.chosen(&vehicles);
+    let known = named.and_then(|ids| state.check_known(&ids).map(|()| ids));
+    known.map_err(|reason| Refusal::new(EditPart::Vehicles, reason))
 }
 
 /// A name that can stand in a line: one word, and no comment.

@@ -1,11 +1,13 @@
 //! The next step with a draft and the vehicles that it is for.
 
+use super::findings;
 use crate::app::State;
 use crate::app::action::{Action, PlansAction};
 use crate::draft::Draft;
 use crate::language::verb;
 use crate::ledger::RowState;
 use crate::plan::ContentHash;
+use crate::plan::check::Severity;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -39,6 +41,8 @@ pub struct NextStep {
     vehicles: Vec<VehicleId>,
     /// The number of vehicles concerned, in any stage.
     count: usize,
+    /// Whether a vehicle would refuse the draft.
+    is_faulty: bool,
 }
 
 /// The next step with the current draft: for its vehicle, otherwise for those that got the last upload, otherwise for
@@ -60,7 +64,13 @@ pub fn next_step(state: &State) -> Option<NextStep> {
         stage,
         vehicles: own.map(|(_, id)| *id).collect(),
         count: staged.len(),
+        is_faulty: stage == PlanStage::Elsewhere && is_faulty(state, draft),
     })
+}
+
+fn is_faulty(state: &State, draft: &Draft) -> bool {
+    let found = findings(state, draft.document());
+    found.iter().any(|it| it.severity() == Severity::Error)
 }
 
 fn concerned(state: &State, draft: &Draft) -> Vec<VehicleId> {
@@ -125,6 +135,7 @@ impl NextStep {
     pub fn text(&self, state: &State) -> Text {
         let upload = state.key(Action::Plans(PlansAction::UploadDraft));
         let text = match self.stage {
+            PlanStage::Elsewhere if self.is_faulty => text!("plans-next-mend"),
             PlanStage::Elsewhere => text!("plans-next-upload", key = upload),
             PlanStage::OnBoard => text!("plans-next-arm"),
             PlanStage::Armed => text!("plans-next-start"),

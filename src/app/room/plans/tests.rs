@@ -16,6 +16,7 @@ use crate::vehicle::{
 };
 
 mod area;
+mod faults;
 mod files;
 mod stage;
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{change, files};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
+use crate::app::room::Room;
 use crate::draft::{Draft, Trial, TrialDraft, Tried};
 use crate::notice::Notice;
 use crate::plan::{Document, Home};
@@ -129,10 +130,16 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
         Severity::Warning
     };
     let text = tried.text.clone();
-    // The earlier message may still be useful.
-    if tried.is_awaited || !tried.is_sound {
+    let is_in_sight = state.display.has_rooms && state.room == Room::Plans;
+    if tried.is_awaited && is_in_sight {
+        // The room shows the outcome.
+        state.hush();
+    } else if tried.is_awaited || !tried.is_sound && !is_in_sight {
+        // The earlier message may still be useful.
         state.say(severity, text.clone());
     }
+    let has_figures = tried.is_awaited && tried.flight.is_some();
+    state.rooms.plans.figures_top = has_figures.then_some(0);
     state.rooms.plans.tried = Some(tried);
     Notice::general(state.now, severity, text)
 }

@@ -12,6 +12,7 @@ use crate::language::read::field_value;
 use crate::language::verb::Form;
 use crate::plan::edit::HeightChange;
 use crate::plan::{ListKind, command};
+use crate::text;
 
 /// The lists of a draft, in the order of [`ListKind::ALL`].
 const LISTS: &[&str] = &["plan", "fence", "rally"];
@@ -187,6 +188,9 @@ fn set(given: &Arguments) -> Built {
 
 fn jump(given: &Arguments) -> Built {
     let times = given.number("times").unwrap_or(1.0);
+    if times == 0.0 {
+        return Err(Problem::new("times", text!("draft-jump-never")));
+    }
     let item = NewItem {
         params: [given.required("to")? as f32, times as f32, 0.0, 0.0],
         ..NewItem::new(command::DO_JUMP)

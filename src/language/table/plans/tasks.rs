@@ -127,18 +127,45 @@ fn search(given: &Arguments, datum: Datum) -> Built {
     })
 }
 
+pub(super) const LINE: Form = Form::new(
+    &[
+        Argument::flag("line", "argument-plan-line"),
+        Argument::value("from", Kind::Point, "argument-line-from"),
+        Argument::value("to", Kind::Point, "argument-line-to"),
+        MORE,
+        LINES,
+        UP,
+    ],
+    |given| {
+        let ends = [given.required_point("from")?, given.required_point("to")?];
+        plans(PlanTask::Line {
+            points: ends.into_iter().chain(given.points("more")).collect(),
+            spacing_m: given.number("spacing"),
+            up_m: given.number("up"),
+        })
+    },
+);
+
+pub(in crate::language::table) const MORE: Argument =
+    Argument::value("more", Kind::Point, "argument-line-more").repeated();
+
+pub(in crate::language::table) const CIRCLE: Argument =
+    Argument::keyed("radius", "radius", RADIUS, "argument-circle-radius");
+
+pub(in crate::language::table) const TURNS: Argument = Argument::keyed(
+    "turns",
+    "turns",
+    Kind::Whole(Unit::None, 1.0, 255.0),
+    "argument-plan-turns",
+)
+.optional();
+
 pub(super) const ORBIT: Form = Form::new(
     &[
         Argument::flag("orbit", "argument-plan-orbit"),
         POINT,
-        Argument::keyed("radius", "radius", RADIUS, "argument-circle-radius"),
-        Argument::keyed(
-            "turns",
-            "turns",
-            Kind::Whole(Unit::None, 1.0, 255.0),
-            "argument-plan-turns",
-        )
-        .optional(),
+        CIRCLE,
+        TURNS,
         UP,
     ],
     |given| {

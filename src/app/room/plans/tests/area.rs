@@ -34,7 +34,7 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
 }
 
 /// A vehicle that stands ready at a place.
-fn standing(desk: &mut Desk, id: VehicleId) {
+pub(super) fn standing(desk: &mut Desk, id: VehicleId) {
     desk.vehicle(id, |vehicle| {
         read_empty(vehicle);
         vehicle.global = Some(GlobalPosition {
@@ -229,6 +229,7 @@ fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
         is_sound: failure.is_none(),
         is_awaited: true,
         changed: Vec::new(),
+        flight: None,
         verdicts: vec![PlanVerdict {
             plan: ContentHash::of(&plan),
             failure: failure.map(Text::verbatim),
@@ -271,6 +272,7 @@ fn drafts_fly_together_before_an_upload() {
         is_sound: true,
         is_awaited: true,
         verdicts: Vec::new(),
+        flight: None,
         changed: vec![TrialDraft {
             name: "vehicle-1".to_owned(),
             sharer: None,
@@ -280,7 +282,8 @@ fn drafts_fly_together_before_an_upload() {
     let before = desk.plan();
     let _ = desk.app.update(Event::Tried(tried));
     assert_eq!(desk.plan().len(), longer.plan.len());
-    assert!(desk.said().contains("starts later") && desk.room().tried().is_some());
+    let shown = desk.room().tried().expect("the outcome");
+    assert!(shown.text.contains("starts later"), "{shown:?}");
     desk.press("u");
     assert_eq!(desk.plan(), before);
     assert!(desk.room().tried().is_none(), "the draft is another one");
@@ -325,6 +328,7 @@ fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
         is_awaited: true,
         changed: trial.drafts.clone(),
         verdicts: Vec::new(),
+        flight: None,
     };
     let _ = desk.app.update(Event::Tried(tried));
     let drafts = desk.room().drafts().all().iter();
