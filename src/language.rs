@@ -52,7 +52,7 @@ pub use head::said;
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};
-pub use parse::parse;
+pub use parse::{draft_part, parse};
 pub use pilot::{Pilot, PilotEvent, Script};
 pub use table::{row, rows, verb, verbs};
 pub use targets::Targets;

@@ -266,6 +266,7 @@ impl Console {
         self.show_reviews();
         self.take_in().await;
         self.open().await;
+        self.restore_drafts();
         // In reverse order, because the last warning stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
             self.post(Event::Failed(warning));

@@ -150,7 +150,9 @@ fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text>
             let at = from.map(|item| set_item(item, false));
             Ok(at.into_iter().chain([go_on]).collect())
         }
-        Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) | None if from.is_some() => {
+        Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) | None
+            if from.is_some() =>
+        {
             Ok(vec![set_item(item, false)])
         }
         // Older autopilots do not report whether they pause.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::plan::{ContentHash, Document};
+use super::TrialFlight;
 use crate::preflight::list_words;
 use crate::rehearsal::{
     Conditions, Heard, Outcome, Participant, RehearsalError, deconflict, rehearse_heard,

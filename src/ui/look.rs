@@ -7,6 +7,7 @@ use ratatui::style::{Modifier, Style};
 use super::hits::Hits;
 use super::theme::{Role, Theme};
 use crate::config::Symbols;
+use crate::draft::Draft;
 use crate::notice::sanitised;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
@@ -35,6 +36,9 @@ impl Badge {
     /// The signs. They differ from one another, and from arrows and the cursor's marks, also in ASCII (`o ^ # + v`).
     const SIGNS: [char; 5] = ['●', '▲', '■', '✚', '▼'];
 
+    /// The signs of drafts without a vehicle. In ASCII (`& % @ $ =`) they differ from those above, too.
+    const DRAFT_SIGNS: [char; 5] = ['◆', '◇', '◈', '◐', '◧'];
+
     /// The badge of a drone, on every screen.
     pub fn of_vehicle(id: VehicleId) -> Self {
         Self::at(usize::from(id).saturating_sub(1))
@@ -45,9 +49,15 @@ impl Badge {
         Self::at(place)
     }
 
-    /// The badge of a draft: that of the vehicle that it is meant for, otherwise by its index among the drafts.
-    pub fn of_draft(place: usize, vehicle: Option<VehicleId>) -> Self {
-        vehicle.map_or_else(|| Self::at(place), Self::of_vehicle)
+    /// The badge of a draft: that of the vehicle that it is meant for, otherwise a sign that no vehicle has.
+    pub fn of_draft(draft: &Draft) -> Self {
+        let slot = draft.slot();
+        let own = || Self {
+            // The first vehicles have the first colours.
+            role: Role::DRONES[Role::DRONES.len() - 1 - slot % Role::DRONES.len()],
+            sign: Self::DRAFT_SIGNS[slot % Self::DRAFT_SIGNS.len()],
+        };
+        draft.vehicle().map_or_else(own, Self::of_vehicle)
     }
 
     fn at(place: usize) -> Self {
@@ -85,6 +95,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
+    use crate::draft::Drafts;
     use crate::ui::ascii;
 
     #[test]
@@ -99,5 +110,26 @@ mod tests {
             .map(|sign| ascii::line(&sign.to_string()))
             .into();
         assert_eq!(in_ascii.len(), Badge::SIGNS.len());
+        let drafts = Badge::DRAFT_SIGNS.map(|sign| ascii::line(&sign.to_string()));
+        let all: BTreeSet<String> = in_ascii.into_iter().chain(drafts).collect();
+        assert_eq!(all.len(), 10);
+    }
+
+    #[test]
+    fn open_drafts_differ_in_colour_and_sign_and_keep_their_own() {
+        let draft = |name: &str, vehicle| Draft::new(name, Arc::default(), vehicle);
+        let mut drafts = Drafts::default();
+        for name in ["a", "b"] {
+            drafts.put([draft(name, None)]);
+        }
+        drafts.put((1..=4).map(|id| draft(&format!("vehicle-{id}"), Some(id))));
+        let badges: Vec<Badge> = drafts.all().iter().map(Badge::of_draft).collect();
+        let distinct = |of: fn(&Badge) -> String| badges.iter().map(of).collect::<BTreeSet<_>>();
+        assert_eq!(distinct(|it| format!("{:?}", it.role)).len(), 6);
+        assert_eq!(distinct(|it| it.sign.to_string()).len(), 6);
+        drafts.choose("a");
+        drafts.close();
+        let left: Vec<Badge> = drafts.all().iter().map(Badge::of_draft).collect();
+        assert_eq!(left, badges[1..]);
     }
 }

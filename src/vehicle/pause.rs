@@ -35,7 +35,10 @@ impl PlanPause {
             [_, Some(PlanPhase::Paused)] => before.or(Some(Self::BEGUN)),
             [Some(PlanPhase::Paused), Some(PlanPhase::Active)] if !is_news => None,
             [_, Some(PlanPhase::Active) | None] => before,
-            [_, Some(PlanPhase::NoPlan | PlanPhase::NotStarted | PlanPhase::Complete)] => None,
+            [
+                _,
+                Some(PlanPhase::NoPlan | PlanPhase::NotStarted | PlanPhase::Complete),
+            ] => None,
         }
     }
 

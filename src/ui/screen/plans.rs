@@ -12,13 +12,14 @@ use crate::plan::Document;
 use crate::plan::check::Finding;
 use crate::plan::effort::Pace;
 use crate::text;
+use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_drafts;
 use crate::ui::widget::{below, columns, footer, put, row_of, upper, wrap};
-use crate::vehicle::VehicleId;
 
 mod detail;
+mod figures;
 mod heights;
 mod list;
 mod reports;
@@ -27,8 +28,8 @@ mod tabs;
 /// The data that the parts of the screen show.
 struct Shown<'a> {
     room: &'a Drawing,
-    /// The vehicle that the draft is meant for.
-    vehicle: Option<VehicleId>,
+    /// The colour of the draft.
+    role: Role,
     document: &'a Document,
     course: Profile,
     pace: Pace,
@@ -56,14 +57,18 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let pace = pace(state);
     let shown = Shown {
         room,
-        vehicle: draft.vehicle(),
+        role: Badge::of_draft(draft).role,
         document: draft.document(),
         course: profile(draft.document(), pace, room.ground()),
         pace,
         findings: findings(state, draft.document()),
     };
-    list::draw(&shown, left.upper(sizes.rows), buffer);
-    heights::draw(&shown, draft, left.below(sizes.rows), buffer);
+    if room.figures().is_some() {
+        figures::draw(room, left, buffer);
+    } else {
+        list::draw(&shown, left.upper(sizes.rows), buffer);
+        heights::draw(&shown, draft, left.below(sizes.rows), buffer);
+    }
     detail::draw(state, Some(&shown), details, buffer);
 }
 

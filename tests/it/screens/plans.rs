@@ -1,9 +1,10 @@
 //! The room of plans: a survey with a fence, beside another draft.
 
 use sortie::app::event::{Event, FileEvent, TerminalEvent};
-use sortie::draft::Tried;
+use sortie::draft::{TrialFlight, TrialPilot, Tried};
 use sortie::geo::{Square, Terrain};
 use sortie::ledger::RowState;
+use sortie::rehearsal::{Approach, Ending, Flown};
 use sortie::text::{Language, Text};
 
 use super::check;
@@ -102,6 +103,7 @@ fn the_result_of_a_rehearsal_is_not_cut() {
         is_sound: false,
         changed: Vec::new(),
         verdicts: Vec::new(),
+        flight: None,
         is_awaited: false,
     }));
     console.press("k");
@@ -111,6 +113,79 @@ fn the_result_of_a_rehearsal_is_not_cut() {
         assert!(words.contains(pairs), "{screen}");
         insta::assert_snapshot!(format!("plans_conflicts_{columns}x{rows}"), screen);
     }
+}
+
+/// The flights of six drafts, with a breach, a failsafe, and three pairs in conflict in one place.
+fn six_flights() -> TrialFlight {
+    let flown = Flown {
+        time_s: 141.0,
+        energy_left_percent: 71.4,
+        farthest_m: 184.2,
+        broke_fence_s: None,
+        has_fence: true,
+        was_kept_armed: false,
+        ending: Ending::Landed,
+        moved_east_m: 0.0,
+    };
+    let pilot = |(id, flown)| TrialPilot {
+        name: format!("vehicle-{id}"),
+        sharer: Some(id),
+        flown,
+    };
+    let breach = Flown {
+        broke_fence_s: Some(44.0),
+        ..flown
+    };
+    let home = Flown {
+        ending: Ending::LeftPlan(6),
+        energy_left_percent: 12.0,
+        ..flown
+    };
+    let flights = [flown, flown, breach, flown, home, flown];
+    let pair = |(a, b, horizontal_m)| Approach {
+        a,
+        b,
+        horizontal_m,
+        vertical_m: 0.4,
+        at_s: 63.0 + horizontal_m,
+        place: fixtures::HOME.moved(60.0, 40.0),
+        limit_m: 5.0,
+        late_s: None,
+    };
+    let pairs = [(0, 2, 0.8), (1, 3, 1.1), (0, 3, 2.4), (4, 5, 38.0)];
+    TrialFlight {
+        pilots: (1..).zip(flights).map(pilot).collect(),
+        closest: pairs.map(pair).to_vec(),
+    }
+}
+
+/// The figures of a rehearsal replace the items until a key brings these back; the map has a sign for each conflict.
+#[test]
+fn the_figures_of_a_rehearsal_are_shown() {
+    let mut console = drawing(Language::English);
+    console.hear(Event::Tried(Tried {
+        text: Text::verbatim("3 conflicts; `draft deconflict` separates them"),
+        details: Vec::new(),
+        is_sound: false,
+        changed: Vec::new(),
+        verdicts: Vec::new(),
+        flight: Some(six_flights()),
+        is_awaited: true,
+    }));
+    for (columns, rows) in [(80, 24), (200, 50)] {
+        let screen = sized(&console, columns, rows).screen(columns, rows);
+        for sign in ["!1/3", "!2/4", "!1/4"] {
+            assert!(screen.contains(sign), "{sign}: {screen}");
+        }
+        insta::assert_snapshot!(format!("plans_figures_{columns}x{rows}"), screen);
+    }
+    console.press("j").press("j").press("j");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("5 + 6"), "{screen}");
+    console.press("F");
+    assert!(!console.screen(80, 24).contains("71 %"));
+    console.press("F").press("u");
+    assert!(!console.screen(80, 24).contains("71 %"), "another draft");
 }
 
 /// The most used keys are in the footer at 80 columns.

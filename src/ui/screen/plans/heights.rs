@@ -10,7 +10,6 @@ use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
 use crate::plan::{ContentHash, ListKind};
 use crate::text;
 use crate::text::figure;
-use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{Canvas, Stroke, length, stamp};
@@ -85,7 +84,7 @@ pub(super) fn draw(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>, buffer: &
     }
     let scale = Scale::of(shown, size);
     let mut canvas = Canvas::new(size, panel.look.symbols);
-    let role = Badge::of_draft(shown.room.drafts().current_index(), shown.vehicle).role;
+    let role = shown.role;
     draw_ground(shown, &scale, &mut canvas);
     draw_course(shown, &scale, Stroke::solid(role), &mut canvas);
     canvas.draw(curve, buffer);
@@ -191,7 +190,7 @@ fn follows_ground(shown: &Shown<'_>, from: &Stop, to: &Stop) -> bool {
 
 /// A leg at heights above the ground.
 fn draw_over_ground(shown: &Shown<'_>, scale: &Scale, [from, to]: [&Stop; 2], canvas: &mut Canvas) {
-    let role = Badge::of_draft(shown.room.drafts().current_index(), shown.vehicle).role;
+    let role = shown.role;
     let above = |stop: &Stop| stop.height_m - ground_m(shown, stop.along_m).unwrap_or(0.0);
     let (start_m, end_m) = (above(from), above(to));
     let mut at = scale.dot(from.along_m, from.height_m);

@@ -7,6 +7,7 @@ use ratatui::text::Line;
 
 use super::Shown;
 use crate::app::State;
+use crate::app::action::{Action, PlansAction};
 use crate::app::room::plans::next_step;
 use crate::ledger::{EntryId, LedgerEntry, RowState};
 use crate::plan::check::{Finding, Severity};
@@ -20,6 +21,9 @@ use crate::ui::widget::{clip, ledger, put, wrap};
 /// The columns before a text, and before the lines that continue it.
 const INDENT: usize = 1;
 const FURTHER: usize = 3;
+
+/// The rows of a line of each report; with fewer, the absence of faults is not mentioned beside a command.
+const ALL_REPORTS: usize = 4;
 
 /// A report of one or several lines.
 #[derive(Default)]
@@ -60,10 +64,15 @@ pub(super) fn draw(
     panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let found = shown.map(|shown| found(shown, panel)).unwrap_or_default();
-    let tried = shown.map(|shown| tried(shown, panel)).unwrap_or_default();
+    let tried = shown
+        .map(|shown| tried(state, shown, panel))
+        .unwrap_or_default();
     let next = next(state, panel);
     let entry = last_entry(state);
+    let is_short = usize::from(panel.area.height) < ALL_REPORTS && entry.is_some();
+    let found = shown
+        .map(|shown| found(shown, is_short, panel))
+        .unwrap_or_default();
     let command = |rows| {
         let entry = entry.as_ref()?;
         Some(command(state, entry, rows, panel))
@@ -95,7 +104,8 @@ struct ReportRows {
 }
 
 impl ReportRows {
-    /// The rows of these that fit: the next step is the first to be left out, then lines after the first one.
+    /// The rows of these that fit: first a line of each, and then lines after the first one; without a command, the next
+    /// step is the first to be left out.
     fn within(self, rows: usize) -> Self {
         let mut left = rows;
         let mut take = |needed: usize| {
@@ -107,11 +117,12 @@ impl ReportRows {
             found: take(self.found.min(1)),
             tried: take(self.tried.min(1)),
             command: take(self.command.min(1)),
-            next: 0,
+            // After a command, what follows it matters more than further lines.
+            next: take(self.next.min(self.command).min(1)),
         };
         given.tried += take(self.tried - given.tried);
         given.found += take(self.found - given.found);
-        given.next += take(self.next.min(1));
+        given.next += take(self.next.min(1) - given.next);
         given.command += take(self.command - given.command);
         given.next += take(self.next - given.next);
         given
@@ -119,14 +130,14 @@ impl ReportRows {
 }
 
 /// The faults: that of the item under the cursor first, then the worst.
-fn found(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
+fn found(shown: &Shown<'_>, is_short: bool, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     let findings = &shown.findings;
     if findings.is_empty() {
         let is_empty = shown.document.kinds().next().is_none();
         if is_empty {
             report.say(&panel.say("plans-begin"), Role::Muted, panel);
-        } else if shown.room.tried().is_none() {
+        } else if shown.room.tried().is_none() && !is_short {
             report.say(&panel.say("plans-no-faults"), Role::Ok, panel);
         }
         return report;
@@ -181,7 +192,7 @@ fn shared(findings: &[Finding]) -> Vec<SharedFault<'_>> {
 }
 
 /// The outcome of the last trial.
-fn tried(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
+fn tried(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     if let Some(tried) = shown.room.tried() {
         let role = if tried.is_sound {
@@ -189,8 +200,19 @@ fn tried(shown: &Shown<'_>, panel: Panel<'_>) -> Report {
         } else {
             Role::Warning
         };
-        for text in std::iter::once(&tried.text).chain(&tried.details) {
+        // The figures name each pair in conflict.
+        let has_figures = shown.room.flight().is_some();
+        let details = tried.details.iter().filter(|_| !has_figures);
+        for text in std::iter::once(&tried.text).chain(details) {
             report.say(&panel.text(text), role, panel);
+        }
+        if has_figures {
+            let key = state.key(Action::Plans(PlansAction::ShowFigures));
+            report.say(
+                &panel.text(&text!("plans-figures-key", key = key)),
+                Role::Muted,
+                panel,
+            );
         }
     }
     report
@@ -291,7 +313,7 @@ mod tests {
         let findings = [
             finding(4, FindingKind::NoTerrain),
             finding(6, FindingKind::NoTerrain),
-            finding(6, FindingKind::BreaksFence { area: 0 }),
+            finding(6, FindingKind::NoEnd),
         ];
         let faults = shared(&findings);
         assert_eq!(faults.len(), 2);
@@ -315,9 +337,9 @@ mod tests {
     fn each_report_has_a_line_before_any_has_two_and_the_next_step_comes_last() {
         assert_eq!(within([1, 0, 1, 1], 3), [1, 0, 1, 1]);
         assert_eq!(within([1, 2, 3, 1], 3), [1, 1, 1, 0]);
-        assert_eq!(within([0, 2, 1, 1], 3), [0, 2, 1, 0]);
+        assert_eq!(within([0, 2, 1, 1], 3), [0, 1, 1, 1]);
         assert_eq!(within([0, 2, 3, 1], 7), [0, 2, 3, 1]);
-        assert_eq!(within([9, 2, 1, 1], 7), [4, 2, 1, 0]);
+        assert_eq!(within([9, 2, 1, 1], 7), [3, 2, 1, 1]);
         assert_eq!(within([1, 1, 1, 1], 0), [0; 4]);
     }
 }

@@ -12,13 +12,14 @@ use crate::preflight::list_words;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, columns, put, width};
+use crate::ui::widget::{aligned, clip, columns, put, width};
 
 /// Columns between two drafts.
 const GAP: usize = 2;
-/// Columns of a sign with a star or a blank, and of one alone with the gap after it.
+/// Columns of a sign with a star or a blank; of a short name; of both with the gap after them.
 const SIGN: usize = 2;
-const ALONE: usize = SIGN + 1;
+const SHORT: usize = 2;
+const ALONE: usize = SIGN + SHORT + 1;
 /// Columns of a count of drafts that are not shown, such as `+12`.
 const COUNT: usize = 4;
 
@@ -69,7 +70,7 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
     let Some(draft) = drafts.all().get(tab.index) else {
         return Vec::new();
     };
-    let badge = Badge::of_draft(tab.index, draft.vehicle());
+    let badge = Badge::of_draft(draft);
     let is_current = tab.index == drafts.current_index();
     let role = if is_current { Role::Title } else { Role::Muted };
     let sign = Span::styled(badge.sign.to_string(), panel.style(badge.role));
@@ -84,7 +85,9 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
         ]
     } else {
         let star = if is_elsewhere(state, draft) { " " } else { "*" };
-        vec![sign, Span::styled(format!("{star} "), panel.style(role))]
+        let short = format!("{}{star}", short(draft));
+        let short = aligned(&short, SHORT + 1, false);
+        vec![sign, Span::styled(format!("{short} "), panel.style(role))]
     }
 }
 
@@ -131,6 +134,15 @@ fn fitting(names: &[usize], current: usize, columns: usize) -> Vec<Tab> {
         is_named: with_name.contains(&index),
     };
     shown.into_iter().map(tab).collect()
+}
+
+/// The number of a draft's vehicle, otherwise the first letters of its name: signs repeat, and some terminals have no
+/// colours.
+fn short(draft: &Draft) -> String {
+    match draft.vehicle() {
+        Some(vehicle) => vehicle.to_string(),
+        None => draft.short_name().chars().take(SHORT).collect(),
+    }
 }
 
 /// A draft's name without its folder; a star marks one whose content is nowhere else.

@@ -13,6 +13,7 @@ use crate::draft::{Draft, areas, place, profile};
 use crate::geo::{GridSize, LatLon, Outline, Viewport};
 use crate::mission::NEXT_PLACE;
 use crate::plan::{Document, Item, ListKind, command};
+use crate::rehearsal::Approach;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -32,12 +33,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     board.ground(state);
     let current = room.drafts().current_index();
     let drafts = room.drafts().all().iter().enumerate();
-    for (index, draft) in drafts.clone().filter(|(index, _)| *index != current) {
-        board.other(state, index, draft);
+    for (_, draft) in drafts.clone().filter(|(index, _)| *index != current) {
+        board.other(state, draft);
     }
     for (_, draft) in drafts.filter(|(index, _)| *index == current) {
         board.current(state, draft);
     }
+    board.conflicts(room);
     let Board { canvas, labels, .. } = board;
     canvas.draw(panel, buffer);
     labels::draw(labels, &[], panel, buffer);
@@ -97,9 +99,26 @@ impl Board<'_> {
         }
     }
 
+    /// The places where drafts come too close to each other in the last rehearsal.
+    fn conflicts(&mut self, room: &Drawing) {
+        let conflicts = room.flight().into_iter().flat_map(|it| it.conflicts());
+        let sign = sign(SketchKind::Meeting);
+        let label = |pair: &Approach| {
+            let [a, b] = [pair.a, pair.b].map(|index| room.pilot(index));
+            Some(Label {
+                cell: self.view.cell(pair.place)?,
+                text: format!("{sign}{a}/{b}"),
+                role: Role::Danger,
+            })
+        };
+        let conflicts = conflicts.filter_map(label).collect();
+        self.labels
+            .extend(labels::spread(conflicts, self.view.rows as u16));
+    }
+
     /// A draft other than the current one: its line and its sign.
-    fn other(&mut self, state: &State, index: usize, draft: &Draft) {
-        let badge = Badge::of_draft(index, draft.vehicle());
+    fn other(&mut self, state: &State, draft: &Draft) {
+        let badge = Badge::of_draft(draft);
         let way = way(state, draft.document());
         for pair in way.windows(2) {
             self.line(pair[0], pair[1], Stroke::dense(badge.role));
@@ -117,7 +136,7 @@ impl Board<'_> {
 
     fn current(&mut self, state: &State, draft: &Draft) {
         let (room, document) = (state.rooms().plans(), draft.document());
-        let role = Badge::of_draft(room.drafts().current_index(), draft.vehicle()).role;
+        let role = Badge::of_draft(draft).role;
         self.fence(room, document);
         for pair in way(state, document).windows(2) {
             self.line(pair[0], pair[1], Stroke::solid(role));

@@ -73,12 +73,20 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
     let sketches = sketches(state);
+    let mut meetings = Vec::new();
     let (legs, others): (Vec<_>, Vec<_>) =
         (sketches.iter()).partition(|sketch| sketch.kind == SketchKind::Leg);
     let are_signed = are_signed(&sketches, look);
     for sketch in others {
-        draw_sketch(sketch, are_signed, view, &mut canvas, &mut labels);
+        let is_meeting = sketch.kind == SketchKind::Meeting;
+        let names = if is_meeting {
+            &mut meetings
+        } else {
+            &mut labels
+        };
+        draw_sketch(sketch, are_signed, view, &mut canvas, names);
     }
+    labels.extend(labels::spread(meetings, area.height));
     let ghosts = ways::draw_ghost(state, view, &mut canvas);
     ways::draw_trails(state, look, view, &mut canvas, &mut labels);
     ways::draw_targets(state, view, &mut canvas, &mut labels);
