@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::plan::{ContentHash, Document};
 use super::TrialFlight;
+use crate::plan::{ContentHash, Document};
 use crate::preflight::list_words;
 use crate::rehearsal::{
     Conditions, Heard, Outcome, Participant, RehearsalError, deconflict, rehearse_heard,

@@ -47,6 +47,14 @@ pub(super) fn fault(
     misfit_fault(&meant, word, &misfits, context)
 }
 
+/// The fault of a place of which only the latitude is there.
+fn no_longitude(closest: &[&Fit], rest: &[Word]) -> Option<Text> {
+    let mut begun = closest.iter().filter_map(|fit| fit.begun);
+    let is_half = begun.any(|argument| argument.kind == Kind::Point);
+    let latitude = rest.last().filter(|word| number_length(word.text) > 0)?;
+    is_half.then(|| text!("grammar-no-longitude", latitude = latitude.text))
+}
+
 /// Why no name is valid where one is expected.
 fn unavailable(expected: Expected, context: &Context) -> Option<Text> {
     let Kind::Name(list) = expected.argument().kind else {
@@ -108,12 +116,8 @@ impl Meant {
 
 /// What is missing after the last word, or why its names do not exist.
 fn incomplete(meant: &Meant, closest: &[&Fit], rest: &[Word], context: &Context) -> Text {
-    let is_half_a_place = closest
-        .iter()
-        .any(|fit| fit.begun.is_some_and(|it| it.kind == Kind::Point));
-    let latitude = rest.last().filter(|word| number_length(word.text) > 0);
-    if let Some(latitude) = latitude.filter(|_| is_half_a_place) {
-        return text!("grammar-no-longitude", latitude = latitude.text);
+    if let Some(longitude) = no_longitude(closest, rest) {
+        return longitude;
     }
     let expected = || closest.iter().flat_map(|fit| fit.expected.iter().copied());
     if let Some(why_not) = expected().find_map(|item| unavailable(item, context)) {

@@ -127,11 +127,10 @@ fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
             spacing_m,
             up_m,
         } => {
-            let datum = datum.or_else(|| change::cursor(state));
-            let datum = datum.ok_or_else(|| text!("draft-no-cursor"))?;
+            let datum = pointed(state, datum)?;
             PlanTask::Search {
                 pattern,
-                datum: Datum::Global(datum),
+                datum,
                 radius_m,
                 spacing_m,
                 up_m,
@@ -142,11 +141,7 @@ fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
             spacing_m,
             up_m,
         } => PlanTask::Line {
-            points: if points.is_empty() {
-                drawn_line(state)?
-            } else {
-                points
-            },
+            points: line(state, points)?,
             spacing_m,
             up_m,
         },
@@ -155,24 +150,31 @@ fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
             radius_m,
             turns,
             up_m,
-        } => {
-            let centre = centre.or_else(|| change::cursor(state));
-            let centre = centre.ok_or_else(|| text!("draft-no-cursor"))?;
-            PlanTask::Orbit {
-                centre: Datum::Global(centre),
-                radius_m,
-                turns,
-                up_m,
-            }
-        }
+        } => PlanTask::Orbit {
+            centre: pointed(state, centre)?,
+            radius_m,
+            turns,
+            up_m,
+        },
     })
 }
 
-/// The places of the current draft's plan, in order.
+/// A place, otherwise the cursor of the map.
+fn pointed(state: &State, place: Option<LatLon>) -> Result<Datum, Text> {
+    let place = place.or_else(|| change::cursor(state));
+    place
+        .map(Datum::Global)
+        .ok_or_else(|| text!("draft-no-cursor"))
+}
+
+/// The places of a line, otherwise those of the current draft's plan in order.
 ///
 /// # Errors
 /// There are fewer than two.
-fn drawn_line(state: &State) -> Result<Vec<LatLon>, Text> {
+fn line(state: &State, places: Vec<LatLon>) -> Result<Vec<LatLon>, Text> {
+    if !places.is_empty() {
+        return Ok(places);
+    }
     let draft = state.rooms.plans.drafts.current();
     let items = draft.into_iter().flat_map(|draft| &draft.document().plan);
     let flown = items.filter(|item| item.is_waypoint() && !item.is_takeoff());

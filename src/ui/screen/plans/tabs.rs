@@ -12,14 +12,12 @@ use crate::preflight::list_words;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, clip, columns, put, width};
+use crate::ui::widget::{clip, columns, put, width};
 
 /// Columns between two drafts.
 const GAP: usize = 2;
-/// Columns of a sign with a star or a blank; of a short name; of both with the gap after them.
+/// Columns of a sign with a star or a blank.
 const SIGN: usize = 2;
-const SHORT: usize = 2;
-const ALONE: usize = SIGN + SHORT + 1;
 /// Columns of a count of drafts that are not shown, such as `+12`.
 const COUNT: usize = 4;
 
@@ -39,7 +37,11 @@ fn drafts(state: &State, columns: usize, panel: Panel<'_>) -> Line<'static> {
     let all = room.drafts().all();
     let current = room.drafts().current_index();
     let names: Vec<String> = all.iter().map(|draft| name(state, draft)).collect();
-    let widths: Vec<usize> = names.iter().map(|name| width(name)).collect();
+    let widths = all.iter().zip(&names).map(|(draft, name)| TabWidth {
+        name: width(name),
+        short: width(&short(draft)),
+    });
+    let widths: Vec<TabWidth> = widths.collect();
     let mut spans = vec![Span::raw(" ")];
     if all.len() > 1 {
         let key = panel.text(&state.key(Action::Plans(PlansAction::NextDraft)));
@@ -86,8 +88,7 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
     } else {
         let star = if is_elsewhere(state, draft) { " " } else { "*" };
         let short = format!("{}{star}", short(draft));
-        let short = aligned(&short, SHORT + 1, false);
-        vec![sign, Span::styled(format!("{short} "), panel.style(role))]
+        vec![sign, Span::styled(short, panel.style(role))]
     }
 }
 
@@ -99,29 +100,48 @@ struct Tab {
     is_named: bool,
 }
 
+/// The columns of a draft's name and of its short name.
+#[derive(Debug, Clone, Copy)]
+struct TabWidth {
+    name: usize,
+    short: usize,
+}
+
+impl TabWidth {
+    /// The columns of its sign with its name.
+    fn named(self) -> usize {
+        SIGN + self.name + GAP
+    }
+
+    /// The columns of its sign with its short name.
+    fn alone(self) -> usize {
+        SIGN + self.short
+    }
+}
+
 /// The drafts that fit into a width, given the widths of their names. The current one has its name; its neighbours come
 /// with their signs, and then with their names, the nearest first.
-fn fitting(names: &[usize], current: usize, columns: usize) -> Vec<Tab> {
+fn fitting(names: &[TabWidth], current: usize, columns: usize) -> Vec<Tab> {
     let Some(own) = names.get(current) else {
         return Vec::new();
     };
     let mut by_distance: Vec<usize> = (0..names.len()).filter(|at| *at != current).collect();
     by_distance.sort_by_key(|at| at.abs_diff(current));
-    let named = |at: usize| SIGN + names[at] + GAP;
     let spare = |count: usize| if count < names.len() { 2 * COUNT } else { 0 };
-    let mut used = SIGN + own + GAP;
+    let mut used = own.named();
     let mut shown = vec![current];
     for &at in &by_distance {
-        if used + ALONE + spare(shown.len() + 1) > columns {
+        let alone = names[at].alone();
+        if used + alone + spare(shown.len() + 1) > columns {
             break;
         }
-        used += ALONE;
+        used += alone;
         shown.push(at);
     }
     let is_whole = shown.len() == names.len();
     let mut with_name = vec![current];
     for &at in by_distance.iter().filter(|_| is_whole) {
-        let more = named(at) - ALONE;
+        let more = names[at].named() - names[at].alone();
         if used + more > columns {
             break;
         }
@@ -136,12 +156,12 @@ fn fitting(names: &[usize], current: usize, columns: usize) -> Vec<Tab> {
     shown.into_iter().map(tab).collect()
 }
 
-/// The number of a draft's vehicle, otherwise the first letters of its name: signs repeat, and some terminals have no
+/// The number of a draft's vehicle, otherwise the first letter of its name: signs repeat, and some terminals have no
 /// colours.
 fn short(draft: &Draft) -> String {
     match draft.vehicle() {
         Some(vehicle) => vehicle.to_string(),
-        None => draft.short_name().chars().take(SHORT).collect(),
+        None => draft.short_name().chars().take(1).collect(),
     }
 }
 
@@ -184,7 +204,9 @@ mod tests {
     use super::*;
 
     fn shown(names: &[usize], current: usize, columns: usize) -> Vec<(usize, bool)> {
-        let tabs = fitting(names, current, columns).into_iter();
+        let widths = names.iter().map(|&name| TabWidth { name, short: 1 });
+        let widths: Vec<TabWidth> = widths.collect();
+        let tabs = fitting(&widths, current, columns).into_iter();
         tabs.map(|tab| (tab.index, tab.is_named)).collect()
     }
 
