@@ -29,7 +29,9 @@ mod rehearsing;
 #[cfg(test)]
 mod tests;
 
-pub use rehearsing::{FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings, Rehearsed};
+pub use rehearsing::{
+    FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings, Rehearsed, ending_words,
+};
 use rehearsing::{Prepared, RehearsalQueue, RehearsalRequest, Winds};
 
 /// Work for the owner of an operator.

@@ -24,7 +24,7 @@ mod report;
 use air::KnownAir;
 pub(super) use queue::{Prepared, RehearsalQueue};
 use report::Seat;
-pub use report::{FailedRehearsal, Meeting, RehearsalFindings, Rehearsed};
+pub use report::{FailedRehearsal, Meeting, RehearsalFindings, Rehearsed, ending_words};
 
 /// The parameters that decide how a plan is flown; others, such as those of sensors, are not carried over.
 const CARRIED: &[&str] = &[

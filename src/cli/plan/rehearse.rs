@@ -14,6 +14,7 @@ use super::{Failure, ShapeArguments, invalid, load_all};
 use crate::cli::backend::frame;
 use crate::cli::home::StartPlace;
 use crate::cli::table::{Side, TextTable};
+use crate::operator::ending_words;
 use crate::plan::check::Severity;
 use crate::plan::{Document as PlanDocument, Item, Loaded};
 use crate::preflight::{finding_words, list_words};
@@ -22,7 +23,6 @@ use crate::rehearsal::{
 };
 use crate::text;
 use crate::text::{Locale, Text, clock_s, figure, rounded};
-use crate::vehicle::Mode;
 
 /// The number of pairs that are listed in addition to those that are too close.
 const LISTED: usize = 3;
@@ -275,21 +275,6 @@ fn fence_words(flown: &Flown) -> Text {
         Some(at_s) => text!("plan-rehearse-fence-broken", time = clock_s(at_s)),
         None if flown.has_fence => text!("plan-rehearse-fence-kept"),
         None => text!("plan-rehearse-fence-none"),
-    }
-}
-
-pub(super) fn ending_words(ending: FlightEnding) -> Text {
-    match ending {
-        FlightEnding::Landed => text!("plan-rehearse-landed"),
-        FlightEnding::InAir => text!("plan-rehearse-in-air"),
-        FlightEnding::LeftPlan(number) => {
-            let mode = Mode::copter(number).to_string();
-            text!("plan-rehearse-left-plan", mode = mode)
-        }
-        FlightEnding::Grounded => text!("plan-rehearse-grounded"),
-        FlightEnding::Crashed => text!("plan-rehearse-crashed"),
-        FlightEnding::HitGround(number) => text!("plan-rehearse-hit-ground", number = number),
-        FlightEnding::TimeUp => text!("plan-rehearse-time-up"),
     }
 }
 

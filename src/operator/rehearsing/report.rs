@@ -194,3 +194,19 @@ fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
     };
     RowEnding::new(state, text)
 }
+
+/// How a rehearsed flight ended.
+pub fn ending_words(ending: FlightEnding) -> Text {
+    match ending {
+        FlightEnding::Landed => text!("plan-rehearse-landed"),
+        FlightEnding::InAir => text!("plan-rehearse-in-air"),
+        FlightEnding::LeftPlan(number) => {
+            let mode = Mode::copter(number).to_string();
+            text!("plan-rehearse-left-plan", mode = mode)
+        }
+        FlightEnding::Grounded => text!("plan-rehearse-grounded"),
+        FlightEnding::Crashed => text!("plan-rehearse-crashed"),
+        FlightEnding::HitGround(number) => text!("plan-rehearse-hit-ground", number = number),
+        FlightEnding::TimeUp => text!("plan-rehearse-time-up"),
+    }
+}

@@ -4,7 +4,7 @@ use sortie::app::event::{Event, FileEvent, TerminalEvent};
 use sortie::draft::{TrialFlight, TrialPilot, Tried};
 use sortie::geo::{Square, Terrain};
 use sortie::ledger::RowState;
-use sortie::rehearsal::{Approach, Ending, Flown};
+use sortie::rehearsal::{Approach, FlightEnding, Flown};
 use sortie::text::{Language, Text};
 
 use super::check;
@@ -124,7 +124,7 @@ fn six_flights() -> TrialFlight {
         broke_fence_s: None,
         has_fence: true,
         was_kept_armed: false,
-        ending: Ending::Landed,
+        ending: FlightEnding::Landed,
         moved_east_m: 0.0,
     };
     let pilot = |(id, flown)| TrialPilot {
@@ -137,7 +137,7 @@ fn six_flights() -> TrialFlight {
         ..flown
     };
     let home = Flown {
-        ending: Ending::LeftPlan(6),
+        ending: FlightEnding::LeftPlan(6),
         energy_left_percent: 12.0,
         ..flown
     };

@@ -4,10 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::super::rehearse::{Cast, ending_words, print_approaches, unfit};
+use super::super::rehearse::{Cast, print_approaches, unfit};
 use super::super::{Failure, convert, invalid};
 use super::team::TeamArguments;
 use crate::cli::table::{Side, TextTable};
+use crate::operator::ending_words;
 use crate::plan::Document;
 use crate::plan::check::{CheckOptions, Severity, check};
 use crate::plan::generate::Generated;

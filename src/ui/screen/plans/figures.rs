@@ -7,14 +7,13 @@ use ratatui::text::Line;
 
 use crate::app::room::plans::Drawing;
 use crate::draft::{TrialFlight, TrialPilot};
-use crate::rehearsal::{Approach, Ending};
-use crate::text;
-use crate::text::{Text, clock, figure};
+use crate::operator::ending_words;
+use crate::rehearsal::{Approach, FlightEnding};
+use crate::text::{clock, figure};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{aligned, put, row_of};
-use crate::vehicle::Mode;
 
 /// Columns of the parts of a line about a draft.
 const NAME: usize = 10;
@@ -89,8 +88,7 @@ fn draft_heading(panel: Panel<'_>) -> String {
 /// The line of a draft; on narrow screens, an end other than a landing has a line of its own.
 fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine> {
     let flown = &pilot.flown;
-    let is_good = matches!(flown.ending, Ending::Landed | Ending::InAir);
-    let (mark, role) = if is_good && flown.broke_fence_s.is_none() {
+    let (mark, role) = if flown.is_as_planned() {
         (" ", Role::Text)
     } else {
         ("!", Role::Danger)
@@ -112,29 +110,15 @@ fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine>
         aligned(&length(flown.farthest_m.round()), FAR, true),
         aligned(&fence, FENCE, true),
     );
-    let end = panel.text(&ending(flown.ending));
+    let end = panel.text(&ending_words(flown.ending));
     if panel.width() >= WITH_END {
         return vec![FigureLine::new(format!("{line}  {end}"), role)];
     }
-    let own = (flown.ending != Ending::Landed).then(|| format!("    {end}"));
+    let own = (flown.ending != FlightEnding::Landed).then(|| format!("    {end}"));
     std::iter::once(line)
         .chain(own)
         .map(|text| FigureLine::new(text, role))
         .collect()
-}
-
-fn ending(ending: Ending) -> Text {
-    match ending {
-        Ending::Landed => text!("plan-rehearse-landed"),
-        Ending::InAir => text!("plan-rehearse-in-air"),
-        Ending::LeftPlan(mode) => {
-            let mode = Mode::copter(mode).to_string();
-            text!("plan-rehearse-left-plan", mode = mode)
-        }
-        Ending::Grounded => text!("plan-rehearse-grounded"),
-        Ending::Crashed => text!("plan-rehearse-crashed"),
-        Ending::TimeUp => text!("plan-rehearse-time-up"),
-    }
 }
 
 fn pair_heading(panel: Panel<'_>) -> String {
