@@ -134,8 +134,6 @@ impl ComparedFlight {
     }
 
     /// The times at which both flights are aligned; `None` if one of them lacks the event. Bookmarks with the same text
-    /// take precedence over the first ones. Bookmarks with the same text
-    /// take precedence over the first ones. Bookmarks with the same text
     /// take precedence over the first ones.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {

@@ -43,7 +43,7 @@
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
 //! | | [`config`] | settings and the source of each |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
-//! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights | | |
+//! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights |
 //! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
