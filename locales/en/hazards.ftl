@@ -59,4 +59,4 @@ contain-advice = Start with the front that runs downwind: the fire doubles every
 # The radiation dose of vehicles.
 dose-most = highest dose { $dose } uSv
 dose-target = { $limit } uSv
-dose-advice = Stay high and keep moving: the dose falls with the square of the distance and with the time.
+dose-advice = Stay high and keep moving: the dose rate falls with the square of the distance, and the dose grows with time.

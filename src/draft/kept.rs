@@ -34,7 +34,7 @@ pub fn kept_text<'a>(drafts: impl IntoIterator<Item = &'a Draft>) -> Option<Stri
                 home: document.home,
                 ..Document::default()
             };
-            *own.list_mut(kind) = document.list(kind).to_vec();
+            own.list_mut(kind).clone_from(document.list(kind));
             if let Ok(list) = plan::write(&own, FileFormat::Wpl(kind)) {
                 text.push_str(&list);
             }

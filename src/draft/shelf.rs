@@ -106,7 +106,9 @@ impl Drafts {
     fn free_slot(&self) -> usize {
         let own = self.all.iter().filter(|draft| draft.vehicle.is_none());
         let taken: BTreeSet<usize> = own.map(|draft| draft.slot).collect();
-        (0..).find(|slot| !taken.contains(slot)).unwrap_or_default()
+        (0..=taken.len())
+            .find(|slot| !taken.contains(slot))
+            .unwrap_or_default()
     }
 
     /// A name that no draft has: the proposed one, or the same followed by a number.

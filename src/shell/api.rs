@@ -114,7 +114,7 @@ struct Program {
 
 impl Program {
     /// Sends the news in order, as far as the queue has room; the rest is held.
-    fn send(&mut self, news: Vec<Message>) {
+    fn send(&mut self, news: &[Message]) {
         self.held.extend(news.iter().map(Message::line));
         while let Some(line) = self.held.pop_front() {
             if let Err(TrySendError::Full(line)) = self.outbox.try_send(line) {
@@ -181,10 +181,10 @@ impl Programs {
     /// Sends every program its news.
     pub fn tell(&mut self, state: &State) {
         for program in self.connected.values_mut() {
-            program.send(Vec::new());
+            program.send(&[]);
             if program.held.is_empty() && program.outbox.capacity() >= ROOM_FOR_NEWS {
                 let news = program.client.news(state, state.wall());
-                program.send(news);
+                program.send(&news);
             }
         }
     }
@@ -193,7 +193,7 @@ impl Programs {
     pub async fn close(mut self, state: &State) {
         for (_, mut program) in std::mem::take(&mut self.connected) {
             let news = program.client.last_news(state, state.wall());
-            program.send(news);
+            program.send(&news);
             program.end();
         }
         self.listener = None;

@@ -38,7 +38,6 @@ fn nearest(c: char) -> char {
         '◇' => '%',
         '◈' => '@',
         '◐' => '$',
-        '◧' => '=',
         '±' | '≈' | '∼' => '~',
         '²' => '2',
         '³' => '3',
@@ -49,7 +48,7 @@ fn nearest(c: char) -> char {
         // A letter or a digit would read as part of the number before it, a quotation mark would read as minutes.
         '°' | 'º' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{2800}' => ' ',
         '▁' | '▂' | '⎽' => '_',
-        '━' | '═' | '▅' | '▆' | '▒' => '=',
+        '◧' | '━' | '═' | '▅' | '▆' | '▒' => '=',
         '▇' | '█' | '▀' | '▓' | '■' | '▪' | '◼' => '#',
         // Braille patterns, by the number of their dots.
         '\u{2801}'..='\u{28ff}' => match (u32::from(c) - 0x2800).count_ones() {

@@ -120,12 +120,12 @@ fn a_flood_of_news_is_sent_in_order_and_in_full_as_it_is_read() {
     let ended = |entry| Message::Ended(Ended { entry, done: true });
     let flood: Vec<Message> = (0..3 * OUTBOX as u32).map(ended).collect();
     let expected: Vec<String> = flood.iter().map(Message::line).collect();
-    program.send(flood);
+    program.send(&flood);
     assert_eq!(program.outbox.capacity(), 0);
     let mut read = Vec::new();
     while read.len() < expected.len() {
         read.push(lines.try_recv().expect("held until there is room"));
-        program.send(Vec::new());
+        program.send(&[]);
     }
     assert_eq!(read, expected);
 }

@@ -9,7 +9,7 @@ use super::{draw_nowhere, legend, markers};
 use crate::app::State;
 use crate::app::room::map::{SketchKind, sketches};
 use crate::app::room::plans::{Drawing, pace};
-use crate::draft::{Draft, areas, place, profile};
+use crate::draft::{Draft, TrialFlight, areas, place, profile};
 use crate::geo::{GridSize, LatLon, Outline, Viewport};
 use crate::mission::NEXT_PLACE;
 use crate::plan::{Document, Item, ListKind, command};
@@ -101,7 +101,7 @@ impl Board<'_> {
 
     /// The places where drafts come too close to each other in the last rehearsal.
     fn conflicts(&mut self, room: &Drawing) {
-        let conflicts = room.flight().into_iter().flat_map(|it| it.conflicts());
+        let conflicts = room.flight().into_iter().flat_map(TrialFlight::conflicts);
         let sign = sign(SketchKind::Meeting);
         let label = |pair: &Approach| {
             let [a, b] = [pair.a, pair.b].map(|index| room.pilot(index));
@@ -113,7 +113,7 @@ impl Board<'_> {
         };
         let conflicts = conflicts.filter_map(label).collect();
         self.labels
-            .extend(labels::spread(conflicts, self.view.rows as u16));
+            .extend(labels::spread(conflicts, self.view.rows));
     }
 
     /// A draft other than the current one: its line and its sign.

@@ -119,7 +119,12 @@ fn lines_and_circles_are_divided_among_vehicles() {
     desk.give("draft add n 350 e 0");
     desk.give("draft line 1-2 spacing 20 up 25");
     assert_eq!(desk.room().drafts().all().len(), 3, "{}", desk.said());
-    assert!(desk.room().items().iter().any(|item| item.z == 25.0));
+    assert!(
+        desk.room()
+            .items()
+            .iter()
+            .any(|item| (item.z - 25.0).abs() < 0.01)
+    );
     desk.give("draft orbit 1-2 around tower radius 60 turns 3");
     let circles = desk.room().items().iter();
     let turns: Vec<f32> = circles
