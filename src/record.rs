@@ -139,7 +139,7 @@ pub struct Journal {
     pub head: Head,
     /// The events, oldest first.
     pub lines: Vec<JournalLine>,
-    /// The damage of the rest of the file, after the readable part.
+    /// The damage to the file after its readable part.
     pub damage: Option<Text>,
     /// The numbers in the file of the lines that this program does not know.
     pub unknown: Vec<usize>,

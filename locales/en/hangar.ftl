@@ -67,4 +67,4 @@ hangar-far = hangar { $hangar }: { $error }
 hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
 hangar-far-late = { $address } has not answered within { $seconds } s
 hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error })
-hangar-far-token = { $address } requires a token ({ $error }): copy its token file here and name it with --hangar-token FILE
+hangar-far-token = { $address } requires a token ({ $error }): copy its token file to this machine and add `--hangar-token FILE`

@@ -17,7 +17,7 @@ use crate::vehicle::{GlobalPosition, Vehicle, VehicleId};
 const FALL_FROM_M: f64 = 2.0;
 /// Below this height, the descent rate counts towards judging a touchdown.
 const NEAR_GROUND_M: f64 = 3.0;
-/// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
+/// Touching down faster than this is a crash; `ArduCopter` lands at 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// The margin above a limit before it counts as exceeded: the height of a hovering vehicle varies by some decimetres.
 const SWING_M: f64 = 1.0;

@@ -238,7 +238,7 @@ pub struct StoredInputs {
     pub head: InputsHead,
     /// The inputs, in order.
     pub lines: Vec<InputLine>,
-    /// The damage of the rest of the file, after the readable part.
+    /// The damage to the file after its readable part.
     pub damage: Option<Text>,
     /// Whether the damage is more than a missing end.
     is_damaged: bool,

@@ -1,4 +1,4 @@
-//! What is known of the lists on board a vehicle, as part of its model: their items, and how far their transfer has come.
+//! The known state of the lists on board a vehicle, as part of its model: their items and the progress of transfer.
 //! `session` reads and writes them; each is a separate list in the mission protocol (`MAV_MISSION_TYPE`).
 
 use std::sync::Arc;

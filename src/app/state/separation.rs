@@ -12,7 +12,7 @@ use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 pub struct SeparationLimits {
     /// Horizontal distance, in metres; 0 turns the check off.
     pub across_m: f64,
-    /// In height, in metres.
+    /// Vertical distance, in metres.
     pub height_m: f64,
 }
 

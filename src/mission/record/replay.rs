@@ -21,7 +21,7 @@ use crate::workshop::Design;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stored {
     pub head: Head,
-    /// The fault of the rest of the file, after the readable part.
+    /// The damage to the file after its readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
     /// Whether the checksum of the lines before the end differs from the one that the end states.

@@ -1,4 +1,4 @@
-//! Orders of vehicles that another source has taken over.
+//! Orders superseded because another source has taken over the vehicle.
 
 use mavlink::dialects::ardupilotmega::{EXTENDED_SYS_STATE_DATA, MavLandedState};
 

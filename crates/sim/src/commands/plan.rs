@@ -15,7 +15,7 @@ pub(super) fn start(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> Mav
     done(autopilot.start_mission())
 }
 
-/// Continues at the nearest start of a landing; without one, the mode does not exist.
+/// Continues at the nearest `DO_LAND_START`; without one, the command fails.
 pub(super) fn start_landing_sequence(
     autopilot: &mut Autopilot,
     _: &mut Link,

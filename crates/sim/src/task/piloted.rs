@@ -399,7 +399,7 @@ fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
     DVec2::new(pitch, against(moving.y, DRIFT_BRAKE_RAD_S_M))
 }
 
-/// DRIFT helps a throttle stick near its middle to hold the height.
+/// The thrust in DRIFT, in weights of the vehicle: with the stick near its middle, climbing and sinking are damped.
 fn drift_throttle(cockpit: &Cockpit<'_>, weights: f64) -> f64 {
     let hover = cockpit.tuning.pilot.hover;
     let off = (weights * hover - 0.5).abs() / 0.24;
