@@ -21,6 +21,10 @@ pub(crate) const DISARM_DELAY: &str = "DISARM_DELAY";
 const RETRY: u32 = 50;
 const ATTEMPTS: u32 = 30;
 
+/// A vehicle that stays on the ground for this long at a return does not leave it any more; a landing takes a few
+/// seconds.
+const STUCK_S: f64 = 60.0;
+
 /// The messages that are kept, and the time between two of them in microseconds: `SYS_STATUS`, `SYSTEM_TIME`,
 /// `GPS_RAW_INT`, `ATTITUDE`, `LOCAL_POSITION_NED`, `GLOBAL_POSITION_INT`, `MISSION_CURRENT`, `NAV_CONTROLLER_OUTPUT`,
 /// `VFR_HUD`, `BATTERY_STATUS`, `EKF_STATUS_REPORT`, `HOME_POSITION`, `EXTENDED_SYS_STATE`.
@@ -53,6 +57,8 @@ pub(crate) struct Flight {
     started_at: Option<u32>,
     areas: Vec<FenceArea<[f64; 2]>>,
     is_fence_on: bool,
+    /// How long the vehicle has been on the ground after its takeoff, in samples.
+    grounded: u32,
     /// The commands of the plan.
     commands: Vec<u16>,
     flown: Flown,
@@ -79,6 +85,7 @@ impl Flight {
             started_at: None,
             areas: fence.areas.iter().map(|area| area.map(metres)).collect(),
             is_fence_on: false,
+            grounded: 0,
             commands: participant
                 .document
                 .plan
@@ -173,6 +180,8 @@ impl Flight {
             Stage::Waiting(attempts) => self.try_to_start(attempts, sample, &truth, world),
             Stage::Flying { lifted } => {
                 let lifted = lifted || !truth.on_ground;
+                let is_back_down = lifted && truth.on_ground;
+                self.grounded = if is_back_down { self.grounded + 1 } else { 0 };
                 self.stage = Stage::Flying { lifted };
                 self.note(sample, &truth);
                 if let Some(ending) = self.ending(&truth, lifted) {
@@ -268,19 +277,29 @@ impl Flight {
         }
         let is_under_way = truth.mode == AUTO && lifted;
         if truth.on_ground {
-            let has_hit = is_under_way && !truth.plan_complete && self.flies_to(truth.plan_item);
+            let is_ended = self.flies_to(truth.plan_item) || self.cannot_return(truth.plan_item);
+            let has_hit = is_under_way && !truth.plan_complete && is_ended;
             return has_hit.then_some(FlightEnding::HitGround(truth.plan_item));
         }
         (is_under_way && truth.plan_complete).then_some(FlightEnding::InAir)
     }
 
+    /// Whether the vehicle stays on the ground at a return, with its motors on: its battery no longer lifts it.
+    fn cannot_return(&self, item: u16) -> bool {
+        let returns = self.command_of(item) == Some(command::RETURN_TO_LAUNCH);
+        returns && f64::from(self.grounded) * sample_s() >= STUCK_S
+    }
+
+    fn command_of(&self, item: u16) -> Option<u16> {
+        let index = usize::from(item).checked_sub(1)?;
+        self.commands.get(index).copied()
+    }
+
     /// Whether an item, counted from 1, leads to a place in the air: on its way, there is no ground.
     fn flies_to(&self, item: u16) -> bool {
-        let index = usize::from(item).checked_sub(1);
-        let command = index.and_then(|index| self.commands.get(index));
-        command.is_some_and(|command| {
+        self.command_of(item).is_some_and(|command| {
             matches!(
-                *command,
+                command,
                 command::WAYPOINT
                     | command::SPLINE_WAYPOINT
                     | command::LOITER_UNLIMITED

@@ -423,6 +423,22 @@ fn neighbours_keep_the_full_distance_away_from_their_pads() {
     assert_eq!(proposal.outcome.conflicts().next(), None);
 }
 
+/// Without the failsafes of the battery, the vehicle sinks to the ground with its motors on.
+#[test]
+fn a_plan_that_empties_the_battery_does_not_fly_on_for_ever() {
+    let mut long = vehicle((0.0, 0.0), &[(30.0, 0.0)]);
+    long.document.plan[1].command = command::LOITER_TIME;
+    long.document.plan[1].params = [900.0, 0.0, 0.0, 0.0];
+    long.parameters = ["BATT_FS_LOW_ACT", "BATT_FS_CRT_ACT"]
+        .map(|name| (name.to_owned(), 0.0))
+        .into();
+    let flown = rehearse(&[long], &calm()).expect("it can fly").vehicles[0];
+    assert!(
+        matches!(flown.ending, FlightEnding::HitGround(_)) && flown.time_s < 1000.0,
+        "{flown:?}"
+    );
+}
+
 /// An item far below home, as after a mistaken reference of its height: the vehicle flies into the ground on the way to it.
 #[test]
 fn a_plan_that_leads_into_the_ground_does_not_land() {
