@@ -305,7 +305,7 @@ fn a_takeoff_cannot_pause_and_the_reason_is_said() {
     rig.works("arm", 5);
     rig.works("plan start", 5);
     rig.pass(s(3));
-    rig.refuses("plan pause", "only a flight to a place can pause");
+    rig.refuses("plan pause", "only on the way to a waypoint");
 }
 
 #[test]
