@@ -162,6 +162,7 @@ fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
                 origin: None,
             },
             airframe: None,
+            charge_percent: charge.map(f64::from),
             delay_s: 0.0,
             parameters: Vec::new(),
             fence_switch: None,

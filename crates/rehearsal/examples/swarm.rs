@@ -42,6 +42,7 @@ fn participant(number: u32) -> Participant {
             ..Document::default()
         },
         airframe: None,
+        charge_percent: None,
         delay_s: 0.0,
         parameters: Vec::new(),
         fence_switch: None,

@@ -31,6 +31,8 @@ pub struct Participant {
     pub airframe: Option<Arc<Airframe>>,
     /// The time at which its motors start, in seconds.
     pub delay_s: f64,
+    /// The charge of its battery at the start, in percent; full if there is none.
+    pub charge_percent: Option<f64>,
     /// Parameters of this vehicle alone; those that the simulator does not have are left out.
     pub parameters: Vec<(String, f32)>,
     /// Whether a command has switched the fence on or off; `None` if `FENCE_ENABLE` decides. Only the command switches

@@ -2,7 +2,7 @@
 
 use sortie_geo::LatLon;
 use sortie_plan::{ListKind, command};
-use sortie_sim::{Airframe, Met, STEP, World, WorldConfig};
+use sortie_sim::{Airframe, Met, STEP, World, WorldConfig, resting_voltage_v};
 
 use crate::approach::Closest;
 use crate::flight::{DISARM_DELAY, Flight};
@@ -170,6 +170,12 @@ fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, wo
         if world.find_parameter(vehicle, name).is_some() {
             flight.set_parameter(world, name, *value);
         }
+    }
+    if let Some(percent) = participant.charge_percent {
+        let usual = Airframe::shared_default();
+        let airframe = participant.airframe.as_ref().unwrap_or(&usual);
+        let volts = resting_voltage_v(percent, airframe) as f32;
+        flight.set_parameter(world, "SIM_BATT_VOLTAGE", volts);
     }
 }
 

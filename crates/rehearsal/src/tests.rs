@@ -39,6 +39,7 @@ fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
             ..Document::default()
         },
         airframe: None,
+        charge_percent: None,
         delay_s: 0.0,
         parameters: Vec::new(),
         fence_switch: None,
@@ -213,6 +214,7 @@ fn generated(task: &Task, vehicles: usize, gap_m: f64) -> Vec<Participant> {
     let participant = |part: Part| Participant {
         document: part.document,
         airframe: None,
+        charge_percent: None,
         delay_s: 0.0,
         parameters: Vec::new(),
         fence_switch: None,
@@ -421,6 +423,22 @@ fn neighbours_keep_the_full_distance_away_from_their_pads() {
     let proposal = deconflict(&two, &calm(), 6.0).expect("they can fly");
     let proposal = proposal.expect("a way");
     assert_eq!(proposal.outcome.conflicts().next(), None);
+}
+
+/// The voltage follows the charge, so a failsafe acts as early as on the vehicle.
+#[test]
+fn a_partly_used_battery_fails_where_a_full_one_does_not() {
+    let mut hover = vehicle((0.0, 0.0), &[(30.0, 0.0)]);
+    hover.document.plan[1].command = command::LOITER_TIME;
+    hover.document.plan[1].params = [120.0, 0.0, 0.0, 0.0];
+    let ending = |charge_percent| {
+        let mut one = hover.clone();
+        one.charge_percent = charge_percent;
+        rehearse(&[one], &calm()).expect("it can fly").vehicles[0].ending
+    };
+    assert_eq!(ending(None), FlightEnding::Landed);
+    assert_eq!(ending(Some(100.0)), FlightEnding::Landed);
+    assert!(matches!(ending(Some(40.0)), FlightEnding::LeftPlan(_)));
 }
 
 /// Without the failsafes of the battery, the vehicle sinks to the ground with its motors on.

@@ -95,7 +95,7 @@ impl Battery {
             return;
         }
         if capacity_ah > 0.0 {
-            let resting_v = resting_v(100.0 * self.left_ah / capacity_ah, airframe);
+            let resting_v = resting_voltage_v(100.0 * self.left_ah / capacity_ah, airframe);
             let loaded_v = resting_v - self.current_a * airframe.battery_resistance_ohm();
             let blend = STEP_S / (STEP_S + 1.0 / (std::f64::consts::TAU * FILTER_HZ));
             self.voltage_v = (self.voltage_v + (loaded_v - self.voltage_v) * blend).max(0.0);
@@ -120,8 +120,9 @@ impl Battery {
     }
 }
 
-/// The voltage without load.
-fn resting_v(charge_percent: f64, airframe: &Airframe) -> f64 {
+/// The voltage of an airframe's battery at a charge in percent, without load, in volts: the `SIM_BATT_VOLTAGE` that gives
+/// the battery this charge.
+pub fn resting_voltage_v(charge_percent: f64, airframe: &Airframe) -> f64 {
     let cell_v = between(
         charge_percent,
         CELL.iter().map(|&(volts, charge)| (charge, volts)),

@@ -121,6 +121,7 @@ pub use sortie_wire as wire;
 
 pub use self::airframe::{Airframe, AirframeError, SEA_LEVEL_DENSITY};
 use self::autopilot::Autopilot;
+pub use self::battery::resting_voltage_v;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};

@@ -137,6 +137,7 @@ impl AirArguments {
                 .map(|(vehicle, (_, document))| Participant {
                     document,
                     airframe: airframe(vehicle),
+                    charge_percent: None,
                     delay_s: 0.0,
                     parameters: Vec::new(),
                     fence_switch: None,
