@@ -13,6 +13,9 @@ use crate::vehicle::{Place, Severity};
 /// The name of a draft that begins with its first item.
 const FIRST_NAME: &str = "plan";
 
+/// A cursor farther than this from a draft's home was left at another draft, in metres.
+const FAR_M: f64 = 50_000.0;
+
 /// The home of the vehicle under the cursor, otherwise of any.
 pub(super) fn home(state: &State) -> Option<Home> {
     let vehicle = state.session.under_cursor();
@@ -62,6 +65,23 @@ pub(super) fn look_at(state: &mut State, list: ListKind) {
     (room.list, room.row, room.mark) = (list, 0, None);
     room.figures_top = None;
     view::see(state);
+    come_back(state);
+}
+
+/// Brings the map and its cursor to the current draft, otherwise to the vehicles, if the cursor is still far away at a
+/// draft that was shown before.
+fn come_back(state: &mut State) {
+    let draft = state.rooms.plans.drafts.current();
+    let own = draft.and_then(|draft| draft.document().home);
+    let Some(home) = own.or_else(|| home(state)) else {
+        return;
+    };
+    let home = LatLon::from_e7(home.x, home.y);
+    if cursor(state).is_some_and(|at| at.distance_m(home) > FAR_M) {
+        view::fit(state);
+        let size = view::layout(state.display.grid()).canvas;
+        view::point_at(&mut state.rooms.plans.map, size, home);
+    }
 }
 
 /// Begins a draft if there is none.

@@ -403,3 +403,21 @@ fn without_a_screen_lines_name_their_places() {
     desk.give("draft add");
     assert_eq!(desk.plan().len(), 1, "nothing shows a cursor");
 }
+
+/// A draft of another country leaves neither the map nor its cursor there.
+#[test]
+fn a_new_draft_begins_at_home_after_one_that_was_far_away() {
+    let mut desk = Desk::new();
+    desk.give("draft new abroad");
+    desk.give("draft home 47 8");
+    desk.give("draft add 47.001 8.001 up 30");
+    desk.give("draft add 47.002 8.001 up 30");
+    desk.press("j");
+    desk.give("draft close");
+    desk.press("y");
+    desk.give("draft new here");
+    desk.give("draft add waypoint up 30");
+    let item = desk.room().items()[0];
+    let away_m = LatLon::from_e7(item.x, item.y).distance_m(HOME);
+    assert!(away_m < 1000.0, "{away_m} m");
+}
