@@ -213,7 +213,7 @@ impl RoomModel for Drawing {
         does(key('y'), own(PlansAction::TakePlan)),
         does(key('w'), own(PlansAction::SaveDraft)),
         does(key('U'), own(PlansAction::UploadDraft)),
-        does(key('F'), own(PlansAction::ShowFigures)),
+        does(key('d'), own(PlansAction::ShowFigures)),
         does(key('S'), own(PlansAction::SurveyDraft)),
         does(key('R'), own(PlansAction::TryDrafts)),
         does(key(']'), own(PlansAction::CloserDraft)),

@@ -182,40 +182,52 @@ impl FlightView {
         })
     }
 
+    /// Why an order is dangerous that starts plans which have failed in a rehearsal: the vehicles by the reason, and the
+    /// pairs that came too close to each other.
     fn rehearsal_hazard(&self, order: &Order) -> Option<Text> {
-        let failed = |id: &VehicleId| {
-            let plan = self.carried(*id)?;
-            let on_board = self.failed_rehearsals.get(id);
-            let on_board = on_board.filter(|failed| failed.plan == plan);
-            let reason = on_board.map(|failed| &failed.reason);
-            let reason = reason.or_else(|| self.failed_trials.get(&plan))?;
-            Some((*id, reason.clone()))
-        };
-        let (vehicle, reason) = order.targets.iter().find_map(failed)?;
-        let text = text!("hazard-plan-rehearsal", vehicle = vehicle, reason = reason);
-        let met = self.met_by(vehicle);
-        if met.is_empty() {
-            return Some(text);
+        let mut failed: Vec<(Text, Vec<VehicleId>)> = Vec::new();
+        for id in &order.targets {
+            let Some(reason) = self.rehearsal_failure(*id) else {
+                continue;
+            };
+            match failed.iter_mut().find(|(known, _)| known == reason) {
+                Some((_, vehicles)) => vehicles.push(*id),
+                None => failed.push((reason.clone(), vec![*id])),
+            }
         }
-        let is_other = met.iter().any(|id| !order.targets.contains(id));
-        let named = text!("hazard-plan-met", vehicles = ranges(met));
-        let again = is_other.then(|| {
+        let has_failed = |id: &VehicleId| failed.iter().any(|(_, vehicles)| vehicles.contains(id));
+        let pairs = self.meetings.iter().map(|meeting| meeting.vehicles);
+        let met: Vec<[VehicleId; 2]> = pairs.filter(|pair| pair.iter().any(has_failed)).collect();
+        let is_other = met.iter().flatten().any(|id| !order.targets.contains(id));
+        let named = met.iter().map(|[a, b]| format!("{a}/{b}"));
+        let named = named.collect::<Vec<_>>().join(", ");
+        let mut parts: Vec<Text> = failed
+            .into_iter()
+            .map(|(reason, vehicles)| {
+                let vehicles = ranges(vehicles);
+                text!(
+                    "hazard-plan-rehearsal",
+                    vehicles = vehicles,
+                    reason = reason
+                )
+            })
+            .collect();
+        parts.first()?;
+        parts.extend((!named.is_empty()).then(|| text!("hazard-plan-met", pairs = named)));
+        parts.extend(is_other.then(|| {
             let targets = ranges(order.targets.iter().copied());
             text!("hazard-plan-rehearse-these", targets = targets)
-        });
-        let parts = [text, named].into_iter().chain(again).collect();
+        }));
         Some(Text::joined("; ", parts))
     }
 
-    /// The vehicles that came too close to this one in the last rehearsal.
-    fn met_by(&self, vehicle: VehicleId) -> Vec<VehicleId> {
-        let pairs = self.meetings.iter().map(|meeting| meeting.vehicles);
-        let other = |[a, b]: [VehicleId; 2]| match vehicle {
-            _ if a == vehicle => Some(b),
-            _ if b == vehicle => Some(a),
-            _ => None,
-        };
-        pairs.filter_map(other).collect()
+    /// Why the plan that a vehicle carries failed in its last rehearsal, on board or as a draft.
+    fn rehearsal_failure(&self, id: VehicleId) -> Option<&Text> {
+        let plan = self.carried(id)?;
+        let on_board = self.failed_rehearsals.get(&id);
+        let on_board = on_board.filter(|failed| failed.plan == plan);
+        let reason = on_board.map(|failed| &failed.reason);
+        reason.or_else(|| self.failed_trials.get(&plan))
     }
 
     /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
@@ -401,9 +413,41 @@ mod tests {
         let reason = view.hazard(&order("plan start")).expect("it asks");
         let reason = reason.to_string();
         assert!(
-            reason.contains("too close: 3; `1 plan rehearse`"),
+            reason.contains("too close: 1/3; `1 plan rehearse`"),
             "{reason}"
         );
+    }
+
+    #[test]
+    fn all_plans_that_failed_are_named_by_their_reasons() {
+        let mut view = FlightView::default();
+        let plan = carrying(20.0).plans.plan.content.expect("a plan");
+        let mut failed = Vec::new();
+        for (id, reason) in [(1, "collides"), (2, "collides"), (3, "hits the ground")] {
+            let mut vehicle = carrying(20.0);
+            vehicle.id = id;
+            view.insert(Arc::new(vehicle));
+            failed.push(FailedRehearsal {
+                vehicle: id,
+                plan: ContentHash::of(plan.flown()),
+                reason: Text::verbatim(reason),
+            });
+        }
+        view.note_rehearsal(RehearsalFindings {
+            failed,
+            meetings: vec![Meeting {
+                vehicles: [1, 2],
+                at_point: LatLon::new(50.45, 30.52),
+            }],
+            ..RehearsalFindings::default()
+        });
+        let mut start = order("plan start");
+        start.targets = vec![1, 2, 3];
+        let reason = view.hazard(&start).expect("it asks").to_string();
+        for part in ["1-2: collides", "3: hits the ground", "too close: 1/2"] {
+            assert!(reason.contains(part), "{part}: {reason}");
+        }
+        assert!(!reason.contains("plan rehearse"), "{reason}");
     }
 
     /// The same holds for a draft that fails before it is uploaded.

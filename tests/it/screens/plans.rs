@@ -182,9 +182,9 @@ fn the_figures_of_a_rehearsal_are_shown() {
     console.press("j").press("j").press("j");
     let screen = console.screen(80, 24);
     assert!(screen.contains("5 + 6"), "{screen}");
-    console.press("F");
+    console.press("d");
     assert!(!console.screen(80, 24).contains("71 %"));
-    console.press("F").press("u");
+    console.press("d").press("u");
     assert!(!console.screen(80, 24).contains("71 %"), "another draft");
 }
 
