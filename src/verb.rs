@@ -60,7 +60,7 @@ pub struct Retry {
 }
 
 impl Retry {
-    /// A single attempt.
+    /// A single attempt, for commands that must not be carried out twice.
     pub const ONCE: Self = Self::new(1, 1000, 3000);
 
     /// Retries with times in milliseconds.

@@ -35,7 +35,7 @@ pub(super) struct ReportArguments {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum ReportFormat {
-    /// Markdown with tables.
+    /// Markdown: a table for each part of the progress.
     Md,
     /// Comma-separated values: one table.
     Csv,

@@ -249,7 +249,7 @@ pub enum EditPart {
     Items,
     /// The number that items get, or the item that a jump leads to.
     Target,
-    /// A place.
+    /// A place: an offset, coordinates, or a name.
     Place,
     /// The name of a parameter.
     Field,

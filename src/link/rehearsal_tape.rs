@@ -61,5 +61,4 @@ impl<W: Write> RehearsalTape<W> {
     }
 }
 
-/// `MAV_COMP_ID_AUTOPILOT1`.
 const VEHICLE_COMPONENT: u8 = 1;

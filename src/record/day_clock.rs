@@ -7,7 +7,6 @@ use super::{Happening, Journal};
 /// The pauses of a record, from which its times of day are computed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct DayClock {
-    /// Earliest first.
     pauses: Vec<DayPause>,
 }
 

@@ -26,7 +26,7 @@ pub enum LegMotion {
 pub struct LegStart {
     /// The place over the ground.
     pub place: LatLon,
-    /// Metres above home.
+    /// Above home, in metres.
     pub height_m: f64,
     /// How the vehicle comes there.
     pub motion: LegMotion,

@@ -209,7 +209,7 @@ pub struct Heard<'a> {
     pub at_s: f64,
     /// The vehicle, counted from 0; as a system it has the next number.
     pub vehicle: usize,
-    /// Whole MAVLink frames.
+    /// One or more MAVLink frames, none of them cut.
     pub bytes: &'a [u8],
 }
 

@@ -32,7 +32,7 @@ pub struct Stored {
 /// How the lines of a record end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum RecordEnding {
-    /// With the score.
+    /// The last line is the score of a finished flight.
     Score,
     /// After a whole line that is not the end.
     Open,

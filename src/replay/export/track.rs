@@ -43,7 +43,7 @@ pub(super) fn time(unix_us: u64) -> String {
 /// The tracks of one vehicle, by the message that contains its position.
 #[derive(Debug, Default)]
 struct Stated {
-    /// Points from `GLOBAL_POSITION_INT`.
+    /// From `GLOBAL_POSITION_INT`, which the vehicle sends once it knows its place.
     global: Vec<TrackPoint>,
     /// By `LOCAL_POSITION_NED` from the origin of its estimator.
     local: Vec<TrackPoint>,

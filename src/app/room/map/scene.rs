@@ -119,7 +119,7 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
             sketches.push(sketch);
         }
     }
-    sketches.extend(state.session.meetings.iter().map(|meeting| {
+    sketches.extend(state.session.rehearsed.meetings().iter().map(|meeting| {
         let [a, b] = meeting.vehicles;
         Sketch::point(SketchKind::Meeting, format!("{a}/{b}"), meeting.at_point)
     }));

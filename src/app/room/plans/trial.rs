@@ -123,7 +123,7 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
             None => drafts.change(&changed.name, document),
         }
     }
-    state.session.note_trial(&tried.verdicts);
+    state.session.rehearsed.note_trial(&tried.verdicts);
     let severity = if tried.is_sound {
         Severity::Info
     } else {

@@ -176,7 +176,7 @@ struct SharedFault<'a> {
     items: Vec<usize>,
 }
 
-/// Each fault once.
+/// The findings, with those that several items share as one.
 fn shared(findings: &[Finding]) -> Vec<SharedFault<'_>> {
     let mut faults: Vec<SharedFault<'_>> = Vec::new();
     for finding in findings {
