@@ -183,12 +183,13 @@ proptest! {
         count in 2usize..8,
     ) {
         let team = team(count, DVec2::new(-230.0, -40.0));
-        // Large enough that each vehicle is worth its climb.
         let outline: Vec<DVec2> = outline.into_iter().map(|corner| corner * 2.5).collect();
         let generated = generate(&survey(&[outline], spacing), &team, &manner()).expect("plans");
-        prop_assert_eq!(generated.parts.len(), count);
+        // In a small area, a vehicle can spend most of its energy on the way; it is left out.
+        prop_assert_eq!(generated.parts.len() + generated.idle.len(), count);
+        prop_assert!(generated.idle.iter().all(|(_, why)| *why == Idle::Spare));
         let efforts = || generated.parts.iter().map(|part| part.effort.hover_s);
-        let mean = efforts().sum::<f64>() / count as f64;
+        let mean = efforts().sum::<f64>() / generated.parts.len() as f64;
         let most = efforts().fold(0.0, f64::max);
         // A tenth, or one leg: between two cells of a concave area there is no work to cut, and the heights at which
         // vehicles cross depend on where the cuts are.
