@@ -103,6 +103,7 @@ pub fn ungenerated(error: GenerateError, vehicle: usize) -> Text {
 /// Why a vehicle has no part of a task.
 pub fn idle_words(why: Idle) -> Text {
     match why {
+        Idle::NoWay => text!("plan-idle-no-way"),
         Idle::Far => text!("plan-idle-far"),
         Idle::Spare => text!("plan-idle-spare"),
     }

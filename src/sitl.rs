@@ -128,6 +128,8 @@ const LONGEST_NAME: usize = 16;
 const SERIALS: u16 = 3;
 const FIRST_PORT: u16 = 5760;
 const PORTS_PER_INSTANCE: u16 = 10;
+/// SITL keeps the number of its instance in eight bits (`SITL_State.h`): with 256, it would use the ports of instance 0.
+const LAST_INSTANCE: u16 = 255;
 
 impl Recipe {
     /// The command line of this instance.
@@ -234,16 +236,16 @@ impl SerialEndpoint {
     /// The ports of serial 0, 1 and 2 for an instance that listens.
     ///
     /// # Errors
-    /// The instance's number is too large for a valid port.
+    /// SITL has no instance with this number.
     pub fn ports(self) -> Result<Vec<u16>, SitlUnfit> {
         let Self::Listening(instance) = self else {
             return Ok(Vec::new());
         };
-        let first = instance
-            .checked_mul(PORTS_PER_INSTANCE)
-            .and_then(|above| above.checked_add(FIRST_PORT));
-        let last = first.and_then(|first| first.checked_add(SERIALS));
-        let (first, last) = first.zip(last).ok_or(SitlUnfit::Instance(instance))?;
+        if instance > LAST_INSTANCE {
+            return Err(SitlUnfit::Instance(instance));
+        }
+        let first = FIRST_PORT + PORTS_PER_INSTANCE * instance;
+        let last = first + SERIALS;
         Ok(vec![first, last - 1, last])
     }
 

@@ -105,13 +105,13 @@ bench-nobody-buys = guests can use every part without buying it
 bench-no-profile = designs are saved in a profile, but none is chosen: { $key } writes the design to a file
 bench-saved = saved: { $name }
 bench-name-taken = a design named { $name } already exists
-bench-ask-buy = buy the right to use { $part } for { $price } cr
+bench-ask-buy = BUY the right to use { $part } for { $price } cr
 bench-ask-buy-reason = you have { $credits } cr; { $left } cr will be left
-bench-ask-replace = replace { $name } on the bench
+bench-ask-replace = REPLACE { $name } on the bench
 bench-ask-replace-reason = its changes are not saved ({ $key } restores them)
-bench-ask-overwrite = replace your design { $name }
+bench-ask-overwrite = REPLACE your design { $name }
 bench-ask-overwrite-reason = a design with this name already exists
-bench-ask-delete = delete your design { $name }
+bench-ask-delete = DELETE your design { $name }
 bench-ask-delete-reason = the copy on the bench stays
 bench-ask-quit-reason = { $name } on the bench is not saved
 

@@ -46,7 +46,7 @@ reward-skill-new = { $skill } { $after } %, first evidence: { $why }
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = cannot store profiles in { $path }: { $error }
-profiles-newer = { $path } was made by a newer version of sortie (schema { $found }; this version reads { $known }); nothing was changed. Use that version, or another folder with --data
+profiles-newer = { $path } was made by a newer version of sortie (schema { $found }; this version reads { $known }); nothing was changed. Use that version, or another folder with `--data`
 profiles-older = { $path } was made by an older version of sortie and is read-only here; its owner must start this version once to convert it
 profiles-database = { $path }: { $error }
 profiles-unknown = no profile `{ $name }`; profiles: { $known }
@@ -76,7 +76,7 @@ practice-parts = { $design } has parts that you do not own ({ $parts })
 practice-airframes = the airframes are your own files
 practice-slow = time runs slower than real time
 practice-unconfirmed = its record cannot be confirmed (`sortie verify` gives the reason)
-exam-real-time = an exam runs in real time: start sortie without --speedup
+exam-real-time = an exam runs in real time: start sortie without `--speedup`
 exam-by-hand = an exam is flown by hand, not by a script: start it from the home screen
 daily-by-hand = the seed of the day is flown by hand, because a script would reveal the layout in advance: use `--seed N`
 flight-practice = { $mission }, practice

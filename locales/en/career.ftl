@@ -27,8 +27,8 @@ parts-missing = { $design } has parts that { $profile } may not use
 
 profile-created = profile { $name } created; fly with `--profile { $name }`
 profile-none = no profiles yet; `sortie profile create NAME` creates one
-profile-choose = no profile chosen; profiles: { $known }. Use --profile NAME, or set `profile` in the configuration
-profile-delete = this deletes { $name } with all flights ({ $flights }): add --yes; `sortie profile export { $name }` keeps a copy
+profile-choose = no profile chosen; profiles: { $known }. Use `--profile NAME`, or set `profile` in the configuration
+profile-delete = this deletes { $name } with all flights ({ $flights }): add `--yes`; `sortie profile export { $name }` keeps a copy
 profile-deleted = profile { $name } deleted
 profile-imported = profile { $name } imported, flights: { $flights }, none of them verified
 import-left-out = { $id } is left out: { $why }
@@ -39,10 +39,10 @@ import-unfit = its report is inconsistent: { $fault }
 import-fleet = its designs cannot fly this mission
 profile-bought = { $part } is licensed for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
-profile-record = with a profile, sortie records runs in the profile's data folder and counts the tries: leave out --record and --try
+profile-record = with a profile, sortie records runs in the profile's data folder and counts the tries: leave out `--record` and `--try`
 profiles-damaged = { $path } contains data that sortie did not write: { $fault }
 profiles-recovered = a finished flight of { $profile } was missing and is stored now: { $mission }, { $score } points
-profiles-left-attempt = { $profile }: mission { $mission } was cut off before its end; it counts as left, with { $score } points
+profiles-left-attempt = { $profile }: mission { $mission } was cut off before its end; it counts as given up, with { $score } points
 profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }

@@ -25,8 +25,8 @@ detect-outlook = { $count } reported
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
-detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report
-detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
+detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report.
+detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report.
 
 # Covering a zone.
 coverage-result = { $swept } % swept; a random search: { $random } %
@@ -67,7 +67,7 @@ plan-fault-no-return = no return
 plan-rehearsed-of = rehearsed before the flight: { $good }
 plan-unrehearsed = flown without a successful rehearsal: { $vehicles }
 plan-rehearsed-target = all { $count } rehearsed
-plan-rehearsed-advice = Before the first takeoff, `all plan rehearse`: every row has to end with a landing. After each change of a plan, rehearse again.
+plan-rehearsed-advice = Before the first takeoff, send `all plan rehearse`: every row has to end with a landing. After each change of a plan, rehearse again.
 plan-mended-of = faulty plans replaced: { $good }
 plan-unmended = flown with its fault: { $vehicles }
 plan-mended-target = no faulty plan flown

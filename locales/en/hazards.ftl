@@ -42,7 +42,8 @@ locate-advice = Cross the area from two sides, fly slowly where the reading is h
 perimeter-none = no map yet
 perimeter-next = map in { $seconds } s
 perimeter-target = { $fit } at { $times } s
-perimeter-advice = scan the whole edge shortly before the map is taken; leave the downwind front for last
+perimeter-quality = scan the whole edge shortly before the map is taken, and the downwind front last
+perimeter-advice = Scan the whole edge shortly before the map is taken; leave the downwind front for last.
 
 # Protecting an area from a fire.
 protect-safe = nothing burnt

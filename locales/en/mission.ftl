@@ -38,18 +38,18 @@ mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
-mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the vehicle disarms: rtl lands there.
+mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the vehicle disarms: `rtl` lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before { $least } %: you had { $percent } %
    *[later] come home before { $least } %: you had { $percent } %
 }
 mission-recover-closer = { $place ->
-    [first] Land within { $radius } m of a pad: you were { $distance } m away; rtl lands there
-   *[later] land within { $radius } m of a pad: you were { $distance } m away; rtl lands there
+    [first] Land within { $radius } m of a pad: you were { $distance } m away; `rtl` lands there
+   *[later] land within { $radius } m of a pad: you were { $distance } m away; `rtl` lands there
 }
 mission-recover-disarm = { $place ->
-    [first] Land and disarm before the time is up: rtl does both
-   *[later] land and disarm before the time is up: rtl does both
+    [first] Land and disarm before the time is up: `rtl` does both
+   *[later] land and disarm before the time is up: `rtl` does both
 }
 
 # Rules broken.
@@ -177,7 +177,7 @@ speedup-same = already { $rate }x
 speedup-nothing-to-wait-for = no command is in progress: give one first, or write `speedup 2`
 speedup-limit = already { $most }x: faster is not allowed here
 speedup-nothing = nothing to speed up: no flight is under way
-speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup
+speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with `--speedup`
 speedup-not-real = the time of real drones cannot be changed
 speedup-not-in-exams = an exam runs in real time
 speedup-not-allowed = the rules of this mission do not allow a speed-up
@@ -186,7 +186,7 @@ speedup-too-little = too slow: at least { $least }x
 
 # Before launch, in the room of the mission. Names at most 14 columns.
 mission-launch = before launch
-mission-pledge = your plan
+mission-pledge = stated before launch
 mission-prediction = your score
 mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares both
 mission-prediction-is = { $points } predicted
@@ -201,7 +201,7 @@ mission-then = to start
 mission-then-is = { $drones } shows the drones and starts the clock, { $back } goes back, { $help } explains keys and commands
 mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }
 mission-marks-count = reports { $count }
-mission-pledge-line = your plan: { $words }
+mission-pledge-line = you stated: { $words }
 mission-said-score = { $points } points
 
 # Urgent alerts, over the full width of the screen; shorter in the header.

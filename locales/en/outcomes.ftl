@@ -97,7 +97,7 @@ outcome-log-sum-other = read twice: the checksum differs from the vehicle's
 outcome-log-sum-grown = no checksum: the vehicle was still writing this log (it does so for 15 s after disarming); repeat the download later
 outcome-log-sum-none = no checksum: { $reason }
 outcome-log-no-file = no file of the listed size
-outcome-logs-stopped = stopped; what was read is kept; repeat the download to continue
+outcome-logs-stopped = stopped; the part already read is kept; repeat the download to continue
 outcome-plan-written = { $count } items ({ $mark }), read back and compared
 outcome-plan-warned = { $count ->
     [one] warning: { $warnings }
@@ -119,7 +119,7 @@ outcome-log-stalled = the vehicle stopped sending log { $number }: { $percent } 
 outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of log { $number } saved; disarm it and repeat the download to continue
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
 
-outcome-plan-left = no part for { $vehicles } now, but an earlier plan is still on board: `{ $vehicles } plan clear`
+outcome-plan-left = no part for { $vehicles } now, but an earlier plan is still on board: `{ $vehicles } plan clear` removes it
 outcome-plan-idle = no part for this vehicle: { $reason }; its plan on board is cleared
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-waits = waiting for the plans of { $vehicles }, which are being sent or read

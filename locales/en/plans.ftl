@@ -184,6 +184,7 @@ plan-generate-layer = transit height
 plan-generate-imbalance = the largest share is { $times } times the smallest
 plan-generate-idle = vehicle { $vehicle } has no plan: { $reason }
 plan-idle = no part for { $vehicles }: { $reason }
+plan-idle-no-way = no path inside the fence to its part
 plan-idle-far = too far away to help
 plan-idle-spare = more vehicles would hardly save energy
 plan-generate-uncovered = { $share } % of the area is not covered: the fence is too close

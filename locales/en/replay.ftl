@@ -21,9 +21,9 @@ replay-stops = stops at { $signs }
 stopat-on = the replay stops at: { $kinds }
 stopat-off = the replay stops at no moments
 loop-off = nothing is repeated
-loop-left = the section is no longer repeated: the time lies outside
+loop-left = the section is no longer repeated: the new time is outside it
 seek-beyond = the record ends at { $length }: its end is shown
-restart-not-replay = a replay cannot be flown again: `fly` and the name start the mission
+restart-not-replay = a replay cannot be flown again: `fly NAME` starts the mission
 bookmark-nothing = nothing to bookmark: no flight is under way
 bookmark-not-recorded = this flight is not recorded, so it cannot be bookmarked
 bookmark-set = bookmark set
@@ -96,8 +96,8 @@ records-vehicles = vehicles
 records-what = event
 records-in-use = { $name } is still being recorded
 records-confirm = { $count ->
-    [one] 1 record would be deleted: add --yes
-   *[other] { $count } records would be deleted: add --yes
+    [one] 1 record would be deleted: add `--yes`
+   *[other] { $count } records would be deleted: add `--yes`
 }
 records-reversed = the range { $range } is reversed: write the lower number first
 records-result = result

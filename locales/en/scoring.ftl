@@ -52,14 +52,14 @@ scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Avoid refused commands: read the reason before you repeat one.
 scoring-advice-mandatory = Reach every mandatory objective; without it the score is capped: { $objectives }.
-scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.
+scoring-advice-geofence = Stay inside the fence: check the numbers of a `goto` against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
-scoring-advice-crash = Bring the vehicle down with rtl or land and wait until it disarms.
-scoring-advice-motors = Never stop motors in the air: use rtl or land to end a flight.
+scoring-advice-crash = Bring the vehicle down with `rtl` or `land` and wait until it disarms.
+scoring-advice-motors = Never stop motors in the air: use `rtl` or `land` to end a flight.
 scoring-advice-force = Arm without force: wait until the arming checks pass.
 scoring-advice-reserve = Return earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
-scoring-advice-pad = Land on the pad: rtl flies there automatically.
+scoring-advice-pad = Land on the pad: `rtl` flies there automatically.
 scoring-advice-battery = Return before the battery failsafe takes over.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
 
@@ -80,7 +80,7 @@ scoring-idle = drone { $vehicle } idle in the air for { $time }
 scoring-never-idle = none of the { $count } drones was idle
 scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
 scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
-scoring-advice-slack = Keep all drones busy equally long: give each its next task before the last one is done.
+scoring-advice-slack = Keep all drones busy for about the same time: give each its next task before the last one is done.
 
 # Hints.
 scoring-advice-hints = { $count ->

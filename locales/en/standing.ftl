@@ -87,7 +87,7 @@ profiles-nameless = type a name
 prompt-profile = your name
 prompt-profile-advice = your flights, credits and designs are stored on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; the same seed gives the same flight. For the seed from --seed (default 1), just press { $submit }. Practice earns nothing
+prompt-seed-advice = a number; the same seed gives the same flight. For the seed from `--seed` (default 1), just press { $submit }. Practice earns nothing
 
 # Own progress.
 standing-no-profile = Guests have no progress. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.

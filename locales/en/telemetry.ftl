@@ -60,7 +60,7 @@ heard-flood = too many texts at once: the room "messages" shows those not listed
 heard-from-peer = { $link } (from { $peer })
 heard-by-another-link = now received over { $link }, no longer over { $before }
 
-fix-no-gps = no gps
+fix-no-gps = no GPS
 fix-none = no fix
 fix-float = float
 fix-other = other

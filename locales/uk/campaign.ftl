@@ -50,7 +50,7 @@ reward-skill-new = { $skill } { $after } %, перша перевірка: { $wh
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = не вдається зберігати профілі в { $path }: { $error }
-profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через --data
+profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через `--data`
 profiles-older = { $path } створено старішою версією sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
@@ -81,7 +81,7 @@ practice-parts = у { $design } є деталі, яких ви не маєте (
 practice-airframes = рами взято з ваших файлів
 practice-slow = час іде повільніше за реальний
 practice-unconfirmed = його запис не вдається підтвердити (причину називає `sortie verify`)
-exam-real-time = іспит відбувається в реальному часі: запустіть sortie без --speedup
+exam-real-time = іспит відбувається в реальному часі: запустіть sortie без `--speedup`
 exam-by-hand = іспит складають власноруч, а не скриптом: почніть його з початкового екрана
 daily-by-hand = варіант дня виконують власноруч, бо скрипт показав би, де що є, ще до пошуку: вкажіть `--seed N`
 flight-practice = { $mission }, тренування

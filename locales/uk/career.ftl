@@ -28,8 +28,8 @@ parts-missing = { $design } має деталі, якими { $profile } ще н
 
 profile-created = профіль { $name } створено; літайте з `--profile { $name }`
 profile-none = профілів ще немає; `sortie profile create NAME` створить профіль
-profile-choose = профіль не вибрано; профілі: { $known }. Додайте --profile NAME або задайте `profile` у налаштуваннях
-profile-delete = у профілі { $name } польотів: { $flights }. Щоб видалити все, додайте --yes; копію зробить `sortie profile export { $name }`
+profile-choose = профіль не вибрано; профілі: { $known }. Додайте `--profile NAME` або задайте `profile` у налаштуваннях
+profile-delete = у профілі { $name } польотів: { $flights }. Щоб видалити все, додайте `--yes`; копію зробить `sortie profile export { $name }`
 profile-deleted = профіль { $name } видалено
 profile-imported = профіль { $name } імпортовано, польотів: { $flights }, жодного не перевірено
 import-left-out = { $id } пропущено: { $why }
@@ -40,10 +40,10 @@ import-unfit = звіт суперечить сам собі: { $fault }
 import-fleet = з його проєктами це завдання не виконати
 profile-bought = { $part }: ліцензія за { $price } cr; лишилося { $left }
 profile-not-stored = політ не збережено: { $fault }
-profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть --record і --try
+profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть `--record` і `--try`
 profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
 profiles-recovered = завершений політ ({ $profile }) не було збережено; тепер його збережено: { $mission }, балів: { $score }
-profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково; зараховано як залишене, балів: { $score }
+profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково; зараховано як припинене, балів: { $score }
 profiles-left-exam = { $profile }: іспит { $mission } залишено достроково; зараховано балів: { $score }
 
 progress-title = Поступ: { $name }
@@ -60,7 +60,7 @@ progress-standing = { $credits ->
     [few] { $flights } польоти
    *[many] { $flights } польотів
 }
-progress-next = далі: { $skill } у «{ $mission }»
+progress-next = далі: { $skill } у завданні «{ $mission }»
 progress-aids = поради: { $aids }
 progress-lang = мова: { $lang }
 progress-since = з { $day }

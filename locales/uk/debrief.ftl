@@ -40,7 +40,7 @@ debrief-good = добре
 debrief-by-hand = Політ виконано власноруч
 debrief-by-script = Політ виконав скрипт: тренування
 debrief-by-bundled-pilot = Політ виконав скрипт із комплекту sortie: тренування
-debrief-other-revision = У цьому польоті інша версія завдання, ніж у курсі (r{ $revision } завдання { $mission }): бали порівнювати не можна.
+debrief-other-revision = У цьому польоті інша редакція завдання, ніж у курсі (r{ $revision } завдання { $mission }): бали порівнювати не можна.
 debrief-altered-mission = Файл завдання відрізняється від { $mission } r{ $revision } з курсу: бали порівнювати не можна.
 debrief-try = Спроба { $attempt }, підказок: { $count } (x{ $factor })
 debrief-predicted-right = Ви передбачили { $predicted }: саме стільки й вийшло.
@@ -56,7 +56,7 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = За такого темпу ви завантажуєте дронів: { $handled }; літало: { $flown }.
+debrief-fan-out = За такого темпу у вас зайнято дронів: { $handled }; літало: { $flown }.
 debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
 debrief-use = у повітрі { $airborne } s, зайнятість { $percent } %, простій { $idle } s

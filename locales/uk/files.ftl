@@ -16,7 +16,7 @@ file-forbidden = немає дозволу читати { $path }
 file-unwritable = не вдається записати { $path }: { $error }
 file-exists = { $path } вже є
 file-too-large = { $path } завеликий: { $kind } — щонайбільше { $most } байтів
-file-unknown = невідомо: { $kind } `{ $name }`; вкажіть шлях або одне з: { $known }
+file-unknown = не знайдено: { $kind } `{ $name }`; вкажіть шлях або одне з: { $known }
 
 file-mission = завдання
 file-pilot = скрипт пілота

@@ -25,8 +25,8 @@ detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
-detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }: огляньте ще раз, нижче й повільніше, і підтверджуйте перед повідомленням
-detect-advice-wrong = хибних повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
+detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }. Огляньте ще раз, нижче й повільніше, і підтверджуйте знахідку, перш ніж повідомляти.
+detect-advice-wrong = хибних повідомлень { $wrong }. Спершу підтвердьте знахідку іншим датчиком або зблизька.
 
 # Прохід над зоною.
 coverage-result = обстежено { $swept } %; випадковий пошук: { $random } %

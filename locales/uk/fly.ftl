@@ -18,7 +18,7 @@ fly-columns-are = стовпці: { $columns }
 fly-no-group = немає групи `{ $name }`
 forget-done = забуто: { $vehicles }
 forget-heard = { $vehicles }: на зв'язку; забути можна лише апарати, зв'язок з якими втрачено
-forget-none-lost = жоден апарат не втратив зв'язку: нема що забувати
+forget-none-lost = жоден апарат не втратив зв'язку: забувати нема чого
 forget-not-here = апарати симулятора забути не можна: `forget` діє лише з `connect`
 fly-ungrouped = групу @{ $name } видалено
 fly-place = { $at } з { $count }
@@ -119,7 +119,7 @@ telemetry-satellites = { $count ->
     [few] { $count } супутники
    *[many] { $count } супутників
 }
-telemetry-ekf-ok = ok
+telemetry-ekf-ok = ок
 telemetry-ekf-lost = без позиції
 telemetry-roll-pitch = крен { $roll }°  тангаж { $pitch }°
 telemetry-link-lost = НЕМАЄ вже { $seconds } s
@@ -212,7 +212,7 @@ hint-follow = стежити
 hint-goto = goto
 hint-ruler = лінійка
 hint-signs = позначки
-hint-trails = сліди
+hint-trails = шляхи
 
 header-paused = ПАУЗА
 header-speedup = { $rate }x

@@ -28,7 +28,7 @@ links-history = { $way }, { $seconds } s, макс. { $most }
 
 links-key-command = команда
 links-key-help = довідка
-links-key-choose = вибір
+links-key-choose = вибрати
 links-key-messages = повідомлення
 links-key-fly = політ
 

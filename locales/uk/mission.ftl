@@ -45,18 +45,18 @@ mission-recover-in-air = у повітрі
 mission-recover-away = { $distance } m від майданчика
 mission-recover-charge = треба { $needed } %, є { $percent } %
 mission-recover-landing = ще не сів
-mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: rtl сідає саме там.
+mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: `rtl` сідає саме там.
 mission-recover-earlier = { $place ->
     [first] Повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
    *[later] повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
 }
 mission-recover-closer = { $place ->
-    [first] Сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, rtl сідає саме там
-   *[later] сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, rtl сідає саме там
+    [first] Сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, `rtl` сідає саме там
+   *[later] сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, `rtl` сідає саме там
 }
 mission-recover-disarm = { $place ->
-    [first] Сядьте й деактивуйте двигуни, доки не вийшов час: rtl робить і те, і те
-   *[later] сядьте й деактивуйте двигуни, доки не вийшов час: rtl робить і те, і те
+    [first] Сядьте й деактивуйте двигуни, доки не вийшов час: `rtl` робить і те, і те
+   *[later] сядьте й деактивуйте двигуни, доки не вийшов час: `rtl` робить і те, і те
 }
 
 # Порушення правил.
@@ -173,19 +173,19 @@ pause-not-real = паузи немає: справжні дрони в пові�
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = пауза: команди не приймаються
 pause-refuses-help = спершу продовжте: `continue` або { $key }; тоді дайте команду
-speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } повертає звичайний
-speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } повертає звичайний
+speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } скасовує прискорення
+speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } скасовує прискорення
 speedup-usual = { $rate }x: звичайна швидкість
 speedup-back = знову реальний час: { $reason }
 speedup-back-to = знову { $rate }x: { $reason }
 speedup-done = { $verb } апарата { $vehicle }: виконано
 speedup-row = { $verb } апарата { $vehicle }: { $state }
-speedup-alert = тривога { $alert }, апарат { $vehicle }
+speedup-alert = тривога «{ $alert }», апарат { $vehicle }
 speedup-same = уже { $rate }x
 speedup-nothing-to-wait-for = жодна команда не виконується: дайте команду або напишіть `speedup 2`
 speedup-limit = уже { $most }x: швидше тут не можна
 speedup-nothing = нема чого прискорювати: польоту немає
-speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через --speedup
+speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через `--speedup`
 speedup-not-real = час справжніх дронів не змінити
 speedup-not-in-exams = іспит відбувається в реальному часі
 speedup-not-allowed = правила цього завдання не дозволяють прискорення
@@ -194,7 +194,7 @@ speedup-too-little = надто повільно: щонайменше { $least 
 
 # Перед зльотом, на екрані завдання. Назви щонайбільше 14 колонок.
 mission-launch = перед зльотом
-mission-pledge = ваш план
+mission-pledge = заявлено до зльоту
 mission-prediction = ваші бали
 mission-prediction-none = прогноз задає { $key }, наприклад `predict 800`; розбір порівняє його з результатом
 mission-prediction-is = передбачено { $points }
@@ -209,7 +209,7 @@ mission-then = початок
 mission-then-is = { $drones } показує дрони й запускає годинник, { $back } повертає назад, { $help } пояснює клавіші й команди
 mission-contacts-count = контакти { $count }, підтв. { $confirmed }, повід. { $reported }
 mission-marks-count = повідомлено { $count }
-mission-pledge-line = ваш план: { $words }
+mission-pledge-line = ви заявили: { $words }
 mission-said-score = балів: { $points }
 
 # Що невідкладне, на всю ширину екрана; коротко в заголовку.

@@ -61,7 +61,7 @@ plan-note-fraction = дробову частину параметра 5 або 6
 plan-note-lines = ліній { $count }: їх об'єднано в один план
 
 plan-refused-command = апарат відхиляє { $command } у цьому списку
-plan-refused-frame = апарат відхиляє систему висот { $command }: потрібен рівень моря (0), дім (3) або рельєф (10)
+plan-refused-frame = апарат відхиляє рівень відліку висоти в { $command }: потрібен рівень моря (0), дім (3) або рельєф (10)
 plan-refused-latitude = широта { $command } не в межах від -90 до 90
 plan-refused-longitude = довгота { $command } не в межах від -180 до 180
 plan-refused-height = висота { $command } — не число, яке апарат може зберегти
@@ -183,6 +183,7 @@ plan-generate-layer = висота перельоту
 plan-generate-imbalance = найбільша частка в { $times } раза більша за найменшу
 plan-generate-idle = апарат { $vehicle } не має плану: { $reason }
 plan-idle = без частини { $vehicles }: { $reason }
+plan-idle-no-way = немає шляху до частини в межах геозони
 plan-idle-far = надто далеко, щоб допомогти
 plan-idle-spare = більша кількість апаратів майже не заощадила б енергії
 plan-generate-uncovered = не охоплено { $share } % ділянки: геозона надто близько

@@ -36,9 +36,9 @@ scoring-commands-clean = { $count ->
 }
 scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->
-    [one] { $faults }; { $count } команда, лік за дронами
-    [few] { $faults }; { $count } команди, лік за дронами
-   *[many] { $faults }; { $count } команд, лік за дронами
+    [one] { $faults }; { $count } команда, рахуючи для кожного дрона
+    [few] { $faults }; { $count } команди, рахуючи для кожного дрона
+   *[many] { $faults }; { $count } команд, рахуючи для кожного дрона
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }
@@ -51,14 +51,14 @@ scoring-be-faster = Зекономте { $seconds } s, щоб укластися
 scoring-use-less = Зекономте { $energy } Wh, щоб укластися в норму.
 scoring-advice-commands = Уникайте відмов: прочитайте причину, перш ніж повторити команду.
 scoring-advice-mandatory = Досягніть усіх обов'язкових цілей ({ $objectives }): без цього бали обмежено.
-scoring-advice-geofence = Не вилітайте за межі геозони: перш ніж надіслати, звірте числа в goto з картою.
+scoring-advice-geofence = Не вилітайте за межі геозони: перш ніж надіслати, звірте числа в `goto` з картою.
 scoring-advice-height = Тримайтеся нижче від межі висоти; її вказано в інструктажі.
-scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
-scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують rtl або land.
+scoring-advice-crash = Садіть апарат командою `rtl` або `land` і чекайте, доки двигуни деактивуються.
+scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують `rtl` або `land`.
 scoring-advice-force = Не активуйте двигунів примусово: зачекайте, доки пройдуть передпольотні перевірки.
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки заряд не нижчий за резерв.
 scoring-advice-land = Посадіть усі дрони до завершення завдання.
-scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
+scoring-advice-pad = Сідайте на майданчик: `rtl` летить туди сам.
 scoring-advice-battery = Повертайтеся, перш ніж це зробить за вас аварійна реакція на низький заряд.
 scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
 
@@ -78,8 +78,8 @@ scoring-never-flown = дрони без польоту: { $vehicles }
 scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
 scoring-never-idle = простою не було, дронів: { $count }
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
-scoring-advice-idle = Давайте дрону { $vehicle } наступне завдання, доки він не скінчив попереднє: він чекав у повітрі { $time }.
-scoring-advice-slack = Завантажуйте всі дрони однаково довго: давайте наступне завдання, доки попереднє не скінчено.
+scoring-advice-idle = Давайте дрону { $vehicle } наступну роботу, доки він не скінчив попередньої: він чекав у повітрі { $time }.
+scoring-advice-slack = Нехай усі дрони будуть зайняті однаково довго: давайте кожному наступну роботу, доки він не скінчив попередньої.
 
 # Підказки.
 scoring-advice-hints = { $count ->

@@ -3,7 +3,7 @@
 threat-collision = зіткнення з апаратом { $other }
 threat-separation = { $distance } m до апарата { $other }
 threat-no-fly = у забороненій зоні { $zone }
-threat-people = нижче { $height } m над людьми в { $zone }
+threat-people = нижче ніж { $height } m над людьми в { $zone }
 threat-injury = зіткнення з людиною
 threat-near-person = { $distance } m до людини
 threat-aircraft-hit = зіткнення з літаком

@@ -10,7 +10,7 @@ transport-has-ended = { $link } завершено
 
 transport-refused = у з'єднанні відмовлено: жодна програма не слухає порт { $port } вузла { $host }
 transport-unreachable = не вдається з'єднатися з портом { $port } вузла { $host }: { $error }
-transport-no-answer = { $host } не відповідає вже { $seconds } s
+transport-no-answer = { $host } не відповів за { $seconds } s
 transport-not-found = { $host } не знайдено: { $error }
 transport-without-address = { $host } не має адреси
 transport-no-udp-socket = не вдається відкрити сокет UDP: { $error }
@@ -21,7 +21,7 @@ transport-not-here = { $host } не є адресою цієї машини: с�
 transport-cannot-listen = не вдається слухати на порту { $port } вузла { $host }: { $error }
 transport-no-clients = не вдається приймати клієнтів: { $error }
 transport-no-serial = не вдається відкрити { $path } на швидкості { $baud }: { $error }
-transport-without-serial = не вдається відкрити { $path }: програму зібрано без послідовних портів; зберіть її з --features serial
+transport-without-serial = не вдається відкрити { $path }: програму зібрано без послідовних портів; зберіть її з `--features serial`
 transport-closed = закрито з іншого боку
 transport-takes-nothing = інший кінець більше не приймає даних
 transport-silent = нічого не надходить уже { $seconds } s

@@ -151,5 +151,5 @@ vehicle-severity-error = помилка
 vehicle-severity-warning = попередження
 vehicle-severity-notice = примітка
 vehicle-severity-info = інформація
-vehicle-severity-debug = діагностика
+vehicle-severity-debug = налагодження
 vehicle-unexpected = тут не очікується: `all` його не стосується (`connect.expect`)

@@ -70,7 +70,8 @@ impl ApiConnection {
 
     /// The next line; `None` once the console has closed the connection.
     ///
-    /// # Errors The line is not a message of a console.
+    /// # Errors
+    /// The line is not a message of a console.
     pub fn next(&mut self) -> Result<Option<ConsoleLine>, Failure> {
         let mut text = String::new();
         if self.read.read_line(&mut text)? == 0 {

@@ -53,7 +53,7 @@ pub const SETTINGS: &[Setting] = &[
         SettingKind::OneOf(Language::CODES),
         Some("SORTIE_LANG"),
         "Language; by default that of the shell (LC_ALL, LC_MESSAGES, LANG). In the console, the language that \
-         `:set lang` stored in the profile takes precedence over both, and --lang over all.",
+         `:set lang` stored in the profile takes precedence over both, and `--lang` over all.",
     ),
     setting(
         "profile",
@@ -245,7 +245,7 @@ pub const SETTINGS: &[Setting] = &[
         "connect.forward",
         SettingKind::Words,
         None,
-        "Forwards of `sortie fly` and `sortie connect`: [\"udp:127.0.0.1:14550 read-only\"]; --forward replaces them.",
+        "Forwards of `sortie fly` and `sortie connect`: [\"udp:127.0.0.1:14550 read-only\"]; `--forward` replaces them.",
     ),
     setting(
         "macros",

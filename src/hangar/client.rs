@@ -52,7 +52,7 @@ pub enum ClientError {
     NotAHangar { address: HangarAddress, why: String },
     /// The service requires a token, or another one.
     #[error(
-        "{address} requires a token ({why}): copy its token file here and name it with --hangar-token FILE"
+        "{address} requires a token ({why}): copy its token file to this machine and add `--hangar-token FILE`"
     )]
     Unauthorised { address: HangarAddress, why: String },
     #[error("{}", problem.error)]

@@ -21,7 +21,7 @@ pub enum HangarRefusal {
     Full(u16),
     /// No program for this kind of vehicle is known.
     #[error(
-        "no {0} was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH"
+        "no {0} was found: name one with `--arducopter` or `SORTIE_ARDUCOPTER`, or put it on the PATH"
     )]
     NoProgram(&'static str),
     /// The request is not valid.

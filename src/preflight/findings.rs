@@ -2,7 +2,7 @@
 
 use super::{command_name, list_words};
 use crate::plan::board::{Refusal, UnstorableValue};
-use crate::plan::check::{Finding, FindingKind, Height, RallyFault, VehicleKind};
+use crate::plan::check::{BrokenArea, Finding, FindingKind, Height, RallyFault, VehicleKind};
 use crate::plan::field::{FieldUnit, field_numbered};
 use crate::plan::{FenceError, HeightFrame};
 use crate::text;
@@ -55,16 +55,9 @@ fn kind_words(kind: &FindingKind) -> Text {
         FindingKind::FenceTooLarge { bytes, most } => {
             text!("plan-fence-large", bytes = *bytes, most = *most)
         }
-        FindingKind::BreaksFence { area, is_exclusion } => {
-            let area = area + 1;
-            if *is_exclusion {
-                text!("plan-inside-exclusion", area = area)
-            } else {
-                text!("plan-breaks-fence", area = area)
-            }
-        }
+        FindingKind::BreaksFence(broken) => broken_area(*broken),
         FindingKind::LegBreaksFence { area } => text!("plan-leg-breaks-fence", area = area + 1),
-        FindingKind::HomeBreaksFence { area, is_exclusion } => {
+        FindingKind::HomeBreaksFence(BrokenArea { area, is_exclusion }) => {
             let area = area + 1;
             if *is_exclusion {
                 text!("plan-home-inside-exclusion", area = area)
@@ -124,9 +117,18 @@ fn kind_words(kind: &FindingKind) -> Text {
     }
 }
 
+fn broken_area(BrokenArea { area, is_exclusion }: BrokenArea) -> Text {
+    let area = area + 1;
+    if is_exclusion {
+        text!("plan-inside-exclusion", area = area)
+    } else {
+        text!("plan-breaks-fence", area = area)
+    }
+}
+
 fn rally_words(fault: RallyFault) -> Text {
     match fault {
-        RallyFault::Area { area } => text!("plan-breaks-fence", area = area + 1),
+        RallyFault::Area(broken) => broken_area(broken),
         RallyFault::Radius { distance_m, most_m } => text!(
             "plan-beyond-radius",
             distance = figure(distance_m, 0),

@@ -281,7 +281,7 @@ impl Line {
         self.active.is_none()
     }
 
-    /// Whether something is awaited or must be repeated.
+    /// Whether a command awaits its answer, waits in the queue, or must be repeated.
     pub fn is_busy(&self) -> bool {
         // Effects show in arriving messages, and their deadline is seconds away.
         let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();

@@ -1,9 +1,8 @@
 //! The recording of the last rehearsal, which `replay rehearsal` plays.
 
-use std::fs::{self, File};
-use std::io::{self, BufWriter};
-use std::path::PathBuf;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::fs;
+use std::io;
+use std::time::{Duration, SystemTime};
 
 use crate::link::RehearsalTape;
 use crate::notice::Notice;
@@ -12,47 +11,14 @@ use crate::store::Records;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// A recording that replaces the one before it when it is complete.
-pub(super) struct LastRehearsal {
-    tape: RehearsalTape<BufWriter<File>>,
-    /// The file being written.
-    part: PathBuf,
-    path: PathBuf,
-}
-
-impl LastRehearsal {
-    /// Begins a recording; `None` if flights are not recorded.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub(super) fn begin(
-        records: Option<&Records>,
-        vehicles: &[VehicleId],
-    ) -> io::Result<Option<Self>> {
-        let Some(records) = records else {
-            return Ok(None);
-        };
-        let path = records.rehearsal();
-        let part = path.with_extension("part");
-        fs::create_dir_all(records.folder())?;
-        let since = SystemTime::now().duration_since(UNIX_EPOCH);
-        let begun_us = since.map_or(0, |since| since.as_micros() as u64);
-        let output = BufWriter::new(File::create(&part)?);
-        // MAVLink has 255 system ids: a larger swarm repeats them.
-        let systems = vehicles.iter().map(|id| (id.max(&1) - 1) % 255 + 1);
-        let systems = systems.map(|id| u8::try_from(id).unwrap_or(u8::MAX));
-        let tape = RehearsalTape::new(output, systems, begun_us);
-        Ok(Some(Self { tape, part, path }))
-    }
-
-    pub(super) fn take(&mut self, heard: Heard<'_>) {
-        self.tape.take(heard);
-    }
-
-    fn finish(self) -> io::Result<()> {
-        self.tape.finish()?;
-        fs::rename(&self.part, &self.path)
-    }
+/// Begins a recording that replaces the one before it; `None` if flights are not recorded.
+fn begin(records: Option<&Records>, vehicles: &[VehicleId]) -> io::Result<Option<RehearsalTape>> {
+    let Some(records) = records else {
+        return Ok(None);
+    };
+    fs::create_dir_all(records.folder())?;
+    let vehicles = vehicles.iter().copied();
+    RehearsalTape::begin(&records.rehearsal(), vehicles, SystemTime::now()).map(Some)
 }
 
 /// Lets a rehearsal fly, and records it; returns its result with the notice about the recording, if there is one.
@@ -61,7 +27,7 @@ pub(super) fn recorded<R>(
     vehicles: &[VehicleId],
     fly: impl FnOnce(&mut dyn FnMut(Heard<'_>)) -> R,
 ) -> (R, Option<Notice>) {
-    let begun = LastRehearsal::begin(records, vehicles);
+    let begun = begin(records, vehicles);
     let (mut recording, begun) = match begun {
         Ok(recording) => (recording, Ok(())),
         Err(error) => (None, Err(error)),
@@ -72,7 +38,7 @@ pub(super) fn recorded<R>(
         }
     });
     let is_recorded = recording.is_some();
-    let written = begun.and_then(|()| recording.map_or(Ok(()), LastRehearsal::finish));
+    let written = begun.and_then(|()| recording.map_or(Ok(()), RehearsalTape::finish));
     let (severity, text) = match written {
         Ok(()) if !is_recorded => return (result, None),
         Ok(()) => (Severity::Info, text!("rehearse-replay")),

@@ -14,7 +14,7 @@ pub enum SitlUnfit {
         "a home is a latitude and longitude on earth, -1000 to 20000 m above sea level, and a heading; SITL treats latitude 0, longitude 0 as no home"
     )]
     Home,
-    #[error("instance {0} would need a port above 65535: use 0 to 5977")]
+    #[error("SITL has no instance {0}: use 0 to 255")]
     Instance(u16),
     /// The name of a parameter is not valid.
     #[error(

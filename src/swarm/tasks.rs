@@ -86,10 +86,7 @@ impl DividedPlans {
             };
             (!ids.is_empty()).then(text)
         };
-        [Idle::Far, Idle::Spare]
-            .into_iter()
-            .filter_map(of)
-            .collect()
+        Idle::ALL.into_iter().filter_map(of).collect()
     }
 }
 

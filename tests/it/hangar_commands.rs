@@ -154,7 +154,7 @@ fn what_cannot_be_started_is_wrong_usage() {
         ),
         (&["--system", "250", "--vehicles", "10"], "end at 259"),
         (&["--param", "RTL_ALT"], "expected NAME=VALUE"),
-        (&["--listen-instance", "6000"], "use 0 to 5977"),
+        (&["--listen-instance", "256"], "use 0 to 255"),
     ];
     for (options, expected) in cases {
         let said = place.sortie(&[&["hangar", "command"], options].concat());

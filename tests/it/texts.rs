@@ -173,6 +173,16 @@ fn from_tables() -> BTreeSet<String> {
         .collect()
 }
 
+/// Text on the line of a heading becomes a part of the heading.
+#[test]
+fn headings_of_comments_stand_alone() {
+    let sources = sources();
+    let lines = sources.lines().map(str::trim_start);
+    let joined =
+        lines.filter(|line| line.starts_with("/// # Errors ") || line.starts_with("/// # Panics "));
+    assert_eq!(joined.collect::<Vec<_>>(), [""; 0]);
+}
+
 #[test]
 fn no_message_is_missing_in_any_language() {
     let english = catalogue(Language::English);

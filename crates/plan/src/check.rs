@@ -156,12 +156,7 @@ pub enum FindingKind {
         most: usize,
     },
     /// The place lies outside an inclusion area or inside an exclusion area.
-    BreaksFence {
-        /// The area, counted from 0.
-        area: usize,
-        /// Whether the area is one to stay out of.
-        is_exclusion: bool,
-    },
+    BreaksFence(BrokenArea),
     /// The leg to the item crosses the border of an area, although both its ends are allowed.
     LegBreaksFence {
         /// The area, counted from 0.
@@ -182,12 +177,7 @@ pub enum FindingKind {
         most_m: f32,
     },
     /// Home is outside an inclusion area or inside an exclusion area.
-    HomeBreaksFence {
-        /// The area, counted from 0.
-        area: usize,
-        /// Whether the area is one to stay out of.
-        is_exclusion: bool,
-    },
+    HomeBreaksFence(BrokenArea),
     /// No takeoff before the first place: a vehicle on the ground stays there.
     NoTakeoff,
     /// The plan does not end with a landing, a return or an unlimited loiter: a copter hovers until the battery is
@@ -249,14 +239,20 @@ pub enum FindingKind {
     },
 }
 
+/// An area of the fence in which, or outside of which, a place must not lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BrokenArea {
+    /// The area, counted from 0.
+    pub area: usize,
+    /// Whether the area is one to stay out of.
+    pub is_exclusion: bool,
+}
+
 /// Why a vehicle ignores a rally point. Source: `AP_Rally_Copter::is_valid` of ArduPilot 4.6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RallyFault {
     /// It lies outside an inclusion area or inside an exclusion area.
-    Area {
-        /// The area, counted from 0.
-        area: usize,
-    },
+    Area(BrokenArea),
     /// It is farther from home than `FENCE_RADIUS`.
     Radius {
         /// The distance from home, in metres.
@@ -285,11 +281,11 @@ impl FindingKind {
             | Self::NoTag(_)
             | Self::Fence(_)
             | Self::FenceTooLarge { .. }
-            | Self::BreaksFence { .. }
+            | Self::BreaksFence(_)
             | Self::LegBreaksFence { .. }
             | Self::BeyondRadius { .. }
             | Self::AboveCeiling { .. }
-            | Self::HomeBreaksFence { .. }
+            | Self::HomeBreaksFence(_)
             | Self::NoTerrain
             | Self::LowHeight {
                 may_slope: false, ..

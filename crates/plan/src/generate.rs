@@ -162,10 +162,17 @@ pub struct Part {
 /// Why a vehicle has no part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Idle {
+    /// The fence leaves no path from its home to the work.
+    NoWay,
     /// It is so far away that its flight there and back takes more energy than any of the others uses.
     Far,
     /// With its help, the vehicle that uses the most energy would not use noticeably less.
     Spare,
+}
+
+impl Idle {
+    /// All reasons.
+    pub const ALL: [Self; 3] = [Self::NoWay, Self::Far, Self::Spare];
 }
 
 /// The plans of all vehicles that have something to do.

@@ -94,7 +94,7 @@ impl Flight {
                 .collect(),
             flown: Flown {
                 time_s: 0.0,
-                energy_left_percent: 100.0,
+                energy_used_percent: 0.0,
                 farthest_m: 0.0,
                 broke_fence_s: None,
                 has_fence: !fence.areas.is_empty(),
@@ -224,7 +224,7 @@ impl Flight {
         let time_s = f64::from(sample - begun) * sample_s();
         self.flown.time_s = time_s;
         let used = truth.battery_consumed_mah / self.capacity_mah;
-        self.flown.energy_left_percent = 100.0 * (1.0 - used).max(0.0);
+        self.flown.energy_used_percent = 100.0 * used.min(1.0);
         let away_m = (north_m * north_m + east_m * east_m).sqrt();
         self.flown.farthest_m = self.flown.farthest_m.max(away_m);
         let is_broken = self.is_fence_broken(truth, [north_m, east_m]);

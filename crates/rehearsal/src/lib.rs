@@ -115,8 +115,8 @@ pub enum FlightEnding {
 pub struct Flown {
     /// From the start of its motors to the end, in seconds.
     pub time_s: f64,
-    /// The remaining battery charge, in percent of the capacity.
-    pub energy_left_percent: f64,
+    /// The charge that the flight used, in percent of the battery's capacity; at most 100.
+    pub energy_used_percent: f64,
     /// The greatest distance from home over the ground, in metres.
     pub farthest_m: f64,
     /// When the vehicle first breached its fence, in seconds of its flight. `ArduCopter`'s rules apply to a fence that

@@ -1,5 +1,7 @@
 //! The world of a rehearsal, with all vehicles in lockstep.
 
+use std::sync::Arc;
+
 use sortie_geo::LatLon;
 use sortie_plan::{ListKind, command};
 use sortie_sim::{Airframe, Met, STEP, World, WorldConfig, resting_voltage_v};
@@ -33,10 +35,6 @@ impl Stage {
         origin: LatLon,
         conditions: &Conditions,
     ) -> Result<Self, RehearsalError> {
-        let airframe = |it: &Participant| {
-            let own = it.airframe.clone();
-            own.unwrap_or_else(Airframe::shared_standard)
-        };
         let mut world = World::new(&WorldConfig {
             starts: starts.iter().map(|place| place.start).collect(),
             airframes: participants.iter().map(airframe).collect(),
@@ -164,6 +162,11 @@ impl Stage {
     }
 }
 
+fn airframe(participant: &Participant) -> Arc<Airframe> {
+    let own = participant.airframe.clone();
+    own.unwrap_or_else(Airframe::shared_standard)
+}
+
 /// Sets the vehicle's own parameters, as far as the simulator has them.
 fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, world: &mut World) {
     for (name, value) in &participant.parameters {
@@ -172,9 +175,7 @@ fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, wo
         }
     }
     if let Some(percent) = participant.charge_percent {
-        let usual = Airframe::shared_default();
-        let airframe = participant.airframe.as_ref().unwrap_or(&usual);
-        let volts = resting_voltage_v(percent, airframe) as f32;
+        let volts = resting_voltage_v(percent, &airframe(participant)) as f32;
         flight.set_parameter(world, "SIM_BATT_VOLTAGE", volts);
     }
 }

@@ -78,7 +78,7 @@ fn a_plan_takes_its_time_and_its_energy_and_ends_where_it_began() {
     // Up, there, back and down: about 20 + 2 * 24 + 40 s.
     assert!((80.0..160.0).contains(&flown.time_s), "{flown:?}");
     assert!(
-        (50.0..99.5).contains(&flown.energy_left_percent),
+        (0.5..50.0).contains(&flown.energy_used_percent),
         "{flown:?}"
     );
     assert_eq!((flown.broke_fence_s, outcome.closest.len()), (None, 0));
@@ -161,7 +161,7 @@ fn vehicles_of_one_home_stand_side_by_side_and_wind_costs_energy() {
     let blown = rehearse(&two[1..], &windy).expect("they can fly").vehicles[0];
     let still = rehearse(&two[1..], &calm()).expect("they can fly").vehicles[0];
     assert!(
-        blown.energy_left_percent < still.energy_left_percent,
+        blown.energy_used_percent > still.energy_used_percent,
         "{blown:?} {still:?}"
     );
 }
@@ -262,7 +262,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
         let outcome = rehearse(&generated(&task, 4, 10.0), &calm()).expect("they can fly");
         let used = outcome.vehicles.iter().map(|flown| {
             assert_eq!(flown.ending, FlightEnding::Landed, "{task:?}");
-            100.0 - flown.energy_left_percent
+            flown.energy_used_percent
         });
         let used: Vec<f64> = used.collect();
         assert_eq!(outcome.conflicts().next(), None, "{task:?}");

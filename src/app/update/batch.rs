@@ -58,7 +58,8 @@ pub fn advance(state: &mut State) -> Effects {
 
 /// Sends a `param set` without a question.
 ///
-/// # Errors The fault of the line, such as a missing target vehicle.
+/// # Errors
+/// The fault of the line, such as a missing target vehicle.
 pub fn give(state: &mut State, line: &str) -> Result<Effects, Text> {
     let order = order::prepare(state, line).map_err(|fault| fault.message)?;
     Ok(Effects::from(order::send(state, order).effect))

@@ -12,7 +12,8 @@ use crate::vehicle_id::ranges;
 
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
-/// # Errors One of them is still in contact, none of them is known, no link is lost, or the vehicles are simulated and
+/// # Errors
+/// One of them is still in contact, none of them is known, no link is lost, or the vehicles are simulated and
 /// would appear again.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {

@@ -11,7 +11,8 @@ use crate::vehicle::Severity;
 
 /// Opens or closes a forward of the session.
 ///
-/// # Errors There is no session, the line names no valid forward, the forward is open already or does not exist, or a
+/// # Errors
+/// There is no session, the line names no valid forward, the forward is open already or does not exist, or a
 /// mission would get a forward that is not read-only.
 pub fn carry_out(state: &mut State, line: ForwardLine) -> Result<Effects, Text> {
     let Some(activity) = &state.session.activity else {

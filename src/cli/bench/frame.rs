@@ -186,8 +186,8 @@ fn flying(id: VehicleId, frame: u32) -> Vehicle {
         at,
     });
     vehicle.global = Some(GlobalPosition {
-        // Far enough apart that no distance alert hides the rest.
-        at_point: home.moved(10.0 * far, 5.0 * far),
+        // Each flies along a line of its own: near another one, an alert would hide the rest.
+        at_point: home.moved(20.0 * f64::from(id), 5.0 * f64::from(frame)),
         altitude_amsl_m: 180.0 + far % 60.0,
         altitude_m: far % 60.0,
         north_m_s: (far % 10.0) as f32,

@@ -1,4 +1,4 @@
-//! `sortie plan check`.
+//! `sortie plan check`: prints the faults of plan files.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

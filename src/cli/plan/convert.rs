@@ -1,4 +1,4 @@
-//! `sortie plan convert`.
+//! `sortie plan convert`: writes a plan file in another format.
 
 use std::path::PathBuf;
 use std::process::ExitCode;

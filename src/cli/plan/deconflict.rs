@@ -1,4 +1,4 @@
-//! `sortie plan deconflict`.
+//! `sortie plan deconflict`: proposes later starts or separate heights.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! `sortie plan rehearse`.
+//! `sortie plan rehearse`: flies plans together in the embedded simulator.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -229,7 +229,7 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
             (vehicle + 1).to_string(),
             name.clone(),
             clock_s(flown.time_s),
-            format!("{} %", figure(flown.energy_left_percent, 0)),
+            format!("{} %", figure(100.0 - flown.energy_used_percent, 0)),
             format!("{} m", figure(flown.farthest_m, 0)),
             locale.text(&fence_words(flown)),
             locale.text(&ending_words(flown.ending)),
@@ -345,7 +345,7 @@ impl<'a> Document<'a> {
                     vehicle: vehicle + 1,
                     file,
                     time_s: rounded(flown.time_s, 2),
-                    energy_left_percent: rounded(flown.energy_left_percent, 1),
+                    energy_left_percent: rounded(100.0 - flown.energy_used_percent, 1),
                     farthest_m: rounded(flown.farthest_m, 1),
                     fence_ok: flown.broke_fence_s.is_none(),
                     ending: ending_name(flown.ending),

@@ -129,7 +129,7 @@ impl TrialOutcome<'_> {
     fn summary(&self) -> Text {
         let vehicles = self.outcome.vehicles.iter();
         let longest_s = vehicles.clone().map(|it| it.time_s).fold(0.0, f64::max);
-        let left = vehicles.map(|it| it.energy_left_percent);
+        let left = vehicles.map(|it| 100.0 - it.energy_used_percent);
         let least = left.fold(100.0, f64::min);
         let figures = text!(
             "draft-trial-figures",

@@ -207,7 +207,7 @@ impl Tracker for PerimeterTracker {
             product: Some(Product {
                 quality: sum / all.max(1) as f64,
                 words: self.words(),
-                advice: text!("perimeter-advice"),
+                advice: text!("perimeter-quality"),
                 is_measured: true,
             }),
             result: self.words(),

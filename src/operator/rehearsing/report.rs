@@ -159,7 +159,7 @@ fn words(seats: &[Seat], approach: &Approach) -> Text {
 
 /// The outcome for a vehicle: done if it flew as planned, apart from the others, with the charge that it has.
 fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
-    let used = 100.0 - flown.energy_left_percent;
+    let used = flown.energy_used_percent;
     let left = seat.charge_percent - used;
     let is_empty = left <= 0.0;
     let state = if flown.is_as_planned() && !is_empty && !meets {

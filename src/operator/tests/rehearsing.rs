@@ -144,7 +144,7 @@ fn the_wind_is_that_of_the_best_source_and_named() {
 fn the_profile_of_the_wind_is_that_of_the_vehicle_and_of_the_estimate() {
     let used = |rehearsal: &PlanRehearsal| {
         let outcome = rehearsal.outcome().expect("it can fly");
-        100.0 - outcome.vehicles[0].energy_left_percent
+        outcome.vehicles[0].energy_used_percent
     };
     let blown = |parameter: f32| {
         let mut rehearsal = prepared("1 plan rehearse wind 0 9", [carrying(1, 600.0)]);

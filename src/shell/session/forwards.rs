@@ -82,7 +82,8 @@ fn summary(feed: &ForwardFeed) -> ForwardSummary {
 impl RunningSession {
     /// Opens or closes a forward.
     ///
-    /// # Errors The address is not valid, or the fleet has ended.
+    /// # Errors
+    /// The address is not valid, or the fleet has ended.
     pub fn change_forwards(&self, change: &ForwardChange) -> Result<(), Text> {
         match change {
             ForwardChange::Open(spec) => self.forward(spec.clone()),
@@ -92,7 +93,8 @@ impl RunningSession {
 
     /// Opens a forward.
     ///
-    /// # Errors The address is not valid, or the fleet has ended.
+    /// # Errors
+    /// The address is not valid, or the fleet has ended.
     pub fn forward(&self, spec: ForwardSpec) -> Result<(), Text> {
         let address = spec
             .address

@@ -283,7 +283,7 @@ fn a_graded_flight_that_was_killed_counts_as_left_once_and_is_told() {
     assert_eq!(recovered.len(), 1, "{recovered:?}");
     assert_eq!(recovered[0].left, Some(LeftFlight::Attempt));
     let said = recovered[0].text().to_string();
-    assert!(said.contains("counts as left"), "{said}");
+    assert!(said.contains("counts as given up"), "{said}");
     let stored = profiles.runs(&anna).expect("readable");
     let flight = &stored[0].flight;
     assert_eq!(

@@ -183,13 +183,13 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     progress.pledge.prediction = Some(800);
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.screen(80, 24);
-    assert!(screen.contains("your plan"), "{screen}");
+    assert!(screen.contains("stated before launch"), "{screen}");
     assert!(!screen.contains("goal time 200s"), "{screen}");
     assert!(
         console
             .press("F")
             .screen(80, 24)
-            .contains("your plan: 800 points")
+            .contains("you stated: 800 points")
     );
 }
 

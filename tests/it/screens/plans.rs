@@ -119,7 +119,7 @@ fn the_result_of_a_rehearsal_is_not_cut() {
 fn six_flights() -> TrialFlight {
     let flown = Flown {
         time_s: 141.0,
-        energy_left_percent: 71.4,
+        energy_used_percent: 28.6,
         farthest_m: 184.2,
         broke_fence_s: None,
         has_fence: true,
@@ -138,7 +138,7 @@ fn six_flights() -> TrialFlight {
     };
     let home = Flown {
         ending: FlightEnding::LeftPlan(6),
-        energy_left_percent: 12.0,
+        energy_used_percent: 88.0,
         ..flown
     };
     let flights = [flown, flown, breach, flown, home, flown];

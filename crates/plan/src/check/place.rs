@@ -2,7 +2,9 @@
 
 use sortie_geo::LatLon;
 
-use super::{CheckOptions, Finding, FindingKind, Height, RallyFault, VehicleKind, plan_finding};
+use super::{
+    BrokenArea, CheckOptions, Finding, FindingKind, Height, RallyFault, VehicleKind, plan_finding,
+};
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
@@ -28,23 +30,24 @@ pub(super) fn check(
     };
     let metres = |point: &LatLon| <[f64; 2]>::from(origin.offset_to(*point));
     let areas: Vec<_> = fence.areas.iter().map(|area| area.map(metres)).collect();
-    let broken = |point: [f64; 2]| areas.iter().position(|area| area.is_broken_at(point));
+    let broken = |point: [f64; 2]| {
+        let area = areas.iter().position(|area| area.is_broken_at(point))?;
+        let is_exclusion = !areas[area].keeps_in;
+        Some(BrokenArea { area, is_exclusion })
+    };
     if home.is_some()
         && let Some(area) = broken([0.0; 2])
     {
         findings.push(Finding {
             list: ListKind::Fence,
             item: None,
-            kind: FindingKind::HomeBreaksFence {
-                area,
-                is_exclusion: !areas[area].keeps_in,
-            },
+            kind: FindingKind::HomeBreaksFence(area),
         });
     }
     for (index, item) in document.rally.iter().enumerate() {
         let fault = rally_fault(item, document.home, options);
         let point = item.point();
-        let outside = broken(metres(&point)).map(|area| RallyFault::Area { area });
+        let outside = broken(metres(&point)).map(RallyFault::Area);
         let fault = outside.or(fault).filter(|_| point.is_valid());
         findings.extend(fault.map(|fault| Finding {
             list: ListKind::Rally,
@@ -68,10 +71,7 @@ pub(super) fn check(
         }
         let is_clear = before.is_none_or(|before| broken(before).is_none());
         match (broken(here), before) {
-            (Some(area), _) => add(FindingKind::BreaksFence {
-                area,
-                is_exclusion: !areas[area].keeps_in,
-            }),
+            (Some(area), _) => add(FindingKind::BreaksFence(area)),
             (None, Some(before)) if is_clear => {
                 let crossed = areas.iter().position(|area| is_crossed(area, before, here));
                 if let Some(area) = crossed {

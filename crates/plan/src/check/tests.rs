@@ -190,14 +190,12 @@ fn fences_hold_for_home_for_places_and_for_the_legs_between_them() {
         fence: square(command::FENCE_POLYGON_INCLUSION, [100.0, 50.0], 80.0),
         ..good()
     };
-    let home = FindingKind::HomeBreaksFence {
+    let area = BrokenArea {
         area: 0,
         is_exclusion: false,
     };
-    let takeoff = FindingKind::BreaksFence {
-        area: 0,
-        is_exclusion: false,
-    };
+    let home = FindingKind::HomeBreaksFence(area);
+    let takeoff = FindingKind::BreaksFence(area);
     assert_eq!(found_usual(&narrow), [(Some(0), takeoff), (None, home)]);
     let tower = Document {
         fence: square(command::FENCE_POLYGON_EXCLUSION, [100.0, 50.0], 10.0),
@@ -234,9 +232,14 @@ fn rally_points_outside_the_fence_are_ignored() {
         ..good()
     };
     let ignored = FindingKind::RallyIgnored;
-    let outside = RallyFault::Area { area: 0 };
-    assert_eq!(found_usual(&plan), [(Some(1), ignored(outside))]);
-    assert_eq!(ignored(outside).severity(), Severity::Warning);
+    let at = |area, is_exclusion| ignored(RallyFault::Area(BrokenArea { area, is_exclusion }));
+    assert_eq!(found_usual(&plan), [(Some(1), at(0, false))]);
+    assert_eq!(at(0, false).severity(), Severity::Warning);
+    let tower = square(command::FENCE_POLYGON_EXCLUSION, [30.0, -20.0], 5.0);
+    plan.fence.extend(tower);
+    plan.rally[0] = item(command::RALLY_POINT, 30.0, -20.0, 20.0);
+    let expected = [(Some(0), at(1, true)), (Some(1), at(0, false))];
+    assert_eq!(found_usual(&plan), expected);
     plan.fence.clear();
     let options = CheckOptions {
         ceiling_m: Some(50.0),

@@ -9,7 +9,8 @@ use crate::pattern::distance_to_segment;
 /// Paths closer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
-/// A vehicle that climbs or descends beside a place comes too close to it only where it is this much closer, in metres.
+/// How much nearer to a place a path must come than its vehicle's own climb and descent to count as too close, in
+/// metres.
 const BESIDE_M: f64 = 0.5;
 
 /// Where a vehicle crosses, and where it climbs and descends.

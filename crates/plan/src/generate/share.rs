@@ -15,13 +15,15 @@ const ROUNDS: usize = 8;
 /// Work shorter than this counts as none, in metres.
 const LEAST_WORK_M: f64 = 1.0;
 
-/// A vehicle that spends little of its energy on its work is not used if its absence raises the largest energy by no
-/// more than this factor.
-const WORTH: f64 = 1.1;
+/// Vehicles that spend little of their energy on their work are left out if that raises the largest energy by no more
+/// than this factor.
+pub(super) const WORTH: f64 = 1.1;
 /// The least share of its energy that a vehicle should spend on its work.
 const LEAST_SHARE: f64 = 0.25;
-/// The number of places along the way at which a vehicle without a share is tried.
-const PLACES: u32 = 8;
+/// The number of vehicles of which the one to leave out is chosen.
+const SPARES: usize = 3;
+/// The stretches of the way at whose ends a vehicle without a share is tried.
+const STRETCHES: u32 = 8;
 
 /// The shares, and the vehicles without one.
 pub(super) struct Shares {
@@ -36,41 +38,35 @@ pub(super) fn works(
     ways: &[Way],
     spacing_m: f64,
 ) -> Result<Shares, GenerateError> {
-    let mut team: Vec<usize> = (0..scene.homes.len()).collect();
+    let all: Vec<usize> = (0..scene.homes.len()).collect();
     let task = Sharing {
         scene,
         manner,
         ways,
         spacing_m,
     };
-    let (mut most, mut works) = task.among(&team).ok_or(GenerateError::NoWay(0))?;
-    let mut least = most;
-    while let Some(spare) = spare(scene, &works) {
-        team = works.iter().map(|work| work.vehicle).collect();
-        team.retain(|vehicle| *vehicle != spare);
-        match task.among(&team) {
-            Some(fewer) if fewer.0 <= least * WORTH => (most, works) = fewer,
-            Some(_) | None => break,
-        }
-        least = least.min(most);
-    }
+    let shared = task.among(&all).ok_or(GenerateError::NoWay(0))?;
+    let (most, works) = task.smallest(shared);
     let idle = (0..scene.homes.len()).filter(|it| works.iter().all(|work| work.vehicle != *it));
     let idle = idle.map(|vehicle| (vehicle, task.reason(vehicle, most)));
     let idle = idle.collect();
     Ok(Shares { works, idle })
 }
 
-/// The vehicle with the least work, if that is little compared with its way there and back.
-fn spare(scene: &Scene, works: &[Work]) -> Option<usize> {
+/// The vehicles whose work is little compared with their way there and back: those with the least work.
+fn spares(scene: &Scene, works: &[Work]) -> Vec<usize> {
     if works.len() < 2 {
-        return None;
+        return Vec::new();
     }
-    let work_of = |work: &Work| scene.pace.path(&work.points).hover_s;
-    let least = works
-        .iter()
-        .min_by(|a, b| work_of(a).total_cmp(&work_of(b)))?;
-    let whole = effort(scene, least)?.hover_s;
-    (work_of(least) < LEAST_SHARE * whole).then_some(least.vehicle)
+    let spare = |work: &Work| {
+        let done = scene.pace.path(&work.points).hover_s;
+        let whole = effort(scene, work)?.hover_s;
+        (done < LEAST_SHARE * whole).then_some((done, work.vehicle))
+    };
+    let mut found: Vec<(f64, usize)> = works.iter().filter_map(spare).collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.truncate(SPARES);
+    found.into_iter().map(|(_, vehicle)| vehicle).collect()
 }
 
 /// Work to be divided.
@@ -117,17 +113,47 @@ impl Sharing<'_> {
         best
     }
 
+    /// The shares of the smallest team that uses hardly more energy than the best one: spare vehicles are left out one
+    /// after another.
+    fn smallest(&self, shared: (f64, Vec<Work>)) -> (f64, Vec<Work>) {
+        let mut tried = vec![shared];
+        while let Some((_, works)) = tried.last() {
+            let without = |spare: usize| {
+                let others = works.iter().map(|work| work.vehicle);
+                let team: Vec<usize> = others.filter(|vehicle| *vehicle != spare).collect();
+                self.among(&team)
+            };
+            let spares = spares(self.scene, works);
+            let next = spares.into_iter().filter_map(without);
+            match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                Some(fewer) => tried.push(fewer),
+                None => break,
+            }
+        }
+        let least = tried
+            .iter()
+            .map(|(most, _)| *most)
+            .fold(f64::INFINITY, f64::min);
+        let worthwhile = |(most, _): &(f64, Vec<Work>)| *most <= least * WORTH;
+        let place = tried.iter().rposition(worthwhile).unwrap_or_default();
+        tried.swap_remove(place)
+    }
+
     /// Why a vehicle has no share, where no vehicle uses more energy than `most`.
     fn reason(&self, vehicle: usize, most: f64) -> Idle {
         let lowest_m = self.manner.height_m + self.manner.layer_m;
         let layers = vec![lowest_m; self.scene.homes.len()];
-        let reaches = |way: &Way| {
+        let least = |way: &Way| {
             let crew = Crew::of(self, way, &layers, &[vehicle]);
             let end_m = way.length_m() - LEAST_WORK_M;
-            let mut places = (0..=PLACES).map(|it| end_m * f64::from(it) / f64::from(PLACES));
-            places.any(|at_m| crew.cost(vehicle, at_m, at_m + LEAST_WORK_M) < most)
+            let places = (0..=STRETCHES).map(|it| end_m * f64::from(it) / f64::from(STRETCHES));
+            let costs = places.map(|at_m| crew.cost(vehicle, at_m, at_m + LEAST_WORK_M));
+            costs.fold(f64::INFINITY, f64::min)
         };
-        if self.ways.iter().any(reaches) {
+        let least = self.ways.iter().map(least).fold(f64::INFINITY, f64::min);
+        if least.is_infinite() {
+            Idle::NoWay
+        } else if least < most {
             Idle::Spare
         } else {
             Idle::Far

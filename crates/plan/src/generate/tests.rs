@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::layers::{ASIDE_M, gap_m};
+use super::share::WORTH;
 use super::*;
 use crate::check::{CheckOptions, FindingKind, Severity, check};
 use crate::command;
@@ -430,4 +431,44 @@ fn vehicles_that_do_not_help_have_a_reason() {
             );
         }
     }
+}
+
+/// A larger team uses hardly more energy than a smaller one: vehicles that do not help are left out.
+#[test]
+fn more_vehicles_never_make_plans_clearly_worse() {
+    let field = [
+        DVec2::new(22.0, 14.0),
+        DVec2::new(111.0, 14.0),
+        DVec2::new(111.0, 106.0),
+        DVec2::new(22.0, 106.0),
+    ];
+    let mut least = f64::INFINITY;
+    for count in [1, 2, 3, 4, 6, 9] {
+        let homes = (0..count).map(|it| home(DVec2::new(0.0, 5.0 * f64::from(it))));
+        let homes: Vec<Home> = homes.collect();
+        let generated = generate(&survey(&[field.to_vec()], 20.0), &homes, &manner());
+        let parts = generated.expect("plans").parts;
+        let efforts = parts.iter().map(|part| part.effort.hover_s);
+        let most = efforts.fold(0.0, f64::max);
+        assert!(most <= least * WORTH, "{count}: {most} {least}");
+        least = least.min(most);
+    }
+}
+
+/// A vehicle whose pad the fence cuts off has no part, and the others do its work.
+#[test]
+fn a_vehicle_that_cannot_leave_its_pad_has_no_part() {
+    let manner = Manner {
+        fence: fence(
+            &square(DVec2::ZERO, 400.0),
+            command::FENCE_POLYGON_INCLUSION,
+        ),
+        ..manner()
+    };
+    let mut homes = team(2, DVec2::ZERO);
+    homes.push(home(DVec2::new(-270.0, 0.0)));
+    let area = square(DVec2::new(100.0, 0.0), 120.0);
+    let generated = generate(&survey(&[area], 20.0), &homes, &manner).expect("plans");
+    assert_eq!(generated.idle, [(2, Idle::NoWay)]);
+    assert_eq!(generated.parts.len(), 2);
 }

@@ -70,7 +70,7 @@ fn print(
     let used: Vec<f64> = outcome
         .vehicles
         .iter()
-        .map(|flown| 100.0 - flown.energy_left_percent)
+        .map(|flown| flown.energy_used_percent)
         .collect();
     let all: f64 = used.iter().sum::<f64>().max(f64::EPSILON);
     let mut table = TextTable::new(locale, &columns());

@@ -1,9 +1,8 @@
 //! The telemetry of a rehearsal as a file.
 
-use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io::{self, ErrorKind};
 use std::path::Path;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
 
 use super::super::{Failure, invalid};
 use super::Cast;
@@ -11,9 +10,6 @@ use crate::link::RehearsalTape;
 use crate::rehearsal::{Outcome, RehearsalError, rehearse_heard};
 use crate::text;
 use crate::text::Locale;
-
-/// The largest number of a vehicle.
-const SYSTEMS: u8 = 250;
 
 /// Rehearses, and writes the telemetry of all vehicles to a new file.
 ///
@@ -31,11 +27,12 @@ pub(super) fn rehearse_into(
             locale,
         )
     };
-    let file = File::create_new(path).map_err(|error| fault(&error))?;
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    let begun_us = since.map_or(0, |since| since.as_micros() as u64);
-    let systems = (1..=SYSTEMS).cycle().take(cast.participants.len());
-    let mut tape = RehearsalTape::new(BufWriter::new(file), systems, begun_us);
+    if path.exists() {
+        return Err(fault(&ErrorKind::AlreadyExists.into()));
+    }
+    let vehicles = (1..).take(cast.participants.len());
+    let tape = RehearsalTape::begin(path, vehicles, SystemTime::now());
+    let mut tape = tape.map_err(|error| fault(&error))?;
     let outcome = rehearse_heard(&cast.participants, &cast.conditions, &mut |heard| {
         tape.take(heard);
     });

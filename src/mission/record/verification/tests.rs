@@ -7,7 +7,7 @@ use super::*;
 const RUN: &str = include_str!("../../../../tests/data/golden/eight.run.jsonl");
 const INPUTS: &str = include_str!("../../../../tests/data/golden/eight.inputs.jsonl");
 const SCORE: &str = "\"score\":";
-/// The hex start of a frame with a command of the ground station, after length, flags and number.
+/// The sender (255/190) and the id of `COMMAND_LONG` in the hex of a frame, after length, flags and sequence number.
 const COMMAND: &str = "ffbe4c0000";
 
 /// Verifies a record from these texts; returns how much was compared, or the difference as an error text.

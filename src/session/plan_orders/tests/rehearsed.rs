@@ -122,10 +122,7 @@ fn compared(plan: &[Item]) -> Deviation {
     let capacity_mah = rig.world.parameter(0, "BATT_CAPACITY");
     Deviation {
         time_s: [flown.time_s, rig.now.saturating_sub(begun).as_secs_f64()],
-        used_percent: [
-            100.0 - flown.energy_left_percent,
-            100.0 * used_mah / capacity_mah,
-        ],
+        used_percent: [flown.energy_used_percent, 100.0 * used_mah / capacity_mah],
     }
 }
 

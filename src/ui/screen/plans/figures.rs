@@ -103,7 +103,7 @@ fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine>
         aligned(name, NAME - 2, false),
         aligned(&time(flown.time_s), TIME, true),
         aligned(
-            &format!("{} %", figure(flown.energy_left_percent, 0)),
+            &format!("{} %", figure(100.0 - flown.energy_used_percent, 0)),
             LEFT,
             true
         ),

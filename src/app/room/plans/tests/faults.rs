@@ -102,7 +102,7 @@ fn a_draft_with_errors_is_mended_before_it_is_uploaded() {
     };
     assert!(next(&desk).contains("`U`"), "{}", next(&desk));
     desk.give("draft fence polygon n 0 e 0");
-    assert!(next(&desk).contains("mend the faults"), "{}", next(&desk));
+    assert!(next(&desk).contains("fix the faults"), "{}", next(&desk));
 }
 
 #[test]
