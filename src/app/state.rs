@@ -67,7 +67,7 @@ pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting,
 pub use pace::{SessionPace, rate};
 pub use plan_failures::PlanFailures;
 pub use replay::{ReplayPosition, ReplayView};
-pub use separation::{CloseVehicle, SeparationLimits, too_close};
+pub use separation::{CloseVehicle, separation_limits, too_close};
 pub use session_ledger::SessionLedger;
 pub use time::SessionTime;
 pub use timing::{TimeFlow, Timing};

@@ -59,53 +59,86 @@ impl Approach {
     }
 }
 
-/// The rule of two vehicles, by their starts in metres north and east: [`TOO_NEAR_M`] everywhere, except that neighbours
-/// may be closer while one of them is beside its start.
+/// The limits of a conflict: two vehicles are in conflict if they are below both.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Separation {
-    starts_m: [[f64; 2]; 2],
+pub struct SeparationLimits {
+    /// The horizontal distance, in metres.
+    pub across_m: f64,
+    /// The vertical distance, in metres.
+    pub height_m: f64,
+}
+
+impl Default for SeparationLimits {
+    fn default() -> Self {
+        Self {
+            across_m: TOO_NEAR_M,
+            height_m: TOO_NEAR_VERTICALLY_M,
+        }
+    }
+}
+
+/// The rule of two vehicles: the usual limits everywhere, except that neighbours may be closer while one of them is
+/// beside its start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Separation {
+    /// The starts, in metres north and east, if they are known.
+    starts_m: Option<[[f64; 2]; 2]>,
+    usual: SeparationLimits,
     /// The horizontal limit beside the starts, in metres.
     beside_m: f64,
 }
 
 impl Separation {
-    pub(crate) fn new(starts_m: [[f64; 2]; 2]) -> Self {
-        let [a, b] = starts_m;
-        let apart_m = maths::hypot(a[0] - b[0], a[1] - b[1]);
+    /// The rule by the starts of the two vehicles, in metres north and east; without starts, the usual limits apply
+    /// everywhere.
+    pub fn new(starts_m: Option<[[f64; 2]; 2]>, usual: SeparationLimits) -> Self {
+        let apart_m = starts_m.map_or(f64::INFINITY, |[a, b]| {
+            maths::hypot(a[0] - b[0], a[1] - b[1])
+        });
         Self {
             starts_m,
-            beside_m: neighbours_limit_m(apart_m.max(LEAST_LIMIT_M), TOO_NEAR_M),
+            usual,
+            beside_m: neighbours_limit_m(apart_m, usual.across_m),
         }
     }
 
-    /// The horizontal limit of the two vehicles at two points, in metres.
-    pub(crate) fn limit_m(&self, points: [[f64; 3]; 2]) -> f64 {
-        if self.beside_m >= TOO_NEAR_M {
-            return TOO_NEAR_M;
-        }
-        let mut pairs = self.starts_m.iter().zip(points);
+    /// The horizontal limit of the two vehicles at two points in metres north, east and up; in metres.
+    pub fn limit_m(&self, points: [[f64; 3]; 2]) -> f64 {
+        let starts = self
+            .starts_m
+            .filter(|_| self.beside_m < self.usual.across_m);
+        let mut pairs = starts.iter().flatten().zip(points);
         let is_beside = pairs
             .any(|(start, at)| maths::hypot(start[0] - at[0], start[1] - at[1]) <= BESIDE_START_M);
-        if is_beside { self.beside_m } else { TOO_NEAR_M }
+        if is_beside {
+            self.beside_m
+        } else {
+            self.usual.across_m
+        }
     }
 
     /// The nearness of the two vehicles at two points in metres north, east and up: less than 1 is a conflict.
-    pub(crate) fn nearness(&self, [a, b]: [[f64; 3]; 2]) -> f64 {
+    pub fn nearness(&self, [a, b]: [[f64; 3]; 2]) -> f64 {
         let limit_m = self.limit_m([a, b]);
         let [north, east, up] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let horizontal = (north * north + east * east) / (limit_m * limit_m);
-        horizontal.max(up * up / (TOO_NEAR_VERTICALLY_M * TOO_NEAR_VERTICALLY_M))
+        horizontal.max(up * up / (self.usual.height_m * self.usual.height_m))
     }
 }
 
-/// The horizontal limit of two vehicles whose pads are `pads_m` apart, in metres; `usual_m` is that of vehicles from
-/// distant pads. Pads less than a metre apart count as the same place, for which the usual limit applies.
-pub fn neighbours_limit_m(pads_m: f64, usual_m: f64) -> f64 {
-    if (LEAST_LIMIT_M..usual_m * NEIGHBOURS_FACTOR).contains(&pads_m) {
-        (pads_m * NEIGHBOURS_SHARE).max(LEAST_LIMIT_M).min(usual_m)
+/// The horizontal limit of two vehicles whose starts are this far apart, in metres; `usual_m` is that of vehicles from
+/// distant starts. Starts less than a metre apart count as the same place, for which the usual limit applies.
+fn neighbours_limit_m(apart_m: f64, usual_m: f64) -> f64 {
+    if (LEAST_LIMIT_M..usual_m * NEIGHBOURS_FACTOR).contains(&apart_m) {
+        (apart_m * NEIGHBOURS_SHARE).max(LEAST_LIMIT_M).min(usual_m)
     } else {
         usual_m
     }
+}
+
+/// The rule of two vehicles of a rehearsal, by their starts in metres north and east.
+pub(crate) fn between(starts_m: [[f64; 2]; 2]) -> Separation {
+    Separation::new(Some(starts_m), SeparationLimits::default())
 }
 
 /// The nearness of two vehicles, the sample at which it occurred, and their points.
@@ -126,7 +159,7 @@ impl Closest {
     pub(crate) fn new(starts_m: &[[f64; 2]]) -> Self {
         let rules = starts_m.iter().enumerate().flat_map(|(a, first)| {
             let others = starts_m[a + 1..].iter();
-            others.map(|other| Separation::new([*first, *other]))
+            others.map(|other| between([*first, *other]))
         });
         let rules: Vec<Separation> = rules.collect();
         Self {
@@ -182,5 +215,34 @@ impl Closest {
         }
         found.sort_by(|one, other| one.nearness().total_cmp(&other.nearness()));
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Vehicles 0 and 1 are 4 m apart over the ground and 20 m in height, 0 and 2 are 9 m apart at the same height: the
+    /// second pair is nearer to a conflict.
+    #[test]
+    fn the_closest_pair_is_that_nearest_to_a_conflict() {
+        let starts = [[0.0, 0.0], [0.0, 100.0], [0.0, 200.0]];
+        let mut closest = Closest::new(&starts);
+        let points = [[50.0, 50.0, 20.0], [54.0, 50.0, 40.0], [59.0, 50.0, 20.0]];
+        closest.take(0, &points.map(Some));
+        let found = closest.found(1.0, LatLon::new(50.45, 30.52));
+        assert_eq!((found[0].a, found[0].b), (0, 2), "{found:?}");
+    }
+
+    /// A pair is shown at the moment nearest to a conflict, not at the smallest distance over the ground.
+    #[test]
+    fn a_pair_is_shown_at_its_nearest_moment() {
+        let mut closest = Closest::new(&[[0.0, 0.0], [0.0, 100.0]]);
+        for (sample, [across_m, height_m]) in (0..).zip([[3.0, 12.0], [6.0, 2.0], [5.0, 9.0]]) {
+            let points = [[50.0, 50.0, 20.0], [50.0 + across_m, 50.0, 20.0 + height_m]];
+            closest.take(sample, &points.map(Some));
+        }
+        let found = closest.found(1.0, LatLon::new(50.45, 30.52));
+        assert!((found[0].at_s - 1.0).abs() < 1e-9, "{found:?}");
     }
 }

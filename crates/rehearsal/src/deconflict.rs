@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use sortie_plan::edit::{HeightChange, change_height, insert};
 use sortie_plan::{Document, HeightFrame, Item, command};
 
-use crate::approach::Separation;
+use crate::approach::{Separation, between};
 use crate::late::{LATE_S, Shifted, are_apart, points_in};
 use crate::order::best_order;
 use crate::place::{self, Place, Track};
@@ -338,7 +338,7 @@ fn rule(a: &Track, b: &Track) -> Option<Separation> {
         let [north, east, _] = track.points.iter().flatten().next().copied()?;
         Some([north, east])
     };
-    Some(Separation::new([first(a)?, first(b)?]))
+    Some(between([first(a)?, first(b)?]))
 }
 
 /// The layers with the smallest sum that separate the vehicles that come near each other.

@@ -1,6 +1,6 @@
 //! Whether vehicles still keep away from each other if one of them is late.
 
-use crate::approach::{Approach, Separation, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
+use crate::approach::{Approach, Separation, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M, between};
 use crate::place::{TRACK_EVERY, Track, sample_s};
 
 /// The margin in time, in seconds: vehicles should stay apart even if one of them is this late.
@@ -13,7 +13,7 @@ pub(crate) fn late_s(approach: &Approach, tracks: &[Track], starts_m: &[[f64; 2]
         return Some(0);
     }
     let (a, b) = (tracks.get(approach.a)?, tracks.get(approach.b)?);
-    let rule = Separation::new([*starts_m.get(approach.a)?, *starts_m.get(approach.b)?]);
+    let rule = between([*starts_m.get(approach.a)?, *starts_m.get(approach.b)?]);
     if are_far(a, b) {
         return None;
     }

@@ -18,7 +18,7 @@ use std::sync::Arc;
 use sortie_plan::{Document, ListKind};
 use sortie_sim::{Airframe, Start};
 
-pub use approach::{Approach, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M, neighbours_limit_m};
+pub use approach::{Approach, Separation, SeparationLimits, TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
 pub use deconflict::{Proposal, Remedy, deconflict};
 pub use late::LATE_S;
 

@@ -4,25 +4,14 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::config::AlertsConfig;
 use crate::geo::{LatLon, maths};
-use crate::rehearsal::neighbours_limit_m;
+use crate::rehearsal::{Separation, SeparationLimits};
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
-/// Two vehicles are too close to each other if both of their distances are below these limits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeparationLimits {
-    /// Horizontal distance, in metres; 0 turns the check off.
-    pub across_m: f64,
-    /// Vertical distance, in metres.
-    pub height_m: f64,
-}
-
-impl SeparationLimits {
-    /// The limits in the configuration.
-    pub fn of(config: &AlertsConfig) -> Self {
-        Self {
-            across_m: f64::from(config.separation),
-            height_m: f64::from(config.separation_height),
-        }
+/// The limits in the configuration; a horizontal limit of 0 turns the check off.
+pub fn separation_limits(config: &AlertsConfig) -> SeparationLimits {
+    SeparationLimits {
+        across_m: f64::from(config.separation),
+        height_m: f64::from(config.separation_height),
     }
 }
 
@@ -40,8 +29,8 @@ pub struct CloseVehicle {
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    /// The place from which it takes off, where vehicles may stand close.
-    home: Option<LatLon>,
+    /// The place from which it takes off, in metres north and east.
+    start: Option<[f64; 2]>,
 }
 
 /// The vehicles in the air, in square cells as wide as the limit across: only vehicles in the same or in neighbouring
@@ -49,8 +38,6 @@ struct Flyer {
 struct CellGrid {
     flyers: Vec<Flyer>,
     cells: HashMap<u64, Vec<usize>>,
-    /// The place that points count from.
-    origin: Option<LatLon>,
     limits: SeparationLimits,
 }
 
@@ -81,19 +68,17 @@ impl CellGrid {
         Self {
             flyers,
             cells,
-            origin,
             limits,
         }
     }
 
     fn too_close(&self) -> BTreeMap<VehicleId, CloseVehicle> {
         let closest = |flyer: &Flyer| {
-            let close = self
-                .around(flyer)
-                .filter_map(|other| self.close(flyer, other));
-            let distance = |it: &CloseVehicle| maths::hypot(it.across_m, it.height_m);
-            let closest = close.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-            Some((flyer.vehicle, closest))
+            let others = self.around(flyer);
+            let close = others.map(|other| (self.nearness(flyer, other), other));
+            let close = close.filter(|(nearness, _)| *nearness < 1.0);
+            let (_, other) = close.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+            Some((flyer.vehicle, seen_from(flyer, other)))
         };
         self.flyers.iter().filter_map(closest).collect()
     }
@@ -110,33 +95,21 @@ impl CellGrid {
         others.filter(|other| other.vehicle != flyer.vehicle)
     }
 
-    /// The pad that a vehicle is above.
-    fn pad_of(&self, flyer: &Flyer) -> Option<[f64; 2]> {
-        let [north_m, east_m, _] = flyer.point;
-        let pad = <[f64; 2]>::from(self.origin?.offset_to(flyer.home?));
-        (apart_m(pad, [north_m, east_m]) < self.limits.across_m).then_some(pad)
-    }
-
-    /// The distance of two vehicles, if they are too close. Above pads that are close together, they may be closer.
-    fn close(&self, flyer: &Flyer, other: &Flyer) -> Option<CloseVehicle> {
-        let [north, east, up] = [0, 1, 2].map(|axis| other.point[axis] - flyer.point[axis]);
-        let close = CloseVehicle {
-            vehicle: other.vehicle,
-            across_m: maths::hypot(north, east),
-            height_m: up.abs(),
-        };
-        if close.across_m >= self.limits.across_m || close.height_m >= self.limits.height_m {
-            return None;
-        }
-        let pads = self.pad_of(flyer).zip(self.pad_of(other));
-        let pads_m = pads.map_or(f64::INFINITY, |(own, other)| apart_m(own, other));
-        let limit_m = neighbours_limit_m(pads_m, self.limits.across_m);
-        (close.across_m < limit_m).then_some(close)
+    /// How near two vehicles are by the rule of a rehearsal: less than 1 is too close.
+    fn nearness(&self, flyer: &Flyer, other: &Flyer) -> f64 {
+        let starts = flyer.start.zip(other.start);
+        let rule = Separation::new(starts.map(<[_; 2]>::from), self.limits);
+        rule.nearness([flyer.point, other.point])
     }
 }
 
-fn apart_m(one: [f64; 2], other: [f64; 2]) -> f64 {
-    maths::hypot(one[0] - other[0], one[1] - other[1])
+fn seen_from(flyer: &Flyer, other: &Flyer) -> CloseVehicle {
+    let [north, east, up] = [0, 1, 2].map(|axis| other.point[axis] - flyer.point[axis]);
+    CloseVehicle {
+        vehicle: other.vehicle,
+        across_m: maths::hypot(north, east),
+        height_m: up.abs(),
+    }
 }
 
 /// A vehicle, if it is in the air at a known place; the first one's place is the origin.
@@ -154,7 +127,9 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
         .then_some(Flyer {
             vehicle: vehicle.id,
             point,
-            home: vehicle.home.map(|home| home.at_point),
+            start: vehicle
+                .home
+                .map(|home| origin.offset_to(home.at_point).into()),
         })
 }
 
@@ -231,24 +206,53 @@ mod tests {
         assert_eq!(ids(&too_close(&swarm(near), off)), []);
     }
 
-    #[test]
-    fn vehicles_above_neighbouring_pads_are_apart() {
-        let home = |metres| {
-            Some(Place {
-                at_point: ORIGIN.moved(0.0, metres),
-                altitude_amsl_m: 170.0,
-            })
+    fn with_home(vehicle: Vehicle, east_m: f64) -> Vehicle {
+        let home = Place {
+            at_point: ORIGIN.moved(0.0, east_m),
+            altitude_amsl_m: 170.0,
         };
-        let mut pads = [at(1, [0.0, 0.0, 5.0]), at(2, [0.0, 3.9, 5.0])];
-        pads[0].home = home(0.0);
-        pads[1].home = home(4.0);
-        assert_eq!(ids(&too_close(&swarm(pads.clone()), LIMITS)), []);
-        pads[1].global = at(2, [0.0, 2.5, 5.0]).global;
-        assert_eq!(ids(&too_close(&swarm(pads.clone()), LIMITS)).len(), 2);
-        // Away from the pads, the usual limit applies.
-        pads[0].global = at(1, [80.0, 0.0, 5.0]).global;
-        pads[1].global = at(2, [80.0, 3.9, 5.0]).global;
-        assert_eq!(ids(&too_close(&swarm(pads), LIMITS)).len(), 2);
+        Vehicle {
+            home: Some(home),
+            ..vehicle
+        }
+    }
+
+    /// Two vehicles from pads 4 m apart, north of their pads and this far apart.
+    fn neighbours(north_m: f64, apart_m: f64) -> Vehicles {
+        swarm([
+            with_home(at(1, [north_m, 0.0, 5.0]), 0.0),
+            with_home(at(2, [north_m, apart_m, 5.0]), 4.0),
+        ])
+    }
+
+    /// As in a rehearsal: neighbours may be closer within 15 m of a start, and nowhere else.
+    #[test]
+    fn vehicles_beside_neighbouring_pads_may_be_closer() {
+        for beside_m in [0.0, 14.0] {
+            assert_eq!(ids(&too_close(&neighbours(beside_m, 3.9), LIMITS)), []);
+            assert_eq!(ids(&too_close(&neighbours(beside_m, 2.5), LIMITS)).len(), 2);
+        }
+        for away_m in [16.0, 80.0] {
+            assert_eq!(ids(&too_close(&neighbours(away_m, 3.9), LIMITS)).len(), 2);
+        }
+    }
+
+    #[test]
+    fn vehicles_that_report_the_same_home_have_the_usual_limit() {
+        let same = [at(1, [0.0, 0.0, 5.0]), at(2, [0.0, 4.5, 5.0])];
+        let same = same.map(|vehicle| with_home(vehicle, 0.0));
+        assert_eq!(ids(&too_close(&swarm(same), LIMITS)).len(), 2);
+    }
+
+    /// 3.6 m across are farther below the limit of 5 m than 2.9 m of height are below that of 3 m.
+    #[test]
+    fn the_closest_vehicle_is_that_nearest_to_the_limits() {
+        let near = [
+            at(1, [0.0, 0.0, 20.0]),
+            at(2, [0.0, 3.6, 20.0]),
+            at(3, [0.0, 0.0, 22.9]),
+        ];
+        assert_eq!(too_close(&swarm(near), LIMITS)[&1].vehicle, 2);
     }
 
     /// A thousand vehicles side by side are compared with their neighbours only.

@@ -12,7 +12,7 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{Activity, BellCall, FlightView, Overlay, SeparationLimits, too_close};
+use crate::app::state::{Activity, BellCall, FlightView, Overlay, separation_limits, too_close};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -106,7 +106,7 @@ fn watch_separation(state: &mut State) {
         session.activity,
         Some(Activity::Free | Activity::Connected { .. })
     ) {
-        let limits = SeparationLimits::of(&state.config.alerts);
+        let limits = separation_limits(&state.config.alerts);
         let close = too_close(&session.vehicles, limits);
         session.alerts.note_close(close);
     }
