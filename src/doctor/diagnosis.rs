@@ -8,9 +8,15 @@ use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, 
 
 /// The time before a first diagnosis: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
-/// How long a vehicle may take to answer: it is queried every five seconds.
+/// How often a vehicle is queried.
+const QUERY_EVERY: Duration = Duration::from_secs(5);
+/// The chance, on a link with losses, that a vehicle seems not to answer although it does.
+const MISTAKEN: f64 = 0.001;
+/// The maximum number of queries to wait for, however many frames the link loses.
+const MOST_QUERIES: u32 = 60;
+/// How long a vehicle may take to answer, at least.
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
-/// The silence after which a vehicle that has answered before counts as one-way; some answers are lost on any radio.
+/// The silence after which a vehicle that has answered before counts as one-way, at least.
 const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
 /// The maximum number of vehicles without an answer that are listed by number.
 const MOST_NAMED: usize = 3;
@@ -179,8 +185,10 @@ fn examine(chart: &Chart) -> Vec<Cause> {
         return vec![nobody(chart)];
     }
     let change = chart.change();
+    let lost = lost_share(chart);
+    let queries = queries_without_doubt(lost);
     let mut causes: Vec<Cause> = autopilots(chart)
-        .filter_map(|sender| answering(chart.way(), sender))
+        .filter_map(|sender| answering(chart.way(), sender, queries))
         .collect();
     let is_one_way = |cause: &Cause| matches!(cause, Cause::OneWay(_));
     let one_way = causes.iter().filter(|cause| is_one_way(cause)).count();
@@ -189,7 +197,7 @@ fn examine(chart: &Chart) -> Vec<Cause> {
         causes.push(Cause::OneWayVehicles(one_way));
     }
     let is_cut = |cause: &Cause| chart.way() == Way::File && matches!(cause, Cause::Lossy(_));
-    let quality = quality(&change, lost_share(chart));
+    let quality = quality(&change, lost);
     causes.extend(quality.into_iter().filter(|cause| !is_cut(cause)));
     causes.extend(other_stations(chart));
     causes.extend(
@@ -257,16 +265,29 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// The finding about whether a vehicle answers the console's messages; `None` if there is nothing to report.
-fn answering(way: Way, sender: &Sender) -> Option<Cause> {
+/// The number of queries in a row that a vehicle which answers almost never misses, if this share of the frames is lost
+/// in each direction.
+fn queries_without_doubt(lost: f64) -> u32 {
+    let answered = (1.0 - lost) * (1.0 - lost);
+    // The limits are those of no loss and of total loss.
+    let missed = (1.0 - answered).clamp(0.0, 0.99);
+    let queries = (MISTAKEN.ln() / missed.ln()).ceil();
+    queries.min(f64::from(MOST_QUERIES)) as u32
+}
+
+/// The finding about whether a vehicle answers the console's messages, of which `queries` have to be unanswered; `None`
+/// if there is nothing to report.
+fn answering(way: Way, sender: &Sender, queries: u32) -> Option<Cause> {
     let system = sender.source.system;
+    let patience = QUERY_EVERY * queries;
     let answers = sender
         .answered_ago
-        .is_some_and(|ago| ago < ANSWERS_AGAIN_WITHIN);
+        .is_some_and(|ago| ago < patience.max(ANSWERS_AGAIN_WITHIN));
     if answers || way == Way::File {
         return sender.signed.then_some(Cause::SignedButAnswers(system));
     }
-    if sender.known_for < ANSWER_WITHIN || sender.asked < ASKED_ENOUGH {
+    let asked_enough = ASKED_ENOUGH.max(queries.into());
+    if sender.known_for < patience.max(ANSWER_WITHIN) || sender.asked < asked_enough {
         return sender.signed.then_some(Cause::Signed(system));
     }
     Some(if sender.signed {
@@ -376,4 +397,18 @@ fn autopilots(chart: &Chart) -> impl Iterator<Item = &Sender> {
 fn is_text(bytes: &[u8]) -> bool {
     let readable = |byte: &&u8| matches!(byte, b' '..=b'~' | b'\r' | b'\n' | b'\t');
     !bytes.is_empty() && bytes.iter().filter(readable).count() * 10 >= bytes.len() * 9
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_more_frames_are_lost_the_more_queries_count() {
+        let queries = |percent: u32| queries_without_doubt(f64::from(percent) / 100.0);
+        assert_eq!(
+            [0, 5, 30, 50, 100].map(queries),
+            [0, 3, 11, 25, MOST_QUERIES]
+        );
+    }
 }

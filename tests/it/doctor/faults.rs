@@ -196,6 +196,32 @@ async fn a_vehicle_that_has_answered_may_lose_some_answers() {
     }
 }
 
+/// At 30 % loss, half of the queries remain unanswered: a minute without an answer is no accident, half a minute may be.
+#[tokio::test(start_paused = true)]
+async fn a_lossy_link_needs_more_evidence() {
+    let (mut patient, remote) = Patient::listening().await;
+    let mut voice = Voice::new(7, 1);
+    for at in 0..120 {
+        patient.ask();
+        let mut bytes = voice.second();
+        if at == 5 {
+            bytes.extend(voice.answer());
+        }
+        let is_lost = [0, 3, 6].contains(&(at % 10));
+        if !is_lost {
+            remote.send(&bytes).await.expect("sent");
+            patient.given += bytes.len() as u64;
+        }
+        patient.second().await;
+        let is_one_way = patient.causes().contains(&Cause::OneWay(7));
+        match at {
+            ..=50 => assert!(!is_one_way, "after {at} s"),
+            110.. => assert!(is_one_way, "after {at} s"),
+            _ => {}
+        }
+    }
+}
+
 #[tokio::test(start_paused = true)]
 async fn after_a_pause_a_vehicle_has_time_to_answer() {
     let (mut patient, remote) = Patient::listening().await;
