@@ -1,4 +1,4 @@
-//! QGroundControl's `.plan`: file version 1, mission 2, fence 2, rally points 1 and 2.
+//! QGroundControl's `.plan`: file version 1, mission 2, fence 1 and 2, rally points 1 and 2.
 //!
 //! What the format cannot hold: the frame and height of fence items (they have no meaning), the order of areas of
 //! different kinds, and rally points that are not above home, which are refused.
@@ -47,14 +47,16 @@ fn head(root: &Node) -> Result<(), Fault> {
             FaultKind::Expected(Expected::Word("Plan")),
         ));
     }
-    check_version(root, &[1], "1")
+    check_version(root, &[1], "1").map(drop)
 }
 
-fn check_version(node: &Node, known: &[u32], listed: &'static str) -> Result<(), Fault> {
+/// The version of a part, which is one of those known.
+fn check_version(node: &Node, known: &[u32], listed: &'static str) -> Result<u32, Fault> {
     let version = node.need("version")?;
     let number = version.number()?;
-    if super::number::whole(number).is_some_and(|number: u32| known.contains(&number)) {
-        return Ok(());
+    let whole: Option<u32> = super::number::whole(number);
+    if let Some(number) = whole.filter(|number| known.contains(number)) {
+        return Ok(number);
     }
     let found = number.to_string();
     let kind = FaultKind::Version {

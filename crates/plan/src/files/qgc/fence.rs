@@ -8,8 +8,42 @@ use crate::files::Parsed;
 use crate::files::json::{Node, Value};
 use crate::{Item, ListKind, command, frame};
 
+/// Version 1 has a single polygon to stay in, and a return point without a height; version 2 any number of areas of both
+/// kinds.
 pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
-    check_version(node, &[2], "2")?;
+    let point = node.get("breachReturn").filter(is_set);
+    if check_version(node, &[1, 2], "1, 2")? == 1 {
+        read_single(node, parsed)?;
+        let Some(point) = point else {
+            return Ok(());
+        };
+        let [lat, lon] = point.array::<2>()?;
+        return read_return([lat, lon], 0.0, point, parsed);
+    }
+    read_areas(node, parsed)?;
+    let Some(point) = point else {
+        return Ok(());
+    };
+    let [lat, lon, height] = point.array::<3>()?;
+    read_return([lat, lon], height.number_or_null()? as f32, point, parsed)
+}
+
+fn is_set(node: &&Node) -> bool {
+    !matches!(node.value, Value::Null)
+}
+
+/// The polygon of version 1; without corners, there is none.
+fn read_single(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
+    let outline = node.get("polygon").filter(is_set);
+    match outline {
+        Some(outline) if !outline.list()?.is_empty() => {
+            read_corners(outline, command::FENCE_POLYGON_INCLUSION, parsed)
+        }
+        Some(_) | None => Ok(()),
+    }
+}
+
+fn read_areas(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     for polygon in node.get("polygons").map_or(Ok(&[][..]), Node::list)? {
         read_polygon(polygon, parsed)?;
     }
@@ -29,20 +63,24 @@ pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
             circle.span.clone(),
         );
     }
-    let is_set = |node: &&Node| !matches!(node.value, Value::Null);
-    if let Some(point) = node.get("breachReturn").filter(is_set) {
-        let [lat, lon, height] = point.array::<3>()?;
-        let at = (lat.fixed(7)?, lon.fixed(7)?);
-        let height_m = height.number_or_null()? as f32;
-        let item = item(
-            command::FENCE_RETURN_POINT,
-            frame::ABOVE_HOME,
-            0.0,
-            at,
-            height_m,
-        );
-        parsed.push(ListKind::Fence, item, point.span.clone());
-    }
+    Ok(())
+}
+
+/// The return point, at a height above home in metres.
+fn read_return(
+    [lat, lon]: [&Node; 2],
+    height_m: f32,
+    point: &Node,
+    parsed: &mut Parsed,
+) -> Result<(), Fault> {
+    let item = item(
+        command::FENCE_RETURN_POINT,
+        frame::ABOVE_HOME,
+        0.0,
+        (lat.fixed(7)?, lon.fixed(7)?),
+        height_m,
+    );
+    parsed.push(ListKind::Fence, item, point.span.clone());
     Ok(())
 }
 
@@ -52,7 +90,11 @@ fn read_polygon(polygon: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     } else {
         command::FENCE_POLYGON_EXCLUSION
     };
-    let outline = polygon.need("polygon")?;
+    read_corners(polygon.need("polygon")?, command, parsed)
+}
+
+/// The corners of a polygon, with the command of its kind.
+fn read_corners(outline: &Node, command: u16, parsed: &mut Parsed) -> Result<(), Fault> {
     let corners = outline.list()?;
     if corners.len() < 3 {
         return Err(Fault::new(

@@ -324,3 +324,27 @@ const DYNAMIC: &[u8] = &[
     113, 122, 52, 72, 51, 107, 122, 72, 219, 197, 251, 124, 52, 52, 179, 166, 135, 180, 93, 208,
     224, 244, 104, 208, 224, 45, 106, 71, 106, 129, 198, 58, 27, 63,
 ];
+
+/// As older versions of QGroundControl wrote fences: one polygon to stay in, and a return point without a height.
+#[test]
+fn a_fence_of_version_1_is_read() {
+    let plan = |fence: &str| {
+        let text = format!(
+            r#"{{ "fileType": "Plan", "geoFence": {fence}, "mission": {{ "items": [], "version": 2 }}, "version": 1 }}"#
+        );
+        read(text.as_bytes(), &ReadOptions::default())
+    };
+    let fenced = r#"{ "breachReturn": [50.45, 30.52], "version": 1,
+        "polygon": [[50.44, 30.51], [50.46, 30.51], [50.46, 30.54]] }"#;
+    let found = plan(fenced).expect("it is read").document.fence;
+    let commands: Vec<u16> = found.iter().map(|item| item.command).collect();
+    let corner = command::FENCE_POLYGON_INCLUSION;
+    let expected = [corner, corner, corner, command::FENCE_RETURN_POINT];
+    assert_eq!(commands, expected);
+    assert_eq!((found[2].x, found[2].y), (504_600_000, 305_400_000));
+    for empty in [r#"{ "polygon": [], "version": 1 }"#, r#"{ "version": 1 }"#] {
+        assert!(plan(empty).expect("it is read").document.fence.is_empty());
+    }
+    assert!(plan(r#"{ "version": 3 }"#).is_err());
+    assert!(plan(r#"{ "polygon": [[50.44, 30.51]], "version": 1 }"#).is_err());
+}
