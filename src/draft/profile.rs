@@ -3,7 +3,7 @@
 use super::place::place;
 use crate::geo::{LatLon, Terrain};
 use crate::plan::effort::Pace;
-use crate::plan::legs::{LegMotion, LegPace, LegStart, changed_speed_m_s};
+use crate::plan::legs::{LegMotion, LegPace, LegStart, changed_speed_m_s, turns_m};
 use crate::plan::{Document, HeightFrame, Item, command};
 
 /// A wait before the next item to fly to.
@@ -19,17 +19,29 @@ pub struct Stop {
     pub height_m: f64,
     /// The length of the leg over the ground, in metres.
     pub leg_m: f64,
+    /// The length of the turns at its end, in metres.
+    pub turns_m: f64,
     /// How much higher its end is than its start, in metres.
     pub climb_m: f64,
     /// The seconds that the leg takes, with the stay at its end.
     pub leg_s: f64,
-    /// The length of all legs so far, in metres.
+    /// The length of the path on arrival, before the turns, in metres.
     pub along_m: f64,
     /// Whether the vehicle lands there.
     pub lands: bool,
 }
 
 impl Stop {
+    /// The length of its leg with the turns at its end, in metres.
+    pub fn way_m(&self) -> f64 {
+        self.leg_m + self.turns_m
+    }
+
+    /// The length of the path when the vehicle leaves it, in metres.
+    pub fn left_m(&self) -> f64 {
+        self.along_m + self.turns_m
+    }
+
     /// The slope of its leg in percent; `None` for a leg straight up or down.
     pub fn slope_percent(&self) -> Option<f64> {
         (self.leg_m >= 1.0).then(|| self.climb_m / self.leg_m * 100.0)
@@ -49,15 +61,18 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The place at a distance along the path.
+    /// The place at a distance along the path; turns count as their centre.
     pub fn place_at(&self, along_m: f64) -> Option<LatLon> {
-        let to = self.stops.iter().position(|stop| stop.along_m >= along_m)?;
+        let to = self
+            .stops
+            .iter()
+            .position(|stop| stop.left_m() >= along_m)?;
         let end = self.stops[to];
         let start = to.checked_sub(1).map(|at| self.stops[at].place);
         let from = start.or(self.start).unwrap_or(end.place);
         let (north_m, east_m) = from.offset_to(end.place);
         let share = if end.leg_m > 0.0 {
-            1.0 - (end.along_m - along_m) / end.leg_m
+            (1.0 - (end.along_m - along_m) / end.leg_m).min(1.0)
         } else {
             1.0
         };
@@ -159,7 +174,12 @@ impl Course<'_> {
         };
         // A stay without an end counts as none.
         let stay_s = LegPace::Copter(self.pace).stay_s(item).unwrap_or(0.0);
-        self.go(index, from, goal, height_m, stay_s);
+        let stop = self.go(index, from, goal, height_m);
+        self.stop(Stop {
+            turns_m: turns_m(item),
+            leg_s: stop.leg_s + stay_s,
+            ..stop
+        });
         if stay_s > 0.0 || command::is_takeoff(item.command) {
             self.rest();
         }
@@ -168,22 +188,23 @@ impl Course<'_> {
         }
     }
 
-    /// Flies a leg to an item, and stays there.
-    fn go(&mut self, item: usize, from: LegStart, place: LatLon, height_m: f64, stay_s: f64) {
+    /// Flies a leg to an item, without its stay there.
+    fn go(&mut self, item: usize, from: LegStart, place: LatLon, height_m: f64) -> Stop {
         let mut at = from;
         let flown_s = at.fly(place, height_m, LegPace::Copter(self.pace));
         let leg_m = from.place.distance_m(place);
         self.at = Some(at);
-        self.stop(Stop {
+        Stop {
             item,
             place,
             height_m,
             leg_m,
+            turns_m: 0.0,
             climb_m: height_m - from.height_m,
-            leg_s: flown_s.unwrap_or(0.0) + stay_s,
+            leg_s: flown_s.unwrap_or(0.0),
             along_m: self.profile.length_m + leg_m,
             lands: false,
-        });
+        }
     }
 
     fn go_home(&mut self, item: usize, home: Option<LatLon>) {
@@ -197,6 +218,7 @@ impl Course<'_> {
             place,
             height_m: from.height_m,
             leg_m,
+            turns_m: 0.0,
             climb_m: 0.0,
             leg_s: 0.0,
             along_m: self.profile.length_m + leg_m,
@@ -209,7 +231,7 @@ impl Course<'_> {
 
     fn stop(&mut self, stop: Stop) {
         let profile = &mut self.profile;
-        profile.length_m = stop.along_m;
+        profile.length_m = stop.left_m();
         profile.time_s += stop.leg_s;
         profile.stops.push(stop);
     }
@@ -228,5 +250,60 @@ impl Course<'_> {
             stop.leg_s += seconds;
             self.profile.time_s += seconds;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::Home;
+
+    /// Home, a waypoint 100 m to the north, two turns of 50 m there, and the return.
+    fn orbit() -> Document {
+        let home = LatLon::new(50.45, 30.52);
+        let item = |command, north_m: f64, params| {
+            let (x, y) = home.moved(north_m, 0.0).to_e7();
+            Item {
+                command,
+                frame: 3,
+                params,
+                x,
+                y,
+                z: 20.0,
+                ..Item::default()
+            }
+        };
+        let (x, y) = home.to_e7();
+        Document {
+            home: Some(Home { x, y, z: 170.0 }),
+            plan: vec![
+                item(command::TAKEOFF, 0.0, [0.0; 4]),
+                item(command::LOITER_TURNS, 100.0, [2.0, 0.0, -50.0, 0.0]),
+                item(command::RETURN_TO_LAUNCH, 0.0, [0.0; 4]),
+            ],
+            ..Document::default()
+        }
+    }
+
+    #[test]
+    fn the_length_includes_turns() {
+        let course = profile(&orbit(), Pace::default(), &Terrain::default());
+        let circles_m = 2.0 * std::f64::consts::TAU * 50.0;
+        assert!((course.length_m - 200.0 - circles_m).abs() < 0.5);
+        let turns = course.at(1).expect("a stop");
+        assert!((turns.way_m() - 100.0 - circles_m).abs() < 0.5);
+        assert!((turns.leg_m - 100.0).abs() < 0.5, "slopes count the leg");
+        let back = course.at(2).expect("a stop");
+        assert!((back.along_m - course.length_m).abs() < 0.01);
+    }
+
+    /// While it turns, it is at its place; the way back begins after the turns.
+    #[test]
+    fn turns_count_as_their_centre() {
+        let course = profile(&orbit(), Pace::default(), &Terrain::default());
+        let centre = course.at(1).expect("a stop").place;
+        let away_m = |along_m| centre.distance_m(course.place_at(along_m).expect("a place"));
+        assert!(away_m(150.0) < 0.5 && away_m(700.0) < 0.5);
+        assert!((away_m(course.length_m - 40.0) - 60.0).abs() < 0.5);
     }
 }

@@ -79,8 +79,8 @@ impl LegPace {
                 Some(pace.circle_s(first, circle_m(item)))
             }
             (command::LOITER_TURNS, Self::Other(speed_m_s)) => {
-                let radius_m = Some(circle_m(item)).filter(|radius_m| *radius_m > 0.0)?;
-                Some(first * std::f64::consts::TAU * radius_m / speed_m_s?)
+                let turns_m = Some(turns_m(item)).filter(|_| circle_m(item) > 0.0)?;
+                Some(turns_m / speed_m_s?)
             }
             (command::LOITER_UNLIMITED | command::PAYLOAD_PLACE, _) => None,
             _ => Some(0.0),
@@ -118,6 +118,16 @@ pub fn circle_m(item: &Item) -> f64 {
         command::LOITER_TURNS => f64::from(item.params[2]).abs(),
         _ => 0.0,
     }
+}
+
+/// The length of an item's turns around its place, in metres; 0 for other items.
+pub fn turns_m(item: &Item) -> f64 {
+    circles_m(f64::from(item.params[0]), circle_m(item))
+}
+
+/// The length of turns on a circle of a radius, in metres.
+pub fn circles_m(turns: f64, radius_m: f64) -> f64 {
+    turns.max(0.0) * std::f64::consts::TAU * radius_m
 }
 
 #[cfg(test)]

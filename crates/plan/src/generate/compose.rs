@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::tour::length_m;
 use super::{Circle, GenerateError, Manner, Part, Scene, Work};
 use crate::effort::{Effort, Pace};
+use crate::legs::circles_m;
 use crate::{Document, Home, Item, command, frame};
 
 /// `CIRCLE_RATE`: degrees per second.
@@ -81,7 +82,7 @@ pub(super) fn compose(
             items: Vec::new(),
         };
         let rim_m = work.circle.map_or(0.0, |circle| {
-            std::f64::consts::TAU * circle.radius_m * f64::from(circle.turns)
+            circles_m(f64::from(circle.turns), circle.radius_m)
         });
         Ok(Part {
             vehicle: work.vehicle,

@@ -58,16 +58,16 @@ fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Li
     Line::raw(clip(&words.join("  "), panel.width()))
 }
 
-/// The leg to an item, or the climb where it leads straight up.
+/// The leg to an item with the turns there, or the climb where it leads straight up.
 fn leg(stop: &Stop, panel: Panel<'_>) -> String {
-    let time = seconds(stop.leg_s);
-    let Some(slope) = stop.slope_percent() else {
+    let (time, slope) = (seconds(stop.leg_s), stop.slope_percent());
+    if slope.is_none() && stop.turns_m < 1.0 {
         let climb = format!("{} m", figure(stop.climb_m, 0));
         return panel.text(&text!("plans-climb", height = climb, time = time));
-    };
-    let length = length(stop.leg_m.round());
-    let text = text!("plans-leg", length = length, time = time);
-    format!("{}, {}", panel.text(&text), percent(slope))
+    }
+    let length = length(stop.way_m().round());
+    let leg = panel.text(&text!("plans-leg", length = length, time = time));
+    slope.map_or_else(|| leg.clone(), |slope| format!("{leg}, {}", percent(slope)))
 }
 
 /// The minimum height above the ground on the leg to an item, where the ground is known.

@@ -165,7 +165,8 @@ fn draw_course(shown: &Shown<'_>, scale: &Scale, stroke: Stroke, canvas: &mut Ca
             };
             canvas.line(at, next, stroke);
         }
-        at = next;
+        at = scale.dot(stop.left_m(), stop.height_m);
+        canvas.line(next, at, stroke);
         if stop.lands {
             let ground = scale.dot(stop.along_m, 0.0);
             canvas.line(at, ground, stroke);
@@ -193,10 +194,10 @@ fn draw_over_ground(shown: &Shown<'_>, scale: &Scale, [from, to]: [&Stop; 2], ca
     let role = shown.role;
     let above = |stop: &Stop| stop.height_m - ground_m(shown, stop.along_m).unwrap_or(0.0);
     let (start_m, end_m) = (above(from), above(to));
-    let mut at = scale.dot(from.along_m, from.height_m);
-    let own = |along_m: &f64| (from.along_m..=to.along_m).contains(along_m);
+    let mut at = scale.dot(from.left_m(), from.height_m);
+    let own = |along_m: &f64| (from.left_m()..=to.along_m).contains(along_m);
     for along_m in scale.columns().filter(own) {
-        let share = (along_m - from.along_m) / to.leg_m;
+        let share = (along_m - from.left_m()) / to.leg_m;
         let height_m = start_m + (end_m - start_m) * share;
         let next = scale.dot(along_m, height_m + ground_m(shown, along_m).unwrap_or(0.0));
         canvas.line(at, next, Stroke::dense(role));

@@ -183,8 +183,8 @@ fn frame(item: &Item) -> &'static str {
 }
 
 fn leg(stop: Option<&Stop>, with_time: bool) -> String {
-    let flown = stop.filter(|stop| stop.leg_m >= 1.0);
-    let leg_m = flown.map_or_else(String::new, |stop| length(stop.leg_m.round()));
+    let way = stop.map(Stop::way_m).filter(|way_m| *way_m >= 1.0);
+    let leg_m = way.map_or_else(String::new, |way_m| length(way_m.round()));
     let slope = stop.and_then(Stop::slope_percent);
     let slope = slope.map_or_else(String::new, percent);
     let mut leg = format!(
