@@ -50,3 +50,15 @@ pub enum PlanTask {
         up_m: Option<f64>,
     },
 }
+
+impl PlanTask {
+    /// Its height above home, in metres; `None` for the usual one.
+    pub fn up_m(&self) -> Option<f64> {
+        match self {
+            Self::Survey { up_m, .. }
+            | Self::Search { up_m, .. }
+            | Self::Line { up_m, .. }
+            | Self::Orbit { up_m, .. } => *up_m,
+        }
+    }
+}

@@ -147,7 +147,7 @@ fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
             charge_percent: charge.map_or(100.0, f64::from),
             plan: ContentHash::of(plan.flown()),
         },
-        reported_fence: vehicle.health.and_then(|health| health.fence_on()),
+        reported_fence: vehicle.reports_fence_on(),
         is_read: false,
         participant: Participant {
             document: Document {

@@ -120,59 +120,44 @@ impl<'a> TaskTeam<'a> {
 
     /// The task with places on the earth, and its height.
     fn task(&self, task: &PlanTask) -> Result<(Task, f64), Text> {
-        match task {
+        let height_m = task.up_m().unwrap_or(USUAL_HEIGHT_M);
+        let spaced = |asked_m: &Option<f64>| self.spacing_m(*asked_m, height_m);
+        let placed = match task {
             PlanTask::Survey {
                 ground,
                 spacing_m,
-                up_m,
                 course,
-            } => {
-                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
-                let task = Task::Survey {
-                    rings: self.rings(ground)?,
-                    spacing_m: self.spacing_m(*spacing_m, height_m),
-                    course: *course,
-                };
-                Ok((task, height_m))
-            }
+                ..
+            } => Task::Survey {
+                rings: self.rings(ground)?,
+                spacing_m: spaced(spacing_m),
+                course: *course,
+            },
             PlanTask::Search {
                 pattern,
                 datum,
                 radius_m,
                 spacing_m,
-                up_m,
-            } => {
-                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
-                let spacing_m = self.spacing_m(*spacing_m, height_m);
-                let task = search(*pattern, self.place(*datum)?, *radius_m, spacing_m);
-                Ok((task, height_m))
-            }
+                ..
+            } => search(*pattern, self.place(*datum)?, *radius_m, spaced(spacing_m)),
             PlanTask::Line {
-                points,
-                spacing_m,
-                up_m,
-            } => {
-                let height_m = up_m.unwrap_or(USUAL_HEIGHT_M);
-                let task = Task::Line {
-                    points: points.clone(),
-                    spacing_m: self.spacing_m(*spacing_m, height_m),
-                };
-                Ok((task, height_m))
-            }
+                points, spacing_m, ..
+            } => Task::Line {
+                points: points.clone(),
+                spacing_m: spaced(spacing_m),
+            },
             PlanTask::Orbit {
                 centre,
                 radius_m,
                 turns,
-                up_m,
-            } => {
-                let task = Task::Orbit {
-                    centre: self.place(*centre)?,
-                    radius_m: *radius_m,
-                    turns: turns.unwrap_or(USUAL_TURNS),
-                };
-                Ok((task, up_m.unwrap_or(USUAL_HEIGHT_M)))
-            }
-        }
+                ..
+            } => Task::Orbit {
+                centre: self.place(*centre)?,
+                radius_m: *radius_m,
+                turns: turns.unwrap_or(USUAL_TURNS),
+            },
+        };
+        Ok((placed, height_m))
     }
 
     fn spacing_m(&self, asked_m: Option<f64>, height_m: f64) -> f64 {
@@ -211,9 +196,9 @@ impl<'a> TaskTeam<'a> {
     /// The fence of the first vehicle, if it is on and has been read, with the areas to stay out of: those given,
     /// otherwise the holes of the task's area.
     fn fence(&self, task: &Task, keep_out: &[Item]) -> Vec<Item> {
-        let is_on = self.first.fence.is_some();
-        let read = self.first.plans.fence.content.as_ref().filter(|_| is_on);
-        let fence = read.map(|fence| fence.items.clone()).unwrap_or_default();
+        let in_force = self.first.fence_in_force();
+        let fence = in_force.map(|fence| fence.items.clone());
+        let fence = fence.unwrap_or_default();
         match task {
             Task::Survey { rings, .. } if keep_out.is_empty() => {
                 source::with_areas(fence, &source::holes(rings))

@@ -1,5 +1,22 @@
 //! Whether a vehicle's fence is on: by its reports and its parameters, which may be older.
 
+use super::{FencePlan, Transfer, Vehicle};
+
+impl Vehicle {
+    /// Whether it reports that its fence is on; `None` without a fence ([`Health::fence_on`](super::Health::fence_on)).
+    pub fn reports_fence_on(&self) -> Option<bool> {
+        self.health?.fence_on()
+    }
+
+    /// The areas of its fence, if it reports that the fence is on, and they have been read.
+    pub fn fence_in_force(&self) -> Option<&FencePlan> {
+        let stored = &self.plans.fence;
+        let is_on = self.reports_fence_on() == Some(true);
+        let content = stored.content.as_deref();
+        content.filter(|_| is_on && stored.transfer == Transfer::Done)
+    }
+}
+
 /// The switch of a fence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FenceSwitch {
@@ -27,7 +44,38 @@ impl FenceSwitch {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
     use super::*;
+    use crate::vehicle::{Health, Stored};
+
+    /// Only the report that the fence is on counts, not an old state of it.
+    #[test]
+    fn a_fence_is_in_force_if_it_is_on_and_read() {
+        let mut vehicle = Vehicle::new(1, 1);
+        vehicle.plans.fence = Stored {
+            content: Some(Arc::new(FencePlan::default())),
+            transfer: Transfer::Done,
+        };
+        assert_eq!(vehicle.fence_in_force(), None, "nothing is reported");
+        for (enabled, is_in_force) in [(Health::FENCE, true), (0, false)] {
+            vehicle.health = Some(Health {
+                present: Health::FENCE,
+                enabled,
+                healthy: 0,
+                load_percent: 0.0,
+                at: Duration::ZERO,
+            });
+            assert_eq!(vehicle.fence_in_force().is_some(), is_in_force);
+        }
+        vehicle.health = vehicle.health.map(|health| Health {
+            enabled: Health::FENCE,
+            ..health
+        });
+        vehicle.plans.fence.transfer = Transfer::Failed;
+        assert_eq!(vehicle.fence_in_force(), None, "it may have changed");
+    }
 
     #[test]
     fn the_report_counts_more_than_a_parameter_that_was_read_before() {

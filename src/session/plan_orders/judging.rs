@@ -7,7 +7,7 @@ use crate::plan::{Document, Home, ListKind};
 use crate::preflight::{finding_words, list_words};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Transfer, Vehicle, VehicleClass, check_rules};
+use crate::vehicle::{Vehicle, VehicleClass, check_rules};
 
 /// The maximum number of warnings that a row shows.
 const MOST_SHOWN: usize = 2;
@@ -27,7 +27,7 @@ pub(super) fn checked(
     }
     let vehicle = &*desk.vehicle;
     let class = vehicle.heartbeat.map_or(VehicleClass::Other, |it| it.class);
-    let reported = vehicle.health.and_then(|health| health.fence_on());
+    let reported = vehicle.reports_fence_on();
     let value = |name: &str| desk.parameters.get(name).map(|known| known.value);
     let rules = check_rules(class, reported, value);
     let mut found = check(&as_flown(&document, kind, vehicle), &rules);
@@ -63,10 +63,7 @@ fn as_flown(document: &Document, kind: ListKind, vehicle: &Vehicle) -> Document 
             z: home.altitude_amsl_m as f32,
         });
     }
-    let is_on = vehicle.health.and_then(|health| health.fence_on()) == Some(true);
-    let stored = &vehicle.plans.fence;
-    let on_board = stored.content.as_ref();
-    let on_board = on_board.filter(|_| is_on && stored.transfer == Transfer::Done);
+    let on_board = vehicle.fence_in_force();
     if let Some(fence) = on_board.filter(|_| kind != ListKind::Fence && flown.fence.is_empty()) {
         flown.fence.clone_from(&fence.items);
     }

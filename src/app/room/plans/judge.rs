@@ -38,7 +38,7 @@ pub fn pace(state: &State) -> Pace {
 pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles().get(&id));
-    let reported = vehicle.and_then(|it| it.health?.fence_on());
+    let reported = vehicle.and_then(|it| it.reports_fence_on());
     let rules = CheckOptions {
         // A draft may be for another vehicle: terrain data count only if they are known.
         has_terrain: parameter(state, "TERRAIN_ENABLE").is_some_and(|value| value > 0.0),
