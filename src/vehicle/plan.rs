@@ -6,7 +6,7 @@ use std::sync::Arc;
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use crate::geo::LatLon;
-use crate::plan::command::{is_jump, is_navigation};
+use crate::plan::command::{is_flown_to, is_jump, is_navigation};
 use crate::plan::{HeightFrame, Item};
 
 /// The items that fences and rally points consist of.
@@ -96,6 +96,13 @@ impl Plan {
         let ahead = self.items.iter().skip(usize::from(item));
         let mut decisive = ahead.filter(|it| is_jump(it.command) || is_navigation(it.command));
         decisive.next().is_some_and(|it| is_jump(it.command))
+    }
+
+    /// Whether it begins with a takeoff without a place, after which the way leads on from home.
+    pub fn takes_off_in_place(&self) -> bool {
+        let mut flown = self.flown().iter();
+        let first = flown.find(|item| is_flown_to(item.command));
+        first.is_some_and(|item| item.is_takeoff() && item.place().is_none())
     }
 
     /// The items that the vehicle flies to, by number, with their places, without home.
@@ -277,6 +284,22 @@ mod tests {
         assert_eq!(commands, [22, 16]);
         assert_eq!(plan.flown().len(), 3);
         assert!(Plan::default().flown().is_empty());
+    }
+
+    #[test]
+    fn only_a_takeoff_without_a_place_is_in_place() {
+        let takeoff = Item {
+            x: 0,
+            y: 0,
+            ..item(22, 0.0, 0.0)
+        };
+        let first = |first: Item| Plan {
+            items: vec![item(16, 0.0, 0.0), first, item(16, 0.0, 0.3)],
+            home_first: true,
+        };
+        assert!(first(takeoff).takes_off_in_place());
+        assert!(!first(item(22, 0.0, 0.1)).takes_off_in_place());
+        assert!(!first(item(16, 0.0, 0.1)).takes_off_in_place());
     }
 
     #[test]

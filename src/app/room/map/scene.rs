@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::AreaKind;
 use crate::swarm::Path;
-use crate::vehicle::{FencePlan, FenceShape, Vehicle, VehicleId};
+use crate::vehicle::{FencePlan, FenceShape, Plan, Vehicle, VehicleId};
 
 /// A line on the map, or a single point.
 #[derive(Debug, Clone, PartialEq)]
@@ -191,7 +191,7 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
         sketches.push(Sketch {
             kind: SketchKind::Plan,
             label: String::new(),
-            points: plan.path().map(|(_, place)| place).collect(),
+            points: way(vehicle, plan),
             closed: false,
             vehicle: Some(vehicle.id),
         });
@@ -210,6 +210,16 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
         }));
     }
     sketches
+}
+
+/// The places of a vehicle's plan; from home if it takes off there.
+fn way(vehicle: &Vehicle, plan: &Plan) -> Vec<LatLon> {
+    let home = vehicle.home.filter(|_| plan.takes_off_in_place());
+    let path = plan.path().map(|(_, place)| place);
+    home.map(|home| home.at_point)
+        .into_iter()
+        .chain(path)
+        .collect()
 }
 
 /// The leg that a vehicle flies, and its end with the number of the item and of the last one.
