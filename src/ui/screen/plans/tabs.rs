@@ -18,6 +18,8 @@ use crate::ui::widget::{clip, columns, put, width};
 const GAP: usize = 2;
 /// Columns of a sign with a star or a blank.
 const SIGN: usize = 2;
+/// Columns between two drafts without names.
+const CLOSE_GAP: usize = 1;
 /// Columns of a count of drafts that are not shown, such as `+12`.
 const COUNT: usize = 4;
 
@@ -87,7 +89,8 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
         ]
     } else {
         let star = if is_elsewhere(state, draft) { " " } else { "*" };
-        let short = format!("{}{star}", short(draft));
+        let gap = " ".repeat(CLOSE_GAP);
+        let short = format!("{}{star}{gap}", short(draft));
         vec![sign, Span::styled(short, panel.style(role))]
     }
 }
@@ -115,7 +118,7 @@ impl TabWidth {
 
     /// The columns of its sign with its short name.
     fn alone(self) -> usize {
-        SIGN + self.short
+        SIGN + self.short + CLOSE_GAP
     }
 }
 
@@ -223,7 +226,7 @@ mod tests {
             let tabs = shown(&six, current, 40);
             assert_eq!(tabs.len(), 6, "every draft has its sign");
             assert!(tabs.contains(&(current, true)), "{tabs:?}");
-            let used: usize = tabs.iter().map(|tab| if tab.1 { 10 } else { 3 }).sum();
+            let used: usize = tabs.iter().map(|tab| if tab.1 { 10 } else { 4 }).sum();
             assert!(used <= 40, "{tabs:?}");
         }
         assert_eq!(shown(&[60], 0, 10), [(0, true)]);

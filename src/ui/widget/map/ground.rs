@@ -11,7 +11,7 @@ use super::{finds, ways};
 use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, sketches};
 use crate::config::Symbols;
-use crate::geo::{DOTS_ACROSS, GridSize, LatLon, Outline, Viewport};
+use crate::geo::{DOTS_ACROSS, Extent, GridSize, LatLon, Outline, Viewport};
 use crate::mission::{MoverKind, NEXT_PLACE};
 use crate::ui::look::{Badge, Look};
 use crate::ui::panel::Panel;
@@ -28,7 +28,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
     match kind {
         SketchKind::Task => Stroke::dotted(Role::Info),
         SketchKind::Fence => Stroke::dashed(Role::Fence),
-        SketchKind::KeepOut => Stroke::dotted(Role::Danger),
+        SketchKind::KeepOut => Stroke::solid(Role::Danger),
         SketchKind::NoFly | SketchKind::Meeting => Stroke::dense(Role::Danger),
         SketchKind::Jamming => Stroke::dashed(Role::Accent),
         SketchKind::People => Stroke::dotted(Role::Warning),
@@ -65,6 +65,19 @@ pub const fn sign(kind: SketchKind) -> &'static str {
         | SketchKind::Rally
         | SketchKind::Course => "",
     }
+}
+
+/// The sign in the middle of an area to stay out of: without colours, its border looks like a trail.
+pub const KEEP_OUT: &str = "x";
+
+/// The sign of an area to stay out of, in the middle of its corners.
+pub fn keep_out_sign(corners: &[LatLon], view: &Viewport) -> Option<Label> {
+    let middle = Extent::around(corners.iter().copied())?.centre();
+    Some(Label {
+        cell: view.cell(middle)?,
+        text: KEEP_OUT.to_owned(),
+        role: stroke(SketchKind::KeepOut).role,
+    })
 }
 
 /// Draws all lines and adds their labels.
@@ -166,6 +179,8 @@ fn draw_sketch(
     let points = &sketch.points;
     if sketch.closed {
         outline(points, view, canvas, stroke);
+        let is_keep_out = sketch.kind == SketchKind::KeepOut;
+        labels.extend(keep_out_sign(points, view).filter(|_| is_keep_out));
     } else {
         for pair in points.windows(2) {
             canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);

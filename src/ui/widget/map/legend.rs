@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
-use super::ground::{RULER, stroke};
+use super::ground::{KEEP_OUT, RULER, stroke};
 use super::labels::blank;
 use super::markers::{LOST, arrow};
 use super::ways::{GHOST, target, trail};
@@ -127,9 +127,19 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .chain(movers)
         .chain(pause)
         .chain(shades(state, look))
+        .chain(keep_out(state, look))
         .chain(strokes)
         .map(row)
         .collect()
+}
+
+/// The border of an area to stay out of and the sign inside, if the map has such an area.
+fn keep_out(state: &State, look: &Look) -> Option<(String, Role, &'static str)> {
+    let is_any = sketches(state).iter().any(|it| it.kind == KeepOut);
+    let border = stroke(KeepOut);
+    let end: String = border.sample(look.symbols).chars().take(2).collect();
+    let sign = format!("{end}{KEEP_OUT}{end}");
+    is_any.then_some((sign, border.role, "map-legend-keep-out"))
 }
 
 /// The shades of the ground that are on the map.
@@ -151,7 +161,7 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -170,7 +180,6 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
         (ghost, GHOST, "map-legend-ghost"),
         (has(Task), stroke(Task), "map-legend-task"),
         (has(Fence), stroke(Fence), "map-legend-fence"),
-        (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
         (has(NoFly), stroke(NoFly), "map-legend-no-fly"),
         (has(Jamming), stroke(Jamming), "map-legend-jamming"),
         (has(People), stroke(People), "map-legend-people"),
