@@ -5,8 +5,9 @@ use crate::plan::board;
 use crate::plan::check::{Finding, Severity};
 use crate::plan::generate::{GenerateError, Idle};
 use crate::plan::{ContentHash, Document, Fault, ListKind, Loaded, Note};
+use crate::rehearsal::Approach;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, TextArgument, clock_s, figure};
 
 mod faults;
 mod findings;
@@ -107,6 +108,25 @@ pub fn idle_words(why: Idle) -> Text {
         Idle::Far => text!("plan-idle-far"),
         Idle::Spare => text!("plan-idle-spare"),
     }
+}
+
+/// How close two flights come to each other in a rehearsal, with their names.
+pub fn approach_words([a, b]: [TextArgument; 2], approach: &Approach) -> Text {
+    let message = if approach.is_conflict() {
+        "plan-rehearse-conflict"
+    } else {
+        "plan-rehearse-closest"
+    };
+    Text::new(
+        message,
+        vec![
+            ("a", a),
+            ("b", b),
+            ("time", clock_s(approach.at_s).into()),
+            ("horizontal", figure(approach.horizontal_m, 1).into()),
+            ("vertical", figure(approach.vertical_m, 1).into()),
+        ],
+    )
 }
 
 /// A command by its name in MAVLink, or by its number.

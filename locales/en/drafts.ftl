@@ -99,7 +99,9 @@ plans-upload = upload: { $done } of { $count } done
 plans-upload-failed = upload: { $failed } of { $count } failed, see Commands
 plans-upload-done = upload: all { $count } done
 plans-next-upload = next: `{ $key }` uploads it
-plans-next-mend = next: fix the faults marked `!` before the upload
+plans-next-mend = next: mend the faults marked `!`; the vehicle would refuse the upload
+plans-next-figures = the rehearsal failed; next: `{ $figures }` shows its figures; change the drafts, then `{ $again }`
+plans-next-change = the rehearsal failed; next: change the drafts, then `{ $again }` flies them again in simulation
 plans-next-arm = on board; next: `guided`, `arm`, `plan start`
 plans-next-start = armed, with the plan on board; next: `plan start`
 plans-next-aloft = in the air; next: `plan resume` flies the plan, `rtl` returns
@@ -119,6 +121,7 @@ plans-figures-at = time
 plans-figures-apart = apart
 plans-figures-height = height
 plans-figures-none = no figures: rehearse the drafts first
+plans-tried-further = { $text }: press `{ $key }`
 plans-figures-key = `{ $key }` shows the figures of the rehearsal, or the items
 
 draft-holds = { $name }: { $holds }
@@ -138,6 +141,7 @@ draft-jump-never = with 0 repetitions the vehicle never jumps: use 1 or more, or
 draft-rally-frame = `f` changes the reference of heights only in the plan: rally points keep theirs
 draft-no-field = { $command } has no parameter `{ $name }`; it has { $names }
 draft-file-faulty = { $path }:{ $line }:{ $column }: { $fault }
+draft-noted = { $path }: { $notes }
 draft-nothing-on-board = nothing has been read from { $vehicles } yet; `plan show` reads it
 draft-none-for-vehicles = no draft belongs to a vehicle: `draft take` and plans for a whole swarm make such drafts
 draft-no-vehicles = no vehicle is selected
@@ -219,7 +223,6 @@ draft-trial-conflicts = { $count ->
    *[other] { $count } conflicts
 }: { $pairs }; `draft deconflict` separates them
 draft-trial-more = { $pairs } and { $more } more
-draft-trial-closest = closest: { $a } and { $b } at { $time }, { $horizontal } m horizontally, { $vertical } m vertically
 draft-trial-meeting = { $a } and { $b } come too close at { $time }
 draft-trial-fence = { $name } breaches its fence at { $time }
 draft-trial-unfinished = { $name } was not flown to its end
@@ -229,6 +232,13 @@ draft-trial-figures = { $count ->
     [one] { $count } plan
    *[other] { $count } plans
 } flown in { $time }, at least { $left } % battery left
+draft-trial-further = { $count ->
+    [one] { $count } more draft fails
+   *[other] { $count } more drafts fail
+}
+draft-trial-unassigned = not flown: { $names } (no vehicle has it; `draft use { $first }`, then `draft rehearse VEHICLES`)
+draft-trial-unchosen = not flown: { $names } (the selected vehicles fly the current draft)
+draft-trial-idle = not flown: { $vehicles } (no draft; the current one belongs to another vehicle)
 draft-trial-delay = { $name } starts { $seconds } s later
 draft-trial-layer = { $name } flies { $height } m higher
 draft-trial-split = each vehicle has a draft of its own: `draft upload each`

@@ -140,6 +140,10 @@ rehearse-hit-ground = flies into the ground after { $time }, on the way to item 
 rehearse-time-up = still flying after { $time }
 rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m horizontally, { $vertical } m vertically
 rehearse-late = rehearsal: { $a } and { $b } come too close if one of them is { $late } s late
+rehearse-more = rehearsal: { $count ->
+    [one] { $count } more pair comes too close, or does
+   *[other] { $count } more pairs come too close, or do
+} if one of them is late
 rehearse-conditions = rehearsal: { $conditions }
 rehearse-parameters-unread = parameters of { $vehicles } not read, so the defaults apply
 rehearse-wind-given = wind { $speed } m/s from { $from }° (given)

@@ -100,7 +100,9 @@ plans-upload = на борт: { $done } з { $count }
 plans-upload-failed = на борт: невдач { $failed } з { $count }, причини на екрані команд
 plans-upload-done = передано все: { $count }
 plans-next-upload = далі: `{ $key }` передасть план на борт
-plans-next-mend = далі: виправте позначене `!` перед завантаженням
+plans-next-mend = далі: виправте позначене `!`; апарат не прийняв би план
+plans-next-figures = випробування не вдалося; далі: `{ $figures }` покаже його цифри; змініть чернетки, потім `{ $again }`
+plans-next-change = випробування не вдалося; далі: змініть чернетки, потім `{ $again }` випробує їх знову
 plans-next-arm = на борту; далі: `guided`, `arm`, `plan start`
 plans-next-start = двигуни активні, план на борту; далі: `plan start`
 plans-next-aloft = у повітрі; далі: `plan resume` — летіти за планом, `rtl` — повернутися
@@ -119,8 +121,9 @@ plans-figures-pair = зближення
 plans-figures-at = час
 plans-figures-apart = відст.
 plans-figures-height = висота
-plans-figures-none = показників ще немає: спершу випробуйте чернетки
-plans-figures-key = `{ $key }` відкриває показники випробування або пункти
+plans-figures-none = цифр ще немає: спершу випробуйте чернетки
+plans-tried-further = { $text }: натисніть `{ $key }`
+plans-figures-key = `{ $key }` показує цифри випробування або пункти
 
 draft-holds = { $name }: { $holds }
 draft-restored = знову відкрито незбережені чернетки попереднього сеансу: { $names }
@@ -139,6 +142,7 @@ draft-jump-never = якщо повторень 0, апарат ніколи не
 draft-rally-frame = `f` змінює відлік висоти лише в плані: точки збору зберігають свій
 draft-no-field = { $command } не має параметра `{ $name }`; є { $names }
 draft-file-faulty = { $path }:{ $line }:{ $column }: { $fault }
+draft-noted = { $path }: { $notes }
 draft-nothing-on-board = ще нічого не зчитано з апаратів: { $vehicles }; `plan show` зчитує план
 draft-none-for-vehicles = жодна чернетка не належить апарату: такі чернетки створюють `draft take` і плани для цілого рою
 draft-no-vehicles = жодного апарата не вибрано
@@ -222,7 +226,6 @@ draft-trial-conflicts = { $count ->
    *[other] { $count } конфліктів
 }: { $pairs }; `draft deconflict` розведе їх
 draft-trial-more = { $pairs } та ще { $more }
-draft-trial-closest = найближче: { $a } і { $b } на { $time }, { $horizontal } m по горизонталі, { $vertical } m по вертикалі
 draft-trial-meeting = { $a } і { $b } надто зближуються на { $time }
 draft-trial-fence = { $name } порушує геозону на { $time }
 draft-trial-unfinished = { $name }: політ не доходить до кінця плану
@@ -233,6 +236,14 @@ draft-trial-figures = { $count ->
     [few] { $count } плани виконано
    *[other] { $count } планів виконано
 } за { $time }, заряду лишається щонайменше { $left } %
+draft-trial-further = { $count ->
+    [one] ще { $count } чернетка не вдалася
+    [few] ще { $count } чернетки не вдалися
+   *[other] ще { $count } чернеток не вдалися
+}
+draft-trial-unassigned = без польоту: { $names } (не для жодного апарата; `draft use { $first }`, потім `draft rehearse VEHICLES`)
+draft-trial-unchosen = без польоту: { $names } (вибрані апарати виконують лише відкриту чернетку)
+draft-trial-idle = без польоту: { $vehicles } (чернетки немає; відкрита належить іншому апарату)
 draft-trial-delay = { $name } стартує на { $seconds } s пізніше
 draft-trial-layer = { $name } летить на { $height } m вище
 draft-trial-split = кожен апарат має власну чернетку: `draft upload each`

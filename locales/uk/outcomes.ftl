@@ -146,6 +146,11 @@ rehearse-hit-ground = врізається в землю через { $time }, �
 rehearse-time-up = через { $time } ще летить
 rehearse-conflict = випробування: { $a } і { $b } надто зближуються на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі
 rehearse-late = випробування: { $a } і { $b } надто зближуються, якщо один із них запізниться на { $late } s
+rehearse-more = випробування: ще { $count ->
+    [one] { $count } пара надто зближується
+    [few] { $count } пари надто зближуються
+   *[other] { $count } пар надто зближуються
+} (також якщо один із апаратів запізниться)
 rehearse-conditions = випробування: { $conditions }
 rehearse-parameters-unread = параметри { $vehicles } не зчитано, діють типові
 rehearse-wind-given = вітер { $speed } m/s з напрямку { $from }° (заданий)

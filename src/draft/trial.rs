@@ -31,6 +31,8 @@ pub struct Trial {
     pub is_apart: bool,
     /// Whether the user has asked for it, and waits for the outcome.
     pub is_awaited: bool,
+    /// The drafts or vehicles that are left out and why, in words, if there are any.
+    pub left_out: Option<Text>,
 }
 
 /// A draft as one vehicle flies it.
@@ -49,6 +51,10 @@ pub struct TrialDraft {
 pub struct Tried {
     /// The outcome in words.
     pub text: Text,
+    /// The number of plans beside those in the text that are not flown as intended.
+    pub further: usize,
+    /// The drafts or vehicles that were left out and why, in words, if there are any.
+    pub left_out: Option<Text>,
     /// The conflicts, each with its time and distances; the closest first.
     pub details: Vec<Text>,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
@@ -70,6 +76,22 @@ pub struct PlanVerdict {
     pub plan: ContentHash,
     /// Why it was not flown as intended.
     pub failure: Option<Text>,
+}
+
+impl Tried {
+    /// The outcome with the number of further failures.
+    pub fn outcome(&self) -> Text {
+        let count = self.further;
+        let further = (count > 0).then(|| text!("draft-trial-further", count = count));
+        let text = std::iter::once(self.text.clone());
+        Text::joined("; ", text.chain(further).collect())
+    }
+
+    /// The outcome, and what was left out.
+    pub fn words(&self) -> Text {
+        let outcome = std::iter::once(self.outcome());
+        Text::joined("; ", outcome.chain(self.left_out.clone()).collect())
+    }
 }
 
 impl Trial {
@@ -99,6 +121,7 @@ impl Trial {
         };
         Tried {
             is_awaited: self.is_awaited,
+            left_out: self.left_out.clone(),
             ..tried.unwrap_or_else(|error| self.failed(&error))
         }
     }

@@ -23,6 +23,7 @@ pub mod leg;
 pub mod log;
 pub mod map;
 pub mod mission;
+mod names;
 pub mod notices;
 pub mod overlay;
 pub mod palette;
@@ -34,6 +35,7 @@ pub mod telemetry;
 pub mod urgent;
 
 pub use crate::text::clock;
+pub use names::told_apart;
 
 /// A centred box of this size in an area, made smaller if it does not fit.
 pub fn centred(width: u16, height: u16, area: Rect) -> Rect {

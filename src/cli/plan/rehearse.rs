@@ -17,9 +17,9 @@ use crate::cli::table::{Side, TextTable};
 use crate::operator::ending_words;
 use crate::plan::check::Severity;
 use crate::plan::{Document as PlanDocument, Item, Loaded};
-use crate::preflight::{finding_words, list_words};
+use crate::preflight::{approach_words, finding_words, list_words};
 use crate::rehearsal::{
-    self, Approach, Conditions, FlightEnding, Flown, Outcome, Participant, RehearsalError,
+    self, Conditions, FlightEnding, Flown, Outcome, Participant, RehearsalError,
 };
 use crate::text;
 use crate::text::{Locale, Text, clock_s, figure, rounded};
@@ -258,7 +258,8 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
 pub(super) fn print_approaches(outcome: &Outcome, locale: &Locale) -> Result<(), Failure> {
     for (place, approach) in outcome.closest.iter().enumerate() {
         if approach.is_conflict() || place < LISTED {
-            say!("{}", locale.text(&approach_words(approach)))?;
+            let names = [approach.a, approach.b].map(|vehicle| (vehicle + 1).into());
+            say!("{}", locale.text(&approach_words(names, approach)))?;
         }
     }
     for approach in &outcome.closest {
@@ -276,32 +277,6 @@ fn fence_words(flown: &Flown) -> Text {
         Some(at_s) => text!("plan-rehearse-fence-broken", time = clock_s(at_s)),
         None if flown.has_fence => text!("plan-rehearse-fence-kept"),
         None => text!("plan-rehearse-fence-none"),
-    }
-}
-
-fn approach_words(approach: &Approach) -> Text {
-    let [horizontal, vertical] =
-        [approach.horizontal_m, approach.vertical_m].map(|it| figure(it, 1));
-    let time = clock_s(approach.at_s);
-    let (a, b) = (approach.a + 1, approach.b + 1);
-    if approach.is_conflict() {
-        text!(
-            "plan-rehearse-conflict",
-            a = a,
-            b = b,
-            time = time,
-            horizontal = horizontal,
-            vertical = vertical
-        )
-    } else {
-        text!(
-            "plan-rehearse-closest",
-            a = a,
-            b = b,
-            time = time,
-            horizontal = horizontal,
-            vertical = vertical
-        )
     }
 }
 

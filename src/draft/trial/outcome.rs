@@ -3,9 +3,10 @@
 use super::{PlanVerdict, TrialDraft, Tried};
 use crate::draft::TrialFlight;
 use crate::plan::ContentHash;
+use crate::preflight::approach_words;
 use crate::rehearsal::{Approach, FlightEnding, Outcome};
 use crate::text;
-use crate::text::{Text, clock_s, figure};
+use crate::text::{Text, TextArgument, clock_s, figure};
 
 /// The maximum number of pairs in conflict that one text names.
 const MOST_PAIRS: usize = 6;
@@ -29,7 +30,8 @@ impl TrialOutcome<'_> {
         drafts.map(verdict).collect()
     }
 
-    /// The flights, and in words their figures, their conflicts, or the first plan that is not flown as planned.
+    /// The flights, and in words their figures, their conflicts, or the first plan that is not flown as planned, with the
+    /// number of further ones.
     pub fn tried(&self) -> Tried {
         Tried {
             flight: Some(TrialFlight::of(self.drafts, self.outcome)),
@@ -40,14 +42,33 @@ impl TrialOutcome<'_> {
     fn judged(&self) -> Tried {
         let conflicts: Vec<&Approach> = self.outcome.conflicts().collect();
         if !conflicts.is_empty() {
-            return self.in_conflict(&conflicts);
+            return Tried {
+                further: self
+                    .failures()
+                    .filter(|(ending, _)| !is_struck(*ending))
+                    .count(),
+                ..self.in_conflict(&conflicts)
+            };
         }
-        let failure = (0..self.drafts.len()).find_map(|at| self.failure(at));
-        Tried {
-            is_sound: failure.is_none(),
-            text: failure.unwrap_or_else(|| self.summary()),
-            ..Tried::default()
+        let mut failures = self.failures().map(|(_, text)| text);
+        match failures.next() {
+            Some(first) => Tried {
+                text: first,
+                further: failures.count(),
+                ..Tried::default()
+            },
+            None => Tried {
+                text: self.summary(),
+                is_sound: true,
+                ..Tried::default()
+            },
         }
+    }
+
+    /// The ending of each plan that is not flown as intended by itself, with the reason.
+    fn failures(&self) -> impl Iterator<Item = (FlightEnding, Text)> {
+        let vehicles = self.outcome.vehicles.iter().enumerate();
+        vehicles.filter_map(|(at, flown)| Some((flown.ending, self.failure(at)?)))
     }
 
     fn names(&self, approach: &Approach) -> [&str; 2] {
@@ -112,18 +133,8 @@ impl TrialOutcome<'_> {
         }
     }
 
-    fn distances(&self, conflict: &Approach) -> Text {
-        let [a, b] = self.names(conflict);
-        let metres = [conflict.horizontal_m, conflict.vertical_m];
-        let [horizontal, vertical] = metres.map(|it| figure(it, 1));
-        text!(
-            "plan-rehearse-conflict",
-            a = a,
-            b = b,
-            time = clock_s(conflict.at_s),
-            horizontal = horizontal,
-            vertical = vertical
-        )
+    fn distances(&self, approach: &Approach) -> Text {
+        approach_words(self.names(approach).map(TextArgument::from), approach)
     }
 
     fn summary(&self) -> Text {
@@ -138,22 +149,12 @@ impl TrialOutcome<'_> {
             left = figure(least, 0)
         );
         let closest = self.outcome.closest.first();
-        let closest = closest.map(|it| self.approach(it));
+        let closest = closest.map(|it| self.distances(it));
         Text::joined("; ", std::iter::once(figures).chain(closest).collect())
     }
+}
 
-    /// How close two drafts come to each other without a conflict.
-    fn approach(&self, closest: &Approach) -> Text {
-        let [a, b] = self.names(closest);
-        let metres = [closest.horizontal_m, closest.vertical_m];
-        let [horizontal, vertical] = metres.map(|it| figure(it, 0));
-        text!(
-            "draft-trial-closest",
-            a = a,
-            b = b,
-            time = clock_s(closest.at_s),
-            horizontal = horizontal,
-            vertical = vertical
-        )
-    }
+/// Whether the flight ended in another vehicle, which is part of a conflict.
+fn is_struck(ending: FlightEnding) -> bool {
+    ending == FlightEnding::Crashed
 }

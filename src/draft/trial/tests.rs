@@ -42,6 +42,7 @@ fn drafts_that_meet_are_found_and_kept_apart() {
         drafts: meeting,
         is_apart: false,
         is_awaited: true,
+        left_out: None,
     };
     let tried = trial.fly();
     assert!(!tried.is_sound && tried.changed.is_empty());
@@ -81,6 +82,7 @@ fn a_shared_draft_is_flown_and_changed_for_each_vehicle() {
         drafts: vec![shared(1), shared(2), shared(3)],
         is_apart: false,
         is_awaited: true,
+        left_out: None,
     };
     let tried = trial.fly();
     let said = tried.text.to_string();
@@ -108,6 +110,7 @@ fn all_pairs_that_come_too_close_are_named() {
         drafts: drafts.map(|(name, from, to)| flight(name, from, to)).into(),
         is_apart: false,
         is_awaited: true,
+        left_out: None,
     };
     let tried = trial.fly();
     let text = tried.text.to_string();
@@ -119,12 +122,53 @@ fn all_pairs_that_come_too_close_are_named() {
     );
 }
 
+/// The text names one failure and counts the others; those of vehicles that strike each other belong to their conflict.
+#[test]
+fn further_failures_are_counted() {
+    let endless = |name, from_m| {
+        let flown = flight(name, from_m, from_m + 60.0);
+        let mut document = Document::clone(&flown.document);
+        document.plan.pop();
+        TrialDraft {
+            document: Arc::new(document),
+            ..flown
+        }
+    };
+    let mut trial = Trial {
+        drafts: vec![
+            flight("sound", 0.0, 60.0),
+            endless("first", 1000.0),
+            endless("second", 2000.0),
+            endless("third", 3000.0),
+        ],
+        is_apart: false,
+        is_awaited: true,
+        left_out: Some(Text::verbatim("left out: north")),
+    };
+    let tried = trial.fly();
+    assert_eq!(tried.further, 2, "{}", tried.text);
+    let words = tried.words().to_string();
+    assert!(words.starts_with("first ends in the air"), "{words}");
+    assert!(
+        words.ends_with("; 2 more drafts fail; left out: north"),
+        "{words}"
+    );
+    trial.drafts = vec![
+        flight("east", 0.0, 100.0),
+        flight("west", 100.0, 0.0),
+        endless("first", 1000.0),
+    ];
+    let tried = trial.fly();
+    assert_eq!(tried.further, 1, "{}", tried.text);
+}
+
 #[test]
 fn drafts_that_are_apart_stay_as_they_are() {
     let trial = Trial {
         drafts: vec![flight("north", 0.0, 60.0), flight("south", 200.0, 300.0)],
         is_apart: true,
         is_awaited: true,
+        left_out: None,
     };
     let tried = trial.fly();
     assert!(tried.is_sound && tried.changed.is_empty(), "{}", tried.text);

@@ -117,14 +117,26 @@ pub(super) fn report(
             .push(row(entry, seat.vehicle, state, Some(text), now));
     }
     rehearsed.findings.meetings = outcome.conflicts().map(|it| meeting(seats, it)).collect();
-    let warnings = outcome.closest.iter().filter(|it| it.late_s.is_some());
-    let warnings = warnings.take(MOST_CONFLICTS);
-    let said = warnings.map(|it| Notice::general(now, Severity::Warning, words(seats, it)));
-    rehearsed.notices.extend(said);
-    let closest = outcome.closest.first().filter(|it| it.late_s.is_none());
-    let said = closest.map(|it| Notice::general(now, Severity::Info, words(seats, it)));
+    let said = approaches(seats, &outcome.closest).into_iter();
+    let said = said.map(|(severity, text)| Notice::general(now, severity, text));
     rehearsed.notices.extend(said);
     rehearsed
+}
+
+/// The pairs that come too close, or do so if one of them is late: the first ones, and the number of others; without
+/// any, the closest pair.
+fn approaches(seats: &[Seat], closest: &[Approach]) -> Vec<(Severity, Text)> {
+    let near: Vec<&Approach> = closest.iter().filter(|it| it.late_s.is_some()).collect();
+    if near.is_empty() {
+        let first = closest.first().map(|it| (Severity::Info, words(seats, it)));
+        return first.into_iter().collect();
+    }
+    let named = near.iter().take(MOST_CONFLICTS);
+    let named = named.map(|it| words(seats, it));
+    let more = near.len().saturating_sub(MOST_CONFLICTS);
+    let more = (more > 0).then(|| text!("rehearse-more", count = more));
+    let texts = named.chain(more);
+    texts.map(|text| (Severity::Warning, text)).collect()
 }
 
 fn name(seats: &[Seat], index: usize) -> VehicleId {
@@ -208,5 +220,34 @@ pub fn ending_words(ending: FlightEnding) -> Text {
         FlightEnding::Crashed => text!("plan-rehearse-crashed"),
         FlightEnding::HitGround(number) => text!("plan-rehearse-hit-ground", number = number),
         FlightEnding::TimeUp => text!("plan-rehearse-time-up"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pairs_that_are_not_named_are_counted() {
+        let said = |near: usize| -> Vec<String> {
+            let pair = |at: usize| Approach {
+                a: 0,
+                b: at + 1,
+                horizontal_m: 1.0,
+                vertical_m: 0.0,
+                at_s: 60.0,
+                place: LatLon::new(50.45, 30.52),
+                limit_m: 5.0,
+                late_s: (at < near).then_some(0),
+            };
+            let pairs: Vec<Approach> = (0..10).map(pair).collect();
+            let said = approaches(&[], &pairs).into_iter();
+            said.map(|(_, text)| text.to_string()).collect()
+        };
+        assert_eq!(said(0).len(), 1, "the closest pair");
+        assert_eq!(said(5).len(), 5);
+        let many = said(7);
+        assert_eq!(many.len(), 6);
+        assert!(many[5].contains("2 more pairs"), "{many:?}");
     }
 }

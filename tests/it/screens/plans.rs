@@ -101,10 +101,7 @@ fn the_result_of_a_rehearsal_is_not_cut() {
             Text::verbatim("too close: vehicle-2 and vehicle-4"),
         ],
         is_sound: false,
-        changed: Vec::new(),
-        verdicts: Vec::new(),
-        flight: None,
-        is_awaited: false,
+        ..Tried::default()
     }));
     console.press("k");
     for (columns, rows) in [(80, 24), (200, 50)] {
@@ -165,12 +162,10 @@ fn the_figures_of_a_rehearsal_are_shown() {
     let mut console = drawing(Language::English);
     console.hear(Event::Tried(Tried {
         text: Text::verbatim("3 conflicts; `draft deconflict` separates them"),
-        details: Vec::new(),
         is_sound: false,
-        changed: Vec::new(),
-        verdicts: Vec::new(),
         flight: Some(six_flights()),
         is_awaited: true,
+        ..Tried::default()
     }));
     for (columns, rows) in [(80, 24), (200, 50)] {
         let screen = sized(&console, columns, rows).screen(columns, rows);
@@ -186,6 +181,28 @@ fn the_figures_of_a_rehearsal_are_shown() {
     assert!(!console.screen(80, 24).contains("71 %"));
     console.press("d").press("u");
     assert!(!console.screen(80, 24).contains("71 %"), "another draft");
+}
+
+/// Long names of drafts are shortened so that both of a pair can be told apart, and further failures have a number.
+#[test]
+fn figures_of_drafts_with_long_names() {
+    let mut console = drawing(Language::English);
+    let mut flight = six_flights();
+    for (pilot, name) in flight.pilots.iter_mut().zip(["north", "south", "east"]) {
+        (pilot.name, pilot.sharer) = (format!("survey-area-{name}"), None);
+    }
+    console.hear(Event::Tried(Tried {
+        text: Text::verbatim("survey-area-east breaches its fence at 00:44"),
+        further: 2,
+        left_out: Some(Text::verbatim("not flown: field (no vehicle has it)")),
+        flight: Some(flight),
+        is_awaited: true,
+        ..Tried::default()
+    }));
+    for (columns, rows) in [(80, 24), (200, 50)] {
+        let screen = sized(&console, columns, rows).screen(columns, rows);
+        insta::assert_snapshot!(format!("plans_long_names_{columns}x{rows}"), screen);
+    }
 }
 
 /// The most used keys are in the footer at 80 columns.
@@ -240,6 +257,9 @@ fn of_six_drafts_the_open_one_is_shown_with_its_name() {
         let tabs = screen.lines().nth(1).expect("a row of drafts");
         assert!(tabs.contains(&format!("{name}*")), "{tabs}");
         assert!(tabs.contains("[1 plan 1]"), "{tabs}");
+        let signs = tabs.split("[1 plan").next().unwrap_or_default();
+        let words: Vec<&str> = signs.split_whitespace().collect();
+        assert!(words.len() >= 6, "each draft stands apart: {tabs}");
     }
     insta::assert_snapshot!("plans_six_80x24", console.screen(80, 24));
 }

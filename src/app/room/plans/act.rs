@@ -169,12 +169,14 @@ fn surveying(state: &State) -> String {
 /// The beginning of a line about the marked items.
 fn about_marked(state: &State, verb: &str) -> Option<String> {
     let room = &state.rooms.plans;
-    let list = match room.list {
-        ListKind::Plan => "",
-        ListKind::Fence => "fence ",
-        ListKind::Rally => "rally ",
-    };
-    Some(format!("draft {verb} {list}{} ", words(room.marked()?)))
+    let marked = words(room.marked()?);
+    // Without the name of a list, a line is about the plan.
+    Some(match room.list {
+        ListKind::Plan => format!("draft {verb} {marked} "),
+        list @ (ListKind::Fence | ListKind::Rally) => {
+            format!("draft {verb} {} {marked} ", list.name())
+        }
+    })
 }
 
 /// Why the item under the cursor has no parameter to set, if it has none.

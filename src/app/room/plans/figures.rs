@@ -15,7 +15,7 @@ impl Drawing {
     }
 
     /// The number of a draft's vehicle, otherwise the name of the draft; for a draft of a trial by its index.
-    pub fn pilot(&self, index: usize) -> String {
+    fn pilot(&self, index: usize) -> String {
         let pilots = self.flight().map(|flight| flight.pilots.as_slice());
         let Some(pilot) = pilots.and_then(|pilots| pilots.get(index)) else {
             return String::new();
@@ -27,6 +27,12 @@ impl Drawing {
             (None, Some(draft)) => draft.short_name().to_owned(),
             (None, None) => pilot.name.clone(),
         }
+    }
+
+    /// The [pilots](Self::pilot) of all drafts of a trial, in their order.
+    pub fn pilots(&self) -> Vec<String> {
+        let count = self.flight().map_or(0, |flight| flight.pilots.len());
+        (0..count).map(|index| self.pilot(index)).collect()
     }
 
     /// Shows or hides the figures; false if there are none.

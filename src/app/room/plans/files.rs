@@ -7,7 +7,10 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::state::Consequence;
 use crate::draft::Draft;
-use crate::plan::{self, ContentHash, Document, FileFormat, Home, Item, ListKind, ReadOptions};
+use crate::notice::Notice;
+use crate::plan::{
+    self, ContentHash, Document, FileFormat, Home, Item, ListKind, Note, ReadOptions,
+};
 use crate::preflight;
 use crate::session::format_of;
 use crate::text;
@@ -66,6 +69,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
             };
             fill(state, [draft]);
             say_summary(state);
+            say_notes(state, path, &loaded.notes);
         }
         Err((text, faults)) => {
             let fault = faults.first().map(preflight::fault);
@@ -143,6 +147,24 @@ pub fn written(state: &mut State, path: &str) {
     }
 }
 
+/// Warns of what a file lacks, each once.
+fn say_notes(state: &mut State, path: &str, notes: &[Note]) {
+    let mut words: Vec<Text> = Vec::new();
+    for note in notes.iter().map(|note| preflight::note_words(&note.kind)) {
+        if !words.contains(&note) {
+            words.push(note);
+        }
+    }
+    if words.is_empty() {
+        return;
+    }
+    let notes = Text::joined("; ", words);
+    let text = text!("draft-noted", path = path, notes = notes);
+    state.say(Severity::Warning, text.clone());
+    let notice = Notice::general(state.now, Severity::Warning, text);
+    state.notices.push(notice);
+}
+
 /// The lists that a vehicle has on board, as far as they have been read.
 fn on_board(vehicle: &Vehicle) -> Option<Document> {
     let plans = &vehicle.plans;
@@ -212,12 +234,8 @@ pub fn uploads(state: &State, draft: &Draft, vehicles: &[VehicleId]) -> Result<V
         .kinds()
         .filter(is_new)
         .map(|kind| {
-            let verb = match kind {
-                ListKind::Plan => "plan",
-                ListKind::Fence => "fence",
-                ListKind::Rally => "rally",
-            };
-            format!("{targets} {verb} upload {}", draft.name())
+            let list = kind.name();
+            format!("{targets} {list} upload {}", draft.name())
         })
         .collect();
     if lines.is_empty() {

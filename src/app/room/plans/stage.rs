@@ -43,6 +43,8 @@ pub struct NextStep {
     count: usize,
     /// Whether a vehicle would refuse the draft.
     is_faulty: bool,
+    /// Whether the last rehearsal of the drafts as they are failed.
+    has_failed: bool,
 }
 
 /// The next step with the current draft: for its vehicle, otherwise for those that got the last upload, otherwise for
@@ -65,6 +67,7 @@ pub fn next_step(state: &State) -> Option<NextStep> {
         vehicles: own.map(|(_, id)| *id).collect(),
         count: staged.len(),
         is_faulty: stage == PlanStage::Elsewhere && is_faulty(state, draft),
+        has_failed: state.rooms.plans.tried().is_some_and(|it| !it.is_sound),
     })
 }
 
@@ -136,6 +139,9 @@ impl NextStep {
         let upload = state.key(Action::Plans(PlansAction::UploadDraft));
         let text = match self.stage {
             PlanStage::Elsewhere if self.is_faulty => text!("plans-next-mend"),
+            PlanStage::Elsewhere | PlanStage::OnBoard | PlanStage::Armed if self.has_failed => {
+                after_failure(state)
+            }
             PlanStage::Elsewhere => text!("plans-next-upload", key = upload),
             PlanStage::OnBoard => text!("plans-next-arm"),
             PlanStage::Armed => text!("plans-next-start"),
@@ -150,4 +156,16 @@ impl NextStep {
         let vehicles = ranges(self.vehicles.iter().copied());
         Text::joined(": ", vec![vehicles.into(), text])
     }
+}
+
+/// What to do after a failed rehearsal: look at its figures, unless they are shown, and change the drafts.
+fn after_failure(state: &State) -> Text {
+    let key = |action| state.key(Action::Plans(action));
+    let again = key(PlansAction::TryDrafts);
+    let room = &state.rooms.plans;
+    if room.flight().is_none() || room.figures().is_some() {
+        return text!("plans-next-change", again = again);
+    }
+    let figures = key(PlansAction::ShowFigures);
+    text!("plans-next-figures", figures = figures, again = again)
 }

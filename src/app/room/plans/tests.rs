@@ -18,6 +18,7 @@ use crate::vehicle::{
 mod area;
 mod faults;
 mod files;
+mod rehearsals;
 mod stage;
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);

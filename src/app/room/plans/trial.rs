@@ -13,6 +13,7 @@ use crate::swarm::base;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
 
 /// Asks the shell to fly the drafts in simulation; `vehicles` are those that would fly them.
 ///
@@ -40,22 +41,14 @@ pub(super) fn ask(
 /// # Errors
 /// No draft has a plan, or a vehicle has no position.
 pub(super) fn prepared(state: &State, vehicles: Option<&[VehicleId]>) -> Result<Trial, Text> {
-    let all = state.rooms.plans.drafts.all().iter();
-    let planned = all.filter(|draft| !draft.document().plan.is_empty());
-    let own: Vec<&Draft> = planned
-        .clone()
-        .filter(|it| it.vehicle().is_some())
-        .collect();
-    let current = state.rooms.plans.drafts.current();
-    let shared = current.filter(|it| it.vehicle().is_none() && !it.document().plan.is_empty());
-    let selected = state.addressed();
-    let drafts = match (vehicles, shared) {
-        (Some(vehicles), shared) => flown_by(state, vehicles, &own, shared)?,
-        (None, Some(shared)) if own.is_empty() && selected.len() > 1 => {
-            flown_by(state, &selected, &own, Some(shared))?
+    let casting = Casting::of(state);
+    let (drafts, left_out) = match vehicles {
+        Some(vehicles) => (casting.flown_by(vehicles)?, casting.idle(vehicles)),
+        None if !casting.own.is_empty() => {
+            let own = casting.own.iter().map(|draft| alone(state, draft));
+            (own.collect(), casting.unassigned())
         }
-        (None, _) if own.is_empty() => planned.map(|draft| alone(state, draft)).collect(),
-        (None, _) => own.iter().map(|draft| alone(state, draft)).collect(),
+        None => casting.without_vehicles()?,
     };
     if drafts.is_empty() {
         return Err(text!("draft-trial-none"));
@@ -64,7 +57,106 @@ pub(super) fn prepared(state: &State, vehicles: Option<&[VehicleId]>) -> Result<
         drafts,
         is_apart: false,
         is_awaited: false,
+        left_out,
     })
+}
+
+/// The drafts with plans, by who would fly them.
+struct Casting<'a> {
+    state: &'a State,
+    /// Those that are meant for a vehicle.
+    own: Vec<&'a Draft>,
+    /// Those without a vehicle.
+    others: Vec<&'a Draft>,
+    /// The current draft, if it is one of the others.
+    shared: Option<&'a Draft>,
+}
+
+impl<'a> Casting<'a> {
+    fn of(state: &'a State) -> Self {
+        let drafts = &state.rooms.plans.drafts;
+        let has_plan = |draft: &&Draft| !draft.document().plan.is_empty();
+        let planned = drafts.all().iter().filter(has_plan);
+        let (own, others) = planned.partition(|draft| draft.vehicle().is_some());
+        let current = drafts.current().filter(has_plan);
+        Self {
+            state,
+            own,
+            others,
+            shared: current.filter(|draft| draft.vehicle().is_none()),
+        }
+    }
+
+    /// The draft that is meant for a vehicle, otherwise the shared one.
+    fn draft_of(&self, id: VehicleId) -> Option<&'a Draft> {
+        let mut own = self.own.iter().copied();
+        own.find(|draft| draft.vehicle() == Some(id))
+            .or(self.shared)
+    }
+
+    /// The draft that each of these vehicles would fly: its own, otherwise the shared one from where it stands.
+    fn flown_by(&self, vehicles: &[VehicleId]) -> Result<Vec<TrialDraft>, Text> {
+        let mut flown = Vec::new();
+        for &id in vehicles {
+            let Some(draft) = self.draft_of(id) else {
+                continue;
+            };
+            if draft.vehicle().is_some() {
+                flown.push(alone(self.state, draft));
+                continue;
+            }
+            let vehicle = self.state.session.vehicles.get(&id);
+            let home = vehicle.and_then(|it| base(it));
+            let home = home.ok_or_else(|| text!("draft-trial-unplaced", vehicles = id))?;
+            flown.push(TrialDraft {
+                name: files::name_of(id),
+                sharer: Some(id),
+                document: from(draft, Some(home)),
+            });
+        }
+        Ok(flown)
+    }
+
+    /// If no draft is meant for a vehicle: the current one for each of several selected vehicles, otherwise all; and
+    /// what is left out.
+    fn without_vehicles(&self) -> Result<(Vec<TrialDraft>, Option<Text>), Text> {
+        let selected = self.state.addressed();
+        if self.shared.is_some() && selected.len() > 1 {
+            return Ok((self.flown_by(&selected)?, self.unchosen()));
+        }
+        let all = self.others.iter().map(|draft| alone(self.state, draft));
+        Ok((all.collect(), None))
+    }
+
+    /// The vehicles that have no draft to fly.
+    fn idle(&self, vehicles: &[VehicleId]) -> Option<Text> {
+        let idle = vehicles.iter().copied();
+        let idle = ranges(idle.filter(|id| self.draft_of(*id).is_none()));
+        (!idle.is_empty()).then(|| text!("draft-trial-idle", vehicles = idle))
+    }
+
+    /// The drafts that no vehicle has, while others have vehicles.
+    fn unassigned(&self) -> Option<Text> {
+        let first = self.others.first()?.name();
+        let names = names(self.others.iter().copied());
+        Some(text!(
+            "draft-trial-unassigned",
+            names = names,
+            first = first
+        ))
+    }
+
+    /// The drafts other than the one that several vehicles share.
+    fn unchosen(&self) -> Option<Text> {
+        let shared = self.shared.map(Draft::name);
+        let others = self.others.iter().copied();
+        let names = names(others.filter(|draft| Some(draft.name()) != shared));
+        (!names.is_empty()).then(|| text!("draft-trial-unchosen", names = names))
+    }
+}
+
+fn names<'a>(drafts: impl Iterator<Item = &'a Draft>) -> String {
+    drafts.map(Draft::name).collect::<Vec<_>>().join(", ")
 }
 
 /// A draft flown once, from its home.
@@ -75,30 +167,6 @@ fn alone(state: &State, draft: &Draft) -> TrialDraft {
         sharer: None,
         document: from(draft, home),
     }
-}
-
-/// The draft that each of these vehicles would fly: its own, otherwise the shared one from where it stands.
-fn flown_by(
-    state: &State,
-    vehicles: &[VehicleId],
-    own: &[&Draft],
-    shared: Option<&Draft>,
-) -> Result<Vec<TrialDraft>, Text> {
-    let mut flown = Vec::new();
-    for &id in vehicles {
-        if let Some(draft) = own.iter().find(|draft| draft.vehicle() == Some(id)) {
-            flown.push(alone(state, draft));
-        } else if let Some(draft) = shared {
-            let home = state.session.vehicles.get(&id).and_then(|it| base(it));
-            let home = home.ok_or_else(|| text!("draft-trial-unplaced", vehicles = id))?;
-            flown.push(TrialDraft {
-                name: files::name_of(id),
-                sharer: Some(id),
-                document: from(draft, Some(home)),
-            });
-        }
-    }
-    Ok(flown)
 }
 
 /// The content of a draft with this home.
@@ -129,7 +197,7 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
     } else {
         Severity::Warning
     };
-    let text = tried.text.clone();
+    let text = tried.words();
     let is_in_sight = state.display.has_rooms && state.room == Room::Plans;
     if tried.is_awaited && is_in_sight {
         // The room shows the outcome.

@@ -9,23 +9,54 @@ use crate::app::room::plans::Drawing;
 use crate::draft::{TrialFlight, TrialPilot};
 use crate::operator::ending_words;
 use crate::rehearsal::{Approach, FlightEnding};
-use crate::text::{clock, figure};
+use crate::text::{clock, figure, rounded};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
-use crate::ui::widget::{aligned, put, row_of};
+use crate::ui::widget::{aligned, put, row_of, told_apart};
 
 /// Columns of the parts of a line about a draft.
-const NAME: usize = 10;
 const TIME: usize = 7;
 const LEFT: usize = 7;
 const FAR: usize = 8;
 const FENCE: usize = 7;
-/// Columns of the parts of a line about a pair.
-const PAIR: usize = 16;
-const METRES: usize = 8;
+/// Columns of a distance of a pair.
+const METRES: usize = 7;
 /// The minimum columns of a line that also shows the end of the flight.
 const WITH_END: usize = 58;
+/// The text between the names of a pair.
+const AND: &str = " + ";
+
+/// The columns of names.
+#[derive(Debug, Clone, Copy)]
+struct NameColumns {
+    draft: usize,
+    /// Each name of a pair.
+    of_pair: usize,
+}
+
+impl NameColumns {
+    /// By the minimum columns of the panel.
+    const WIDTHS: &'static [(usize, Self)] = &[
+        (90, Self::new(24, 24)),
+        (WITH_END, Self::new(8, 15)),
+        (0, Self::new(8, 6)),
+    ];
+
+    const fn new(draft: usize, of_pair: usize) -> Self {
+        Self { draft, of_pair }
+    }
+
+    fn within(columns: usize) -> Self {
+        let mut widths = Self::WIDTHS.iter();
+        let fitting = widths.find(|(least, _)| columns >= *least);
+        fitting.map_or(Self::new(0, 0), |(_, columns)| *columns)
+    }
+
+    fn pair(self) -> usize {
+        2 * self.of_pair + AND.len()
+    }
+}
 
 /// A line of the table.
 struct FigureLine {
@@ -56,23 +87,33 @@ pub(super) fn draw(room: &Drawing, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn lines(room: &Drawing, flight: &TrialFlight, panel: Panel<'_>) -> Vec<FigureLine> {
-    let mut lines = vec![FigureLine::new(draft_heading(panel), Role::Muted)];
-    for (index, pilot) in flight.pilots.iter().enumerate() {
-        lines.extend(of_draft(&room.pilot(index), pilot, panel));
+    let columns = NameColumns::within(panel.width());
+    let names = room.pilots();
+    let mut lines = vec![FigureLine::new(draft_heading(columns, panel), Role::Muted)];
+    let shown = told_apart(&names, columns.draft);
+    for (name, pilot) in shown.iter().zip(&flight.pilots) {
+        let name = aligned(name, columns.draft, false);
+        lines.extend(of_draft(&name, pilot, panel));
     }
     if flight.closest.is_empty() {
         return lines;
     }
-    lines.push(FigureLine::new(pair_heading(panel), Role::Muted));
-    lines.extend(flight.closest.iter().map(|pair| of_pair(room, pair)));
+    lines.push(FigureLine::new(pair_heading(columns, panel), Role::Muted));
+    let shown = told_apart(&names, columns.of_pair);
+    let pairs = flight.closest.iter().map(|pair| {
+        let name = |at: usize| shown.get(at).map_or("", String::as_str);
+        let names = format!("{}{AND}{}", name(pair.a), name(pair.b));
+        of_pair(&aligned(&names, columns.pair(), false), pair)
+    });
+    lines.extend(pairs);
     lines
 }
 
-fn draft_heading(panel: Panel<'_>) -> String {
+fn draft_heading(columns: NameColumns, panel: Panel<'_>) -> String {
     let word = |id, columns, right| aligned(&panel.say(id), columns, right);
     let mut heading = format!(
         "  {}{}{}{}{}",
-        word("plans-figures-draft", NAME - 2, false),
+        word("plans-figures-draft", columns.draft, false),
         word("plans-figures-time", TIME, true),
         word("plans-figures-left", LEFT, true),
         word("plans-figures-far", FAR, true),
@@ -99,8 +140,7 @@ fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine>
         None => "-".to_owned(),
     };
     let line = format!(
-        "{mark} {}{}{}{}{}",
-        aligned(name, NAME - 2, false),
+        "{mark} {name}{}{}{}{}",
         aligned(&time(flown.time_s), TIME, true),
         aligned(
             &format!("{} %", figure(100.0 - flown.energy_used_percent, 0)),
@@ -121,28 +161,26 @@ fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine>
         .collect()
 }
 
-fn pair_heading(panel: Panel<'_>) -> String {
+fn pair_heading(columns: NameColumns, panel: Panel<'_>) -> String {
     let word = |id, columns, right| aligned(&panel.say(id), columns, right);
     format!(
         "  {}{}{}{}",
-        word("plans-figures-pair", PAIR - 2, false),
+        word("plans-figures-pair", columns.pair(), false),
         word("plans-figures-at", TIME, true),
         word("plans-figures-apart", METRES, true),
         word("plans-figures-height", METRES, true),
     )
 }
 
-fn of_pair(room: &Drawing, pair: &Approach) -> FigureLine {
+fn of_pair(names: &str, pair: &Approach) -> FigureLine {
     let (mark, role) = if pair.is_conflict() {
         ("!", Role::Danger)
     } else {
         (" ", Role::Text)
     };
-    let names = format!("{} + {}", room.pilot(pair.a), room.pilot(pair.b));
-    let metres = |metres| aligned(&format!("{} m", figure(metres, 1)), METRES, true);
+    let metres = |metres: f64| aligned(&length(rounded(metres, 1)), METRES, true);
     let text = format!(
-        "{mark} {}{}{}{}",
-        aligned(&names, PAIR - 2, false),
+        "{mark} {names}{}{}{}",
         aligned(&time(pair.at_s), TIME, true),
         metres(pair.horizontal_m),
         metres(pair.vertical_m),

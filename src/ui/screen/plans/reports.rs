@@ -203,16 +203,23 @@ fn tried(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
         // The figures name each pair in conflict.
         let has_figures = shown.room.flight().is_some();
         let details = tried.details.iter().filter(|_| !has_figures);
-        for text in std::iter::once(&tried.text).chain(details) {
+        let key = state.key(Action::Plans(PlansAction::ShowFigures));
+        let are_hidden = has_figures && shown.room.figures().is_none();
+        let is_counted = tried.further > 0 && are_hidden;
+        let text = if is_counted {
+            text!("plans-tried-further", text = tried.outcome(), key = &key)
+        } else {
+            tried.outcome()
+        };
+        for text in std::iter::once(&text).chain(details) {
             report.say(&panel.text(text), role, panel);
         }
-        if has_figures {
-            let key = state.key(Action::Plans(PlansAction::ShowFigures));
-            report.say(
-                &panel.text(&text!("plans-figures-key", key = key)),
-                Role::Muted,
-                panel,
-            );
+        if let Some(left_out) = &tried.left_out {
+            report.say(&panel.text(left_out), Role::Warning, panel);
+        }
+        if has_figures && !is_counted {
+            let key = text!("plans-figures-key", key = key);
+            report.say(&panel.text(&key), Role::Muted, panel);
         }
     }
     report

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::{outline, sign, stroke};
+use super::ground::{keep_out_sign, outline, sign, stroke};
 use super::labels::{self, Label};
 use super::{draw_nowhere, legend, markers};
 use crate::app::State;
@@ -17,6 +17,10 @@ use crate::rehearsal::Approach;
 use crate::ui::look::Badge;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
+use crate::ui::widget::told_apart;
+
+/// The columns of a draft's name at a conflict.
+const NAME_COLUMNS: usize = 8;
 
 /// Draws the drafts over the ground, the current one last.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -60,6 +64,14 @@ impl Board<'_> {
         self.canvas.line(from, to, stroke);
     }
 
+    /// A closed line, with a sign in the middle of an area to stay out of.
+    fn outline(&mut self, kind: SketchKind, corners: &[LatLon], stroke: Stroke) {
+        outline(corners, self.view, &mut self.canvas, stroke);
+        if kind == SketchKind::KeepOut {
+            self.labels.extend(keep_out_sign(corners, self.view));
+        }
+    }
+
     fn label(&mut self, place: LatLon, text: String, role: Role) {
         let cell = self.view.cell(place);
         self.labels
@@ -76,7 +88,7 @@ impl Board<'_> {
             };
             let points = &sketch.points;
             if sketch.closed {
-                outline(points, self.view, &mut self.canvas, stroke);
+                self.outline(sketch.kind, points, stroke);
                 let is_area = !sketch.label.is_empty();
                 if let Some(corner) = points.first().filter(|_| is_area) {
                     let name = format!("{}{}", sign(sketch.kind), sketch.label);
@@ -103,8 +115,9 @@ impl Board<'_> {
     fn conflicts(&mut self, room: &Drawing) {
         let conflicts = room.flight().into_iter().flat_map(TrialFlight::conflicts);
         let sign = sign(SketchKind::Meeting);
+        let names = told_apart(&room.pilots(), NAME_COLUMNS);
         let label = |pair: &Approach| {
-            let [a, b] = [pair.a, pair.b].map(|index| room.pilot(index));
+            let [a, b] = [pair.a, pair.b].map(|at| names.get(at).map_or("", String::as_str));
             Some(Label {
                 cell: self.view.cell(pair.place)?,
                 text: format!("{sign}{a}/{b}"),
@@ -174,7 +187,7 @@ impl Board<'_> {
             } else {
                 items[area].iter().map(Item::point).collect()
             };
-            outline(&corners, self.view, &mut self.canvas, stroke(kind));
+            self.outline(kind, &corners, stroke(kind));
         }
         // The corners matter only while they are being changed.
         if room.list() == ListKind::Fence {

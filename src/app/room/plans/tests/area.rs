@@ -1,11 +1,8 @@
 //! Areas that are drawn, their division among vehicles, and the ground.
 
 use super::*;
-use crate::draft::{PlanVerdict, TrialDraft};
 use crate::geo::{Square, Terrain};
-use crate::plan::ContentHash;
 use crate::plan::check::{Finding, FindingKind};
-use crate::text::Text;
 use crate::vehicle::GlobalPosition;
 
 #[test]
@@ -51,7 +48,7 @@ pub(super) fn standing(desk: &mut Desk, id: VehicleId) {
 }
 
 /// A field of 300 m by 200 m, drawn in the fence.
-fn draw_field(desk: &mut Desk) {
+pub(super) fn draw_field(desk: &mut Desk) {
     desk.give("draft new field");
     desk.give("draft fence polygon n 50 e -100");
     for corner in ["n 250 e -100", "n 250 e 200", "n 50 e 200"] {
@@ -204,138 +201,6 @@ fn the_ground_comes_from_files_of_a_folder() {
     assert_eq!(faults(&desk), 0);
     assert!(desk.give("draft ground").is_empty());
     assert!(desk.room().ground().is_empty());
-}
-
-/// A plan on board has failed as well if it failed as a draft.
-#[test]
-fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
-    let mut desk = Desk::new();
-    standing(&mut desk, 1);
-    draw_field(&mut desk);
-    desk.give("draft survey 1");
-    let plan = desk.room().items().to_vec();
-    let content = std::iter::once(Item::default()).chain(plan.clone());
-    let content = Arc::new(Plan {
-        items: content.collect(),
-        home_first: true,
-    });
-    desk.vehicle(1, |vehicle| {
-        read_empty(vehicle);
-        vehicle.plans.plan.content = Some(content);
-    });
-    let verdict = |failure: Option<&str>| Tried {
-        text: "conflicts: 1".into(),
-        details: Vec::new(),
-        is_sound: failure.is_none(),
-        is_awaited: true,
-        changed: Vec::new(),
-        flight: None,
-        verdicts: vec![PlanVerdict {
-            plan: ContentHash::of(&plan),
-            failure: failure.map(Text::verbatim),
-        }],
-    };
-    let _ = desk.app.update(Event::Tried(verdict(Some("meets 2"))));
-    assert!(desk.give("1 plan start").is_empty());
-    let asked = matches!(desk.app.state().overlay(), Some(Overlay::Confirm(_)));
-    assert!(asked, "{}", desk.said());
-    let _ = desk.key(KeyCode::Esc);
-    let _ = desk.app.update(Event::Tried(verdict(None)));
-    assert_eq!(desk.give("1 plan start").len(), 1, "{}", desk.said());
-}
-
-#[test]
-fn drafts_fly_together_before_an_upload() {
-    let mut desk = Desk::new();
-    assert!(desk.give("draft rehearse").is_empty(), "nothing to fly");
-    let _ = desk.key(KeyCode::Esc);
-    standing(&mut desk, 1);
-    standing(&mut desk, 2);
-    draw_field(&mut desk);
-    let divided = desk.give("draft survey all");
-    let [Effect::TryDrafts(first)] = &divided[..] else {
-        panic!("{divided:?}");
-    };
-    assert!(!first.is_apart && !first.is_awaited, "{first:?}");
-    desk.press("R");
-    assert_eq!(desk.line(), "draft rehearse");
-    let effects = desk.key(KeyCode::Enter);
-    let [Effect::TryDrafts(trial)] = &effects[..] else {
-        panic!("{effects:?}");
-    };
-    let names: Vec<&str> = trial.drafts.iter().map(|it| it.name.as_str()).collect();
-    assert_eq!(names, ["vehicle-1", "vehicle-2"], "the field has no plan");
-    let longer = Arc::clone(&trial.drafts[1].document);
-    let tried = Tried {
-        text: "vehicle-1 starts later".into(),
-        details: Vec::new(),
-        is_sound: true,
-        is_awaited: true,
-        verdicts: Vec::new(),
-        flight: None,
-        changed: vec![TrialDraft {
-            name: "vehicle-1".to_owned(),
-            sharer: None,
-            document: Arc::clone(&longer),
-        }],
-    };
-    let before = desk.plan();
-    let _ = desk.app.update(Event::Tried(tried));
-    assert_eq!(desk.plan().len(), longer.plan.len());
-    let shown = desk.room().tried().expect("the outcome");
-    assert!(shown.text.contains("starts later"), "{shown:?}");
-    desk.press("u");
-    assert_eq!(desk.plan(), before);
-    assert!(desk.room().tried().is_none(), "the draft is another one");
-}
-
-/// A draft that several vehicles would get is flown by each of them, from where it stands.
-#[test]
-fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
-    let mut desk = Desk::new();
-    for id in [1, 2, 3] {
-        standing(&mut desk, id);
-    }
-    desk.give("draft add takeoff 20");
-    desk.give("draft add n 50 e 0 up 20");
-    let flown = |effects: &[Effect]| -> Vec<(String, Option<VehicleId>)> {
-        let [Effect::TryDrafts(trial)] = effects else {
-            panic!("{effects:?}");
-        };
-        let places = trial
-            .drafts
-            .iter()
-            .map(|it| it.document.home.map(|home| home.y));
-        let places: std::collections::BTreeSet<Option<i32>> = places.collect();
-        assert_eq!(places.len(), trial.drafts.len(), "each from its own place");
-        let names = trial.drafts.iter();
-        names.map(|it| (it.name.clone(), it.sharer)).collect()
-    };
-    let own = |id: VehicleId| (format!("vehicle-{id}"), Some(id));
-    let one = flown(&desk.give("draft rehearse"));
-    assert_eq!(one, [("plan".to_owned(), None)], "no vehicle is selected");
-    assert_eq!(flown(&desk.give("draft rehearse 1,3")), [own(1), own(3)]);
-    desk.give("select all");
-    let all = desk.give("draft deconflict");
-    assert_eq!(flown(&all), [own(1), own(2), own(3)]);
-    let [Effect::TryDrafts(trial)] = &all[..] else {
-        panic!("{all:?}");
-    };
-    let tried = Tried {
-        text: "vehicle-2 starts later".into(),
-        details: Vec::new(),
-        is_sound: true,
-        is_awaited: true,
-        changed: trial.drafts.clone(),
-        verdicts: Vec::new(),
-        flight: None,
-    };
-    let _ = desk.app.update(Event::Tried(tried));
-    let drafts = desk.room().drafts().all().iter();
-    let vehicles: Vec<Option<VehicleId>> = drafts.map(Draft::vehicle).collect();
-    assert_eq!(vehicles, [None, Some(1), Some(2), Some(3)]);
-    let again = flown(&desk.give("draft rehearse"));
-    assert_eq!(again.len(), 3, "{again:?}");
 }
 
 /// Vehicles that have no part in smaller work keep their plans until they are cleared, so a lasting notice names them.

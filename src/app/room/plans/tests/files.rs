@@ -42,6 +42,30 @@ fn a_draft_is_saved_and_opened_again() {
     assert!(desk.said().starts_with("bad.plan:2:"), "{}", desk.said());
 }
 
+/// A home without a height is a warning, as in `sortie plan check`, and stays in the notices.
+#[test]
+fn a_file_without_the_height_of_home_is_a_warning() {
+    let mut desk = Desk::new();
+    let home = "\"plannedHomePosition\": [50.45, 30.52, null]";
+    let text = format!(
+        "{{ \"fileType\": \"Plan\", \"mission\": {{ \"items\": [], {home}, \"version\": 2 }}, \"version\": 1 }}"
+    );
+    desk.read("low.plan", &text);
+    assert_eq!(
+        desk.said(),
+        "low.plan: home has no height: 0 m above sea level is assumed"
+    );
+    let is_noted = desk
+        .app
+        .state()
+        .notices()
+        .lines()
+        .any(|line| line.notice.text.contains("home has no height"));
+    assert!(is_noted);
+    desk.read("level.plan", &text.replace("null", "170"));
+    assert!(!desk.said().contains("height"), "{}", desk.said());
+}
+
 #[test]
 fn a_draft_stays_with_the_file_that_it_was_saved_to() {
     let mut desk = Desk::new();

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::app::room::plans::{PlanStage, next_step};
+use crate::draft::TrialFlight;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::vehicle::LandedState;
 
@@ -77,6 +78,38 @@ fn the_next_step_follows_the_flight() {
     desk.vehicle(1, carrying(false, AUTO, LandedState::OnGround));
     assert_eq!(desk.stage(), Some(PlanStage::Flown));
     assert!(desk.next().contains("`plan clear`"), "{}", desk.next());
+}
+
+/// After a failed rehearsal, the hint is to look at its figures, or, while these are shown, to change the draft.
+#[test]
+fn a_failed_rehearsal_is_not_followed_by_an_upload() {
+    let mut desk = Desk::new();
+    desk.press("ta");
+    let tried = |is_sound, flight| {
+        Event::Tried(Tried {
+            is_sound,
+            flight,
+            ..Tried::default()
+        })
+    };
+    let _ = desk.app.update(tried(false, Some(TrialFlight::default())));
+    assert_eq!(desk.stage(), Some(PlanStage::Elsewhere));
+    assert!(desk.next().contains("`d`"), "{}", desk.next());
+    assert!(desk.next().contains("`R`"), "{}", desk.next());
+    assert!(!desk.next().contains("`U`"), "{}", desk.next());
+    desk.press("d");
+    assert!(!desk.next().contains("`d`"), "{}", desk.next());
+    let _ = desk.app.update(tried(false, None));
+    assert!(desk.next().contains("change the drafts"), "{}", desk.next());
+    let items = desk.room().items().to_vec();
+    desk.vehicle(1, at(items, 4, false, LandedState::OnGround));
+    assert_eq!(desk.stage(), Some(PlanStage::OnBoard));
+    assert!(!desk.next().contains("`plan start`"), "{}", desk.next());
+    let _ = desk.app.update(tried(true, None));
+    assert!(desk.next().contains("`plan start`"), "{}", desk.next());
+    let _ = desk.app.update(tried(false, None));
+    desk.press("a");
+    assert!(desk.next().contains("`U`"), "it is another draft now");
 }
 
 #[test]

@@ -1,0 +1,165 @@
+//! Drafts flown together in simulation.
+
+use super::area::{draw_field, standing};
+use super::*;
+use crate::draft::{PlanVerdict, TrialDraft};
+use crate::plan::ContentHash;
+use crate::text::Text;
+
+/// A plan on board has failed as well if it failed as a draft.
+#[test]
+fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    draw_field(&mut desk);
+    desk.give("draft survey 1");
+    let plan = desk.room().items().to_vec();
+    let content = std::iter::once(Item::default()).chain(plan.clone());
+    let content = Arc::new(Plan {
+        items: content.collect(),
+        home_first: true,
+    });
+    desk.vehicle(1, |vehicle| {
+        read_empty(vehicle);
+        vehicle.plans.plan.content = Some(content);
+    });
+    let verdict = |failure: Option<&str>| Tried {
+        text: "conflicts: 1".into(),
+        is_sound: failure.is_none(),
+        is_awaited: true,
+        verdicts: vec![PlanVerdict {
+            plan: ContentHash::of(&plan),
+            failure: failure.map(Text::verbatim),
+        }],
+        ..Tried::default()
+    };
+    let _ = desk.app.update(Event::Tried(verdict(Some("meets 2"))));
+    assert!(desk.give("1 plan start").is_empty());
+    let asked = matches!(desk.app.state().overlay(), Some(Overlay::Confirm(_)));
+    assert!(asked, "{}", desk.said());
+    let _ = desk.key(KeyCode::Esc);
+    let _ = desk.app.update(Event::Tried(verdict(None)));
+    assert_eq!(desk.give("1 plan start").len(), 1, "{}", desk.said());
+}
+
+#[test]
+fn drafts_fly_together_before_an_upload() {
+    let mut desk = Desk::new();
+    assert!(desk.give("draft rehearse").is_empty(), "nothing to fly");
+    let _ = desk.key(KeyCode::Esc);
+    standing(&mut desk, 1);
+    standing(&mut desk, 2);
+    draw_field(&mut desk);
+    let divided = desk.give("draft survey all");
+    let [Effect::TryDrafts(first)] = &divided[..] else {
+        panic!("{divided:?}");
+    };
+    assert!(!first.is_apart && !first.is_awaited, "{first:?}");
+    desk.press("R");
+    assert_eq!(desk.line(), "draft rehearse");
+    let effects = desk.key(KeyCode::Enter);
+    let [Effect::TryDrafts(trial)] = &effects[..] else {
+        panic!("{effects:?}");
+    };
+    let names: Vec<&str> = trial.drafts.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["vehicle-1", "vehicle-2"], "the field has no plan");
+    let longer = Arc::clone(&trial.drafts[1].document);
+    let tried = Tried {
+        text: "vehicle-1 starts later".into(),
+        is_sound: true,
+        is_awaited: true,
+        changed: vec![TrialDraft {
+            name: "vehicle-1".to_owned(),
+            sharer: None,
+            document: Arc::clone(&longer),
+        }],
+        ..Tried::default()
+    };
+    let before = desk.plan();
+    let _ = desk.app.update(Event::Tried(tried));
+    assert_eq!(desk.plan().len(), longer.plan.len());
+    let shown = desk.room().tried().expect("the outcome");
+    assert!(shown.text.contains("starts later"), "{shown:?}");
+    desk.press("u");
+    assert_eq!(desk.plan(), before);
+    assert!(desk.room().tried().is_none(), "the draft is another one");
+}
+
+/// A draft that several vehicles would get is flown by each of them, from where it stands.
+#[test]
+fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
+    let mut desk = Desk::new();
+    for id in [1, 2, 3] {
+        standing(&mut desk, id);
+    }
+    desk.give("draft add takeoff 20");
+    desk.give("draft add n 50 e 0 up 20");
+    let flown = |effects: &[Effect]| -> Vec<(String, Option<VehicleId>)> {
+        let [Effect::TryDrafts(trial)] = effects else {
+            panic!("{effects:?}");
+        };
+        let places = trial
+            .drafts
+            .iter()
+            .map(|it| it.document.home.map(|home| home.y));
+        let places: std::collections::BTreeSet<Option<i32>> = places.collect();
+        assert_eq!(places.len(), trial.drafts.len(), "each from its own place");
+        let names = trial.drafts.iter();
+        names.map(|it| (it.name.clone(), it.sharer)).collect()
+    };
+    let own = |id: VehicleId| (format!("vehicle-{id}"), Some(id));
+    let one = flown(&desk.give("draft rehearse"));
+    assert_eq!(one, [("plan".to_owned(), None)], "no vehicle is selected");
+    assert_eq!(flown(&desk.give("draft rehearse 1,3")), [own(1), own(3)]);
+    desk.give("select all");
+    let all = desk.give("draft deconflict");
+    assert_eq!(flown(&all), [own(1), own(2), own(3)]);
+    let [Effect::TryDrafts(trial)] = &all[..] else {
+        panic!("{all:?}");
+    };
+    let tried = Tried {
+        text: "vehicle-2 starts later".into(),
+        is_sound: true,
+        is_awaited: true,
+        changed: trial.drafts.clone(),
+        ..Tried::default()
+    };
+    let _ = desk.app.update(Event::Tried(tried));
+    let drafts = desk.room().drafts().all().iter();
+    let vehicles: Vec<Option<VehicleId>> = drafts.map(Draft::vehicle).collect();
+    assert_eq!(vehicles, [None, Some(1), Some(2), Some(3)]);
+    let again = flown(&desk.give("draft rehearse"));
+    assert_eq!(again.len(), 3, "{again:?}");
+}
+
+/// What a line leaves out of a rehearsal.
+fn left_out(effects: &[Effect]) -> Option<String> {
+    let [Effect::TryDrafts(trial)] = effects else {
+        panic!("{effects:?}");
+    };
+    trial.left_out.as_ref().map(Text::to_string)
+}
+
+/// Drafts and vehicles that a rehearsal leaves out are named with the reason.
+#[test]
+fn what_is_not_flown_is_named() {
+    let mut desk = Desk::new();
+    for id in [1, 2] {
+        standing(&mut desk, id);
+    }
+    for name in ["north", "south"] {
+        desk.give(&format!("draft new {name}"));
+        desk.give("draft add takeoff 20");
+    }
+    assert_eq!(left_out(&desk.give("draft rehearse")), None, "both fly");
+    desk.give("select all");
+    let shared = left_out(&desk.give("draft rehearse")).expect("a note");
+    assert!(shared.contains("north (the selected"), "{shared}");
+    desk.give("draft orbit 1 around tower radius 60");
+    let unassigned = left_out(&desk.give("draft rehearse")).expect("a note");
+    assert!(unassigned.contains("north, south"), "{unassigned}");
+    assert!(unassigned.contains("`draft use north`"), "{unassigned}");
+    let idle = left_out(&desk.give("draft rehearse 1-2")).expect("a note");
+    assert!(idle.contains("not flown: 2"), "{idle}");
+    assert_eq!(left_out(&desk.give("draft rehearse 1")), None);
+}
