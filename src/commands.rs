@@ -5,6 +5,7 @@
 //! ([`Command::effect`]).
 
 use crate::ledger::Risk;
+use crate::signing::SigningChange;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{PauseChange, Vehicle};
@@ -79,6 +80,8 @@ pub enum Command {
     Log(LogCommand),
     /// The lists that the vehicle carries: plan, fence and rally points.
     Plan(PlanCommand),
+    /// The key with which the vehicle signs.
+    Signing(SigningChange),
     /// Sent as typed, without interpretation.
     Raw(RawCommand),
 }
@@ -114,7 +117,8 @@ impl Command {
             | Self::PlanFlight(_)
             | Self::Device(_)
             | Self::Query(_)
-            | Self::Log(_) => None,
+            | Self::Log(_)
+            | Self::Signing(_) => None,
         }
     }
 
@@ -142,6 +146,7 @@ impl Command {
             Self::Log(_) => Err(text!("refused-logs-here")),
             // Nor are lists transferred as commands.
             Self::Plan(_) => Err(text!("refused-plan-here")),
+            Self::Signing(_) => Err(text!("refused-signing-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
         }
     }
@@ -158,6 +163,7 @@ impl Command {
             | Self::Parameter(_)
             | Self::Log(_)
             | Self::Plan(_)
+            | Self::Signing(_)
             | Self::Raw(_) => None,
         }
     }
@@ -185,6 +191,7 @@ impl Command {
             | Self::Parameter(_)
             | Self::Log(_)
             | Self::Plan(_)
+            | Self::Signing(_)
             | Self::Raw(_) => false,
         }
     }
@@ -197,9 +204,12 @@ impl Command {
             Self::PlanFlight(command) => command.effect(before),
             Self::Motion(command) => command.effect(before),
             Self::Device(command) => command.effect(before),
-            Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Plan(_) | Self::Raw(_) => {
-                Effect::nothing()
-            }
+            Self::Query(_)
+            | Self::Parameter(_)
+            | Self::Log(_)
+            | Self::Plan(_)
+            | Self::Signing(_)
+            | Self::Raw(_) => Effect::nothing(),
         }
     }
 
@@ -215,6 +225,7 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::Signing(_)
             | Self::Raw(_) => None,
         }
     }
@@ -231,7 +242,8 @@ impl Command {
             | Self::Device(_)
             | Self::Query(_)
             | Self::Log(_)
-            | Self::Plan(_) => Risk::None,
+            | Self::Plan(_)
+            | Self::Signing(_) => Risk::None,
         }
     }
 }

@@ -91,6 +91,8 @@ pub struct ConnectConfig {
     pub expect: Option<VehicleIds>,
     /// Forwards to other ground stations.
     pub forward: Vec<String>,
+    /// Whether frames without a right signature are ignored.
+    pub require_signing: bool,
 }
 
 /// The symbols that a terminal can show besides letters.

@@ -11,7 +11,7 @@ use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavType};
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
-use crate::wire::{Anatomy, ComponentId, Counters, SequenceStep, SystemId};
+use crate::wire::{Anatomy, ComponentId, Counters, Seal, SequenceStep, SystemId};
 
 mod diagnosis;
 mod words;
@@ -95,6 +95,64 @@ pub struct NumberedFrames {
     pub lost: u64,
     /// Frames with a lower number than one already received.
     pub late: u64,
+    /// Frames by their signatures.
+    pub seals: SealCounts,
+}
+
+/// Frames of one sender, by their signatures.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct SealCounts {
+    /// Signed with the sender's key, at a new time.
+    pub right: u64,
+    pub unsigned: u64,
+    /// Signed, but not with a key that the console has.
+    pub foreign: u64,
+    /// Signed with the right key, at an old time.
+    pub old: u64,
+    /// How far the last of these was behind, in units of 10 microseconds.
+    pub behind: u64,
+}
+
+impl SealCounts {
+    /// Counts one more frame.
+    pub fn note(&mut self, seal: Seal) {
+        match seal {
+            Seal::Unsigned => self.unsigned += 1,
+            Seal::Foreign => self.foreign += 1,
+            Seal::Old(behind) => {
+                self.old += 1;
+                self.behind = behind;
+            }
+            Seal::Right | Seal::RightWithNext => self.right += 1,
+        }
+    }
+
+    /// Whether any frame had a signature.
+    pub fn has_signatures(self) -> bool {
+        self.right + self.foreign + self.old > 0
+    }
+
+    /// The sum of two counts, with the greater lag.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            right: self.right + other.right,
+            unsigned: self.unsigned + other.unsigned,
+            foreign: self.foreign + other.foreign,
+            old: self.old + other.old,
+            behind: self.behind.max(other.behind),
+        }
+    }
+
+    fn since(self, before: Self) -> Self {
+        Self {
+            right: self.right.saturating_sub(before.right),
+            unsigned: self.unsigned.saturating_sub(before.unsigned),
+            foreign: self.foreign.saturating_sub(before.foreign),
+            old: self.old.saturating_sub(before.old),
+            behind: self.behind,
+        }
+    }
 }
 
 impl NumberedFrames {
@@ -110,6 +168,7 @@ impl NumberedFrames {
             came: self.came.saturating_sub(before.came),
             lost: self.lost.saturating_sub(before.lost),
             late: self.late.saturating_sub(before.late),
+            seals: self.seals.since(before.seals),
         }
     }
 }
@@ -125,6 +184,10 @@ pub struct Observation {
     pub senders: Vec<Sender>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,
+    /// The vehicles whose key the console has.
+    pub keyed: Vec<SystemId>,
+    /// Whether frames without a right signature are ignored.
+    pub is_signing_required: bool,
 }
 
 impl Sender {
@@ -265,6 +328,14 @@ impl Chart {
             numbered.copied().unwrap_or_default()
         };
         of(self.seen.back()).since(of(self.seen.front()))
+    }
+
+    /// Whether the console has had the key of a vehicle for the whole window.
+    fn is_keyed(&self, system: SystemId) -> bool {
+        let has = |seen: Option<&(Duration, Observation)>| {
+            seen.is_some_and(|(_, observation)| observation.keyed.contains(&system))
+        };
+        has(self.seen.front()) && has(self.seen.back())
     }
 
     fn senders(&self) -> &[Sender] {

@@ -11,7 +11,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::forward::ForwardSpec;
-use crate::link::{Address, FrameSink, LinkStatus, Tap, Transport};
+use crate::link::{Address, FrameSink, LinkStatus, Signer, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{
@@ -68,7 +68,7 @@ enum FleetRequest {
     Forget(VehicleId),
 }
 
-/// The data that the fleet stores: frames and logs.
+/// The data that the fleet stores: frames, logs and keys.
 #[derive(Debug, Clone, Default)]
 pub struct Keeping {
     /// The recorder of the frames of all links.
@@ -77,6 +77,8 @@ pub struct Keeping {
     pub logs: Option<Arc<dyn LogKeeper>>,
     /// The files of plans.
     pub plans: Option<Arc<dyn PlanShelf>>,
+    /// The keys of signed links.
+    pub signer: Option<Signer>,
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.

@@ -10,6 +10,6 @@ mod stray;
 mod tests;
 
 pub use commands::{Deed, StationId, deed_of, station_of_ack};
-pub use routes::{FrameFacts, Port, Reach, Route, Router};
+pub use routes::{FrameFacts, Port, Reach, Route, Router, receiver_of};
 pub use spec::{ForwardFault, ForwardSpec};
 pub use stray::SentCommands;

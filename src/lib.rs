@@ -38,6 +38,7 @@
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
 //! | | [`vehicle`] | the model of one vehicle, and the battery needed to return home |
 //! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
+//! | | [`signing`] | the keys of MAVLink signing and the console's time stamps |
 //! | | [`inspector`] | messages, counted and decoded field by field |
 //! | | [`parameters`] | parameter lists, files, differences |
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
@@ -114,6 +115,7 @@ pub mod review;
 pub mod scoring;
 pub mod session;
 pub mod shell;
+pub mod signing;
 pub mod sitl;
 pub mod store;
 pub mod swarm;

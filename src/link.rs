@@ -15,7 +15,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
-use crate::doctor::NumberedSenders;
+use crate::doctor::{NumberedSenders, SealCounts};
 use crate::forward::ForwardSpec;
 use crate::text;
 use crate::text::Text;
@@ -36,6 +36,7 @@ mod playback;
 mod rehearsal_tape;
 mod relay;
 mod server;
+mod signer;
 mod simulator;
 mod sink;
 mod stream;
@@ -54,6 +55,7 @@ pub use simulator::{
     Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
     step_on_threads,
 };
+pub use signer::{SignedLink, Signer, signing_clock};
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
 pub use tlog::{TlogDamage, TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
@@ -200,6 +202,8 @@ pub struct LinkStatus {
     pub rates: Rates,
     /// The sequence numbers of each sender.
     pub numbered: NumberedSenders,
+    /// Whether signatures are used on the link: frames are signed, or have to be.
+    pub uses_signing: bool,
     /// The number of reconnections.
     pub reconnects: u32,
     /// The last error; cleared when the link comes up.
@@ -220,9 +224,17 @@ impl LinkStatus {
             dropped_out: 0,
             rates: Rates::default(),
             numbered: NumberedSenders::new(),
+            uses_signing: false,
             reconnects: 0,
             last_error: None,
         }
+    }
+
+    /// The frames of all senders by their signatures; `None` if no signatures are used on the link.
+    pub fn seals(&self) -> Option<SealCounts> {
+        let counts = self.numbered.values().map(|frames| frames.seals);
+        let all = counts.fold(SealCounts::default(), SealCounts::plus);
+        (self.uses_signing || all.has_signatures()).then_some(all)
     }
 
     /// Lost frames, from gaps in their senders' sequence numbers.
@@ -259,6 +271,11 @@ impl LinkHandle {
     pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
         self.tap.share(&outgoing);
         self.outlet.queue(to, Parcel::from(outgoing))
+    }
+
+    /// The signing on the link; `None` if its frames need no signatures.
+    pub fn signing(&self) -> Option<SignedLink> {
+        self.tap.signing().cloned()
     }
 
     /// The tap for watching the link's frames.
@@ -298,16 +315,36 @@ pub fn open_recorded(
     open_tapped(id, transport, config, tap, inbound, cancel)
 }
 
-/// Opens a link to vehicles as [`open_recorded`] does, whose frames a relay shares with other ground stations.
+/// What links to vehicles have in common.
+#[derive(Debug, Clone, Copy)]
+pub struct LinkServices<'a> {
+    /// The recording of their frames.
+    pub sink: Option<&'a FrameSink>,
+    /// Shares their frames with other ground stations.
+    pub relay: &'a Relay,
+    /// Signs their frames, and checks signatures.
+    pub signer: Option<&'a Signer>,
+}
+
+/// Opens a link to vehicles as [`open_recorded`] does, with these services. Frames within this program and of
+/// recordings are not checked: they cannot be forged.
 pub fn open_shared(
     id: LinkId,
     transport: Transport,
-    sink: Option<FrameSink>,
-    relay: &Relay,
+    services: LinkServices<'_>,
     inbound: mpsc::Sender<Inbound>,
     cancel: CancellationToken,
 ) -> LinkHandle {
-    let tap = Tap::relayed(sink, relay.port_of_link(id));
+    let LinkServices {
+        sink,
+        relay,
+        signer,
+    } = services;
+    let signed = match (&transport, signer) {
+        (Transport::Address(Address::File { .. }) | Transport::Pipe(_), _) | (_, None) => None,
+        (Transport::Address(address), Some(signer)) => Some(signer.on(&address.to_string(), id)),
+    };
+    let tap = Tap::relayed(sink.cloned(), relay.port_of_link(id)).signed_by(signed);
     let link = open_tapped(id, transport, LinkConfig::default(), tap, inbound, cancel);
     relay.add_link(id, link.outlet.clone());
     link

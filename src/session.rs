@@ -34,6 +34,7 @@ mod plans;
 mod precedence;
 mod radio;
 mod settings;
+mod signing;
 mod streams;
 mod surroundings;
 #[cfg(test)]
@@ -47,6 +48,7 @@ use line::{Line, Moment};
 use lists::{Lists, ListsDesk};
 use logs::LogReader;
 use output::Output;
+use signing::VehicleSigning;
 use streams::Streams;
 use surroundings::Surroundings;
 use timesync::Timesync;
@@ -65,6 +67,7 @@ pub(crate) use plan_orders::format_of;
 pub use plan_orders::{GuardedShelf, PlanOnFile, PlanShelf};
 pub use radio::RadioFault;
 pub use settings::Want;
+pub use signing::KeyDesk;
 pub use streams::{Stream, WANTED_STREAMS};
 
 /// The maximum time between polls while an answer is awaited or something is repeated.
@@ -85,6 +88,7 @@ pub struct Session {
     download: Download,
     logs: LogReader,
     ftp: FtpClient,
+    signing: VehicleSigning,
     output: Output,
     surroundings: Surroundings,
     /// The time of the last poll.
@@ -106,6 +110,7 @@ impl Session {
             download: Download::new(),
             logs: LogReader::default(),
             ftp: FtpClient::default(),
+            signing: VehicleSigning::default(),
             output: Output::default(),
             surroundings: Surroundings::new(),
             now,
@@ -131,6 +136,12 @@ impl Session {
     pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
         self.lists.take_from(shelf);
         self
+    }
+
+    /// Takes the keys for signing from `desk`, that of the link on which the vehicle is heard; without one, keys cannot
+    /// be changed.
+    pub fn sign_with(&mut self, desk: Option<Arc<dyn KeyDesk>>) {
+        self.signing.use_desk(desk);
     }
 
     /// Reads plans from the answers to others' requests, as in a recording, instead of its own.
@@ -218,6 +229,7 @@ impl Session {
         self.inbox
             .apply(&mut self.vehicle, frame, now, &mut notices);
         self.line.hear_texts(&notices);
+        self.signing.hear_texts(&notices);
         self.output.say(notices);
         if is_autopilot {
             self.answer(frame, now);
@@ -259,6 +271,12 @@ impl Session {
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
+        if matches!(order.command, Command::Signing(_)) {
+            let signing = &mut self.signing;
+            signing.order(order, &self.vehicle, now, &mut self.output);
             self.poll(now);
             return;
         }
@@ -311,6 +329,7 @@ impl Session {
         self.logs
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
         self.handle_files(None, now);
+        self.signing.poll(&self.vehicle, now, &mut self.output);
         self.advance(now);
     }
 
@@ -322,6 +341,7 @@ impl Session {
             || self.lists.is_busy()
             || self.download.fetching().is_under_way()
             || self.ftp.is_busy()
+            || self.signing.is_busy()
         {
             BUSY_POLL
         } else {
@@ -361,6 +381,8 @@ impl Session {
                 self.vehicle.link.round_trip = round_trip;
             }
         }
+        self.signing
+            .receive(frame, &self.vehicle, now, &mut self.output);
         let (lists, desk) = self.lists(now);
         lists.receive(frame, desk);
         self.logs.receive(frame, now);

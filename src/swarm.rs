@@ -356,6 +356,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         | Command::Parameter(_)
         | Command::Log(_)
         | Command::Plan(_)
+        | Command::Signing(_)
         | Command::Raw(_) => None,
     }
 }

@@ -24,6 +24,8 @@ links-dropped-figures = bad CRC { $crc }, noise { $skipped } B, unknown ids { $u
 links-missing = never arrived
 links-others = other
 links-other-figures = peers { $peers }, reconnected { $reconnects }, not sent { $unsent }
+links-signing = signatures
+links-signing-figures = right { $right }, unsigned { $unsigned }, wrong key { $foreign }, old stamp { $old }
 links-history = { $way }, last { $seconds } s, peak { $most }
 
 links-key-command = command

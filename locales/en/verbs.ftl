@@ -47,11 +47,15 @@ argument-line-more = further places of the line
 argument-plan-height = height above home; 30 m by default
 argument-plan-turns = number of turns; 2 by default
 verb-logs = list or download flight logs, or stop a download; downloads continue where they stopped
+verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
 
 argument-log-folder = folder for the files
 argument-log-number = number in `logs list`
+argument-signing-setup = make a key, and prove that the vehicle uses it
+argument-signing-rotate = replace the key
+argument-signing-remove = go back to unsigned frames
 argument-name-or-number = name or number
 argument-height = height above home
 argument-north-of-origin = north of the origin

@@ -24,6 +24,8 @@ links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, неві
 links-missing = не дійшло
 links-others = інше
 links-other-figures = вузлів { $peers }, повторних з'єднань { $reconnects }, не надіслано { $unsent }
+links-signing = підписи
+links-signing-figures = правильних { $right }, без підпису { $unsigned }, хибний ключ { $foreign }, стара позначка { $old }
 links-history = { $way }, { $seconds } s, макс. { $most }
 
 links-key-command = команда

@@ -47,11 +47,15 @@ argument-line-more = дальші місця лінії
 argument-plan-height = висота над домом; типово 30 m
 argument-plan-turns = кількість обертів; типово 2
 verb-logs = показати чи завантажити журнали польотів або зупинити завантаження; воно продовжується з місця зупинки
+verb-signing = дати апаратам ключ підпису, замінити його чи прибрати; лише з неактивними двигунами
 verb-long = надіслати будь-яку MAV_CMD через COMMAND_LONG; пропущені параметри дорівнюють 0
 verb-int = надіслати будь-яку MAV_CMD через COMMAND_INT; для місця x та y — градуси, помножені на 1e7
 
 argument-log-folder = тека для файлів
 argument-log-number = номер у `logs list`
+argument-signing-setup = створити ключ і довести, що апарат ним користується
+argument-signing-rotate = замінити ключ
+argument-signing-remove = повернутися до кадрів без підпису
 argument-name-or-number = назва або номер
 argument-height = висота над домом
 argument-north-of-origin = на північ від початку координат

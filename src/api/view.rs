@@ -8,6 +8,7 @@ use utoipa::ToSchema;
 
 use crate::app::state::{LinkCounters, LinkSummary, NoticeLine};
 use crate::commands::command_name;
+use crate::doctor::SealCounts;
 use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::mission::{ObjectiveState, Progress};
@@ -314,6 +315,31 @@ pub struct LinkView {
     pub bad_crc: Option<u64>,
     pub reconnects: Option<u32>,
     pub round_trip_ms: Option<f64>,
+    /// Frames by their signatures; `null` if no signatures are used.
+    pub signatures: Option<SignatureView>,
+}
+
+/// Frames of a link by their signatures.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct SignatureView {
+    /// Signed with the key of their vehicle, at a new time.
+    pub right: u64,
+    pub unsigned: u64,
+    /// Signed, but not with a key that the console has.
+    pub wrong_key: u64,
+    /// Signed with the right key, at an old time: perhaps replayed.
+    pub old_stamp: u64,
+}
+
+impl From<SealCounts> for SignatureView {
+    fn from(counts: SealCounts) -> Self {
+        Self {
+            right: counts.right,
+            unsigned: counts.unsigned,
+            wrong_key: counts.foreign,
+            old_stamp: counts.old,
+        }
+    }
 }
 
 impl LinkView {
@@ -332,6 +358,7 @@ impl LinkView {
             bad_crc: counters.map(|it| it.bad_crc),
             reconnects: counters.map(|it| it.reconnects),
             round_trip_ms: link.round_trip.map(ms),
+            signatures: counters.and_then(|it| it.seals).map(Into::into),
         }
     }
 }

@@ -104,6 +104,7 @@ pub(super) fn doctor(
     findings.extend(sitl::ports());
     findings.extend(sitl::leftovers(settings));
     findings.extend(host::token(settings));
+    findings.extend(host::keys(settings));
     if options.json {
         say!("{}", serde_json::to_string_pretty(&findings)?)?;
     } else {

@@ -13,10 +13,10 @@ use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
 use crate::hangar::VehicleBackend;
-use crate::link::Address;
+use crate::link::{Address, Signer, signing_clock};
 use crate::scoring::FlownBy;
 use crate::shell::{self, ApiOptions, ConsoleOptions, Opening, Preferences};
-use crate::store::{History, Runs};
+use crate::store::{History, KeyFile, Runs};
 use crate::terminal::Environment;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -221,6 +221,8 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
     settings.complain();
     let ardupilot = backend::found(&settings);
     let folders = settings.folders.as_ref();
+    let mut warnings = settings.warnings();
+    let signer = signer(&settings, &mut warnings);
     Ok(ConsoleOptions {
         opening,
         backend: VehicleBackend::default(),
@@ -240,13 +242,27 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
                 .filter(|_| settings.config.records.enabled),
             data: settings.data.clone(),
             profile: settings.config.profile.clone(),
-            warnings: settings.warnings(),
+            signer: Some(signer),
+            warnings,
             is_lang_given: settings.sources.is_flag("lang"),
             config: settings.config,
             keymap: settings.keymap,
             themes: settings.themes,
         },
     })
+}
+
+/// The signing with the user's keys. If they cannot be used, a warning says why.
+fn signer(settings: &CliSettings, warnings: &mut Vec<Text>) -> Signer {
+    let opened = match &settings.data {
+        Some(data) => KeyFile::open(data).map_err(|fault| Text::from(&fault)),
+        None => Err(text!("signing-no-folder")),
+    };
+    if let (Err(fault), true) = (&opened, settings.data.is_some()) {
+        warnings.push(fault.clone());
+    }
+    let is_required = settings.config.connect.require_signing;
+    Signer::new(opened, is_required, signing_clock)
 }
 
 pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {

@@ -75,6 +75,7 @@ impl Command {
             | Self::Parameter(_)
             | Self::Log(_)
             | Self::Plan(_)
+            | Self::Signing(_)
             | Self::Raw(_) => Claim::default(),
         }
     }

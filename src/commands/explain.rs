@@ -113,6 +113,7 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         | Command::Parameter(_)
         | Command::Log(_)
         | Command::Plan(_)
+        | Command::Signing(_)
         | Command::Raw(_) => None,
     }
 }

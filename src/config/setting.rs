@@ -248,6 +248,12 @@ pub const SETTINGS: &[Setting] = &[
         "Forwards of `sortie fly` and `sortie connect`: [\"udp:127.0.0.1:14550 read-only\"]; `--forward` replaces them.",
     ),
     setting(
+        "connect.require_signing",
+        SettingKind::Flag,
+        None,
+        "Whether frames that are not signed with the key of their vehicle are ignored.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

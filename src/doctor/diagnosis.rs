@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
+use crate::signing::SECOND;
 use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
 /// The time before a first diagnosis: heartbeats come once a second.
@@ -83,10 +84,16 @@ pub enum Cause {
     NoAutopilot,
     /// Two vehicles have this system id.
     DuplicateSystem(SystemId),
-    /// The vehicle signs its frames and does not answer the console's, which are unsigned.
+    /// The vehicle signs with a key that the console does not have, and does not answer the console's unsigned frames.
     Signed(SystemId),
-    /// The vehicle signs its frames, but accepts unsigned ones.
+    /// The vehicle signs with a key that the console does not have, but accepts unsigned frames.
     SignedButAnswers(SystemId),
+    /// Unsigned frames arrive in the name of a vehicle that should sign.
+    Unsigned(SystemId),
+    /// Frames arrive in the name of a vehicle that are not signed with its key.
+    WrongKey(SystemId),
+    /// Frames of a vehicle arrive again, or its time stamps are this many seconds behind.
+    OldStamps(SystemId, u64),
     /// The vehicle is heard but does not answer.
     OneWay(SystemId),
     /// This many vehicles are heard but do not answer.
@@ -126,6 +133,9 @@ impl Cause {
             | Self::NoAutopilot => Weight::Fatal,
             Self::DuplicateSystem(_)
             | Self::Signed(_)
+            | Self::Unsigned(_)
+            | Self::WrongKey(_)
+            | Self::OldStamps(..)
             | Self::OneWay(_)
             | Self::OneWayVehicles(_)
             | Self::Noise(_)
@@ -188,7 +198,8 @@ fn examine(chart: &Chart) -> Vec<Cause> {
     let lost = lost_share(chart);
     let queries = queries_without_doubt(lost);
     let mut causes: Vec<Cause> = autopilots(chart)
-        .filter_map(|sender| answering(chart.way(), sender, queries))
+        .filter_map(|sender| answering(chart, sender, queries))
+        .chain(autopilots(chart).flat_map(|sender| signing(chart, sender)))
         .collect();
     let is_one_way = |cause: &Cause| matches!(cause, Cause::OneWay(_));
     let one_way = causes.iter().filter(|cause| is_one_way(cause)).count();
@@ -277,24 +288,50 @@ fn queries_without_doubt(lost: f64) -> u32 {
 
 /// The finding about whether a vehicle answers the console's messages, of which `queries` have to be unanswered; `None`
 /// if there is nothing to report.
-fn answering(way: Way, sender: &Sender, queries: u32) -> Option<Cause> {
-    let system = sender.source.system;
+fn answering(chart: &Chart, sender: &Sender, queries: u32) -> Option<Cause> {
+    let (way, system) = (chart.way(), sender.source.system);
+    let is_foreign = sender.signed && !last_keyed(chart).contains(&system);
     let patience = QUERY_EVERY * queries;
     let answers = sender
         .answered_ago
         .is_some_and(|ago| ago < patience.max(ANSWERS_AGAIN_WITHIN));
     if answers || way == Way::File {
-        return sender.signed.then_some(Cause::SignedButAnswers(system));
+        return is_foreign.then_some(Cause::SignedButAnswers(system));
     }
     let asked_enough = ASKED_ENOUGH.max(queries.into());
     if sender.known_for < patience.max(ANSWER_WITHIN) || sender.asked < asked_enough {
-        return sender.signed.then_some(Cause::Signed(system));
+        return is_foreign.then_some(Cause::Signed(system));
     }
-    Some(if sender.signed {
+    Some(if is_foreign {
         Cause::Signed(system)
     } else {
         Cause::OneWay(system)
     })
+}
+
+fn last_keyed(chart: &Chart) -> &[SystemId] {
+    chart.last().map_or(&[], |last| &last.keyed)
+}
+
+/// The findings about a vehicle's signatures.
+fn signing(chart: &Chart, sender: &Sender) -> Vec<Cause> {
+    let system = sender.source.system;
+    let seals = chart.numbered(sender).seals;
+    let is_keyed = chart.is_keyed(system);
+    let is_expected = is_keyed || chart.last().is_some_and(|last| last.is_signing_required);
+    let behind_s = seals.behind / SECOND;
+    let mut causes = Vec::new();
+    if is_expected && seals.unsigned > 0 {
+        causes.push(Cause::Unsigned(system));
+    }
+    if is_keyed && seals.foreign > 0 {
+        causes.push(Cause::WrongKey(system));
+    }
+    // Datagrams that overtake each other are milliseconds behind.
+    if seals.old > 0 && behind_s > 0 {
+        causes.push(Cause::OldStamps(system, behind_s));
+    }
+    causes
 }
 
 /// The share of the vehicles' frames that are missing. Other ground stations are not counted, since vehicles forward

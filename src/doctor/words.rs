@@ -21,6 +21,9 @@ impl Cause {
             Self::DuplicateSystem(_) => "duplicate-system",
             Self::Signed(_) => "signed",
             Self::SignedButAnswers(_) => "signed-but-answers",
+            Self::Unsigned(_) => "unsigned",
+            Self::WrongKey(_) => "wrong-key",
+            Self::OldStamps(..) => "old-stamps",
             Self::OneWay(_) => "one-way",
             Self::OneWayVehicles(_) => "one-way-vehicles",
             Self::Noise(_) => "noise",
@@ -50,6 +53,11 @@ impl Cause {
             Self::DuplicateSystem(system) => text!("doctor-duplicate-system", system = system),
             Self::Signed(system) => text!("doctor-signed", system = system),
             Self::SignedButAnswers(system) => text!("doctor-signed-but-answers", system = system),
+            Self::Unsigned(system) => text!("doctor-unsigned", system = system),
+            Self::WrongKey(system) => text!("doctor-wrong-key", system = system),
+            Self::OldStamps(system, seconds) => {
+                text!("doctor-old-stamps", system = system, seconds = seconds)
+            }
             Self::OneWay(system) => text!("doctor-one-way", system = system),
             Self::OneWayVehicles(count) => text!("doctor-one-way-vehicles", count = count),
             Self::Noise(percent) => text!("doctor-noise", percent = percent),
@@ -92,6 +100,9 @@ impl LinkFinding {
             Cause::NoAutopilot => text!("doctor-try-autopilot"),
             Cause::DuplicateSystem(_) => text!("doctor-try-duplicate"),
             Cause::Signed(_) => text!("doctor-try-signed"),
+            Cause::Unsigned(_) => text!("doctor-try-unsigned"),
+            Cause::WrongKey(_) => text!("doctor-try-wrong-key"),
+            Cause::OldStamps(..) => text!("doctor-try-old-stamps"),
             Cause::OneWay(_) | Cause::OneWayVehicles(_) if self.way == Way::Serial => {
                 text!("doctor-try-one-way-serial")
             }

@@ -18,7 +18,7 @@ fn frame(message: MavMessage) -> Frame {
         component: 1,
         sequence: 0,
         version: MavlinkVersion::V2,
-        signed: false,
+        seal: crate::wire::Seal::Unsigned,
         wire_len: 0,
         content: Content::Message(message),
     }

@@ -7,14 +7,16 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::keepers::{BlockingKeeper, BlockingShelf};
+use super::keepers::{BlockingKeeper, BlockingShelf, desk_of};
 use super::sharing::{Addressee, Sharing};
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::forward::{ForwardSpec, SentCommands};
 use crate::inspector::Census;
 use crate::ledger::RowState;
-use crate::link::{self, Address, Inbound, LinkHandle, LinkId, LinkPeer, StationNews, Transport};
+use crate::link::{
+    self, Address, Inbound, LinkHandle, LinkId, LinkPeer, LinkServices, StationNews, Transport,
+};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want, autopilot_of};
@@ -166,9 +168,13 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
 impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
-        let (sink, inbound) = (self.keeping.sink.clone(), self.inbound.clone());
-        let relay = &self.sharing.relay;
-        let link = link::open_shared(id, transport, sink, relay, inbound, self.cancel.clone());
+        let services = LinkServices {
+            sink: self.keeping.sink.as_ref(),
+            relay: &self.sharing.relay,
+            signer: self.keeping.signer.as_ref(),
+        };
+        let (inbound, cancel) = (self.inbound.clone(), self.cancel.clone());
+        let link = link::open_shared(id, transport, services, inbound, cancel);
         let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
         self.tell(news).await;
@@ -351,6 +357,7 @@ impl Hub {
         if let Some(shelf) = &self.keeping.plans {
             session = session.with_plan_files(Arc::new(BlockingShelf(Arc::clone(shelf))));
         }
+        session.sign_with(desk_of(link));
         session.heard_via(from.link.0, now);
         let task = VehicleTask {
             session,

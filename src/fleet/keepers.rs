@@ -1,14 +1,19 @@
-//! Files of logs and plans, off the event loop, so that a slow disk or network folder does not delay other vehicles.
+//! Files of logs, plans and keys, off the event loop, so that a slow disk or network folder does not delay other vehicles.
 
 use std::sync::Arc;
 
 use tokio::runtime::{Handle, RuntimeFlavor};
 use tokio::task::block_in_place;
 
+use crate::link::{LinkHandle, SignedLink};
 use crate::plan::{Document, ListKind};
-use crate::session::{FileBytes, GapMap, KeptLog, LogKeeper, PlanOnFile, PlanShelf, VehicleLog};
+use crate::session::{
+    FileBytes, GapMap, KeptLog, KeyDesk, LogKeeper, PlanOnFile, PlanShelf, VehicleLog,
+};
+use crate::signing::{SentKey, SigningChange};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::wire::{MavAddress, Outgoing, SystemId};
 
 /// A keeper whose work blocks only its own vehicle.
 #[derive(Debug)]
@@ -56,6 +61,30 @@ impl PlanShelf for BlockingShelf {
     fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)> {
         off_the_loop(|| self.0.kept(vehicle))
     }
+}
+
+/// The keys of a link; writing their file blocks only the vehicle whose key changes.
+#[derive(Debug)]
+struct BlockingDesk(SignedLink);
+
+impl KeyDesk for BlockingDesk {
+    fn begin(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text> {
+        off_the_loop(|| self.0.begin(vehicle, change))
+    }
+
+    fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing> {
+        off_the_loop(|| self.0.message(vehicle, which))
+    }
+
+    fn proved(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text> {
+        off_the_loop(|| self.0.proved(vehicle, change))
+    }
+}
+
+/// The keys for the vehicles of a link; `None` if its frames need no signatures.
+pub(super) fn desk_of(link: &LinkHandle) -> Option<Arc<dyn KeyDesk>> {
+    let desk = BlockingDesk(link.signing()?);
+    Some(Arc::new(desk))
 }
 
 /// Does blocking work while other threads continue with the other tasks.

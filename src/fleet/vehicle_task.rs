@@ -8,6 +8,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use super::keepers::desk_of;
 use super::sharing::OWN;
 use super::{FleetClock, FleetEvent};
 use crate::forward::SentCommands;
@@ -139,6 +140,7 @@ impl VehicleTask {
                 self.route.0.hush(self.session.is_cut());
             }
             ToVehicle::Route(link, peer) => {
+                self.session.sign_with(desk_of(&link));
                 self.session.heard_via(link.id().0, now);
                 self.reconnects = link.status().borrow().reconnects;
                 self.route = (link, peer);

@@ -12,7 +12,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::{MavlinkVersion, Message as _};
 
-use crate::wire::{Anatomy, Content, Frame, MavAddress};
+use crate::wire::{Anatomy, Content, Frame, MavAddress, Outgoing};
 
 /// A frame with the same content from another port within this time is the same frame on a second path.
 const SAME_WITHIN: Duration = Duration::from_secs(1);
@@ -63,10 +63,7 @@ impl FrameFacts {
     pub fn of(frame: &Frame, bytes: &[u8]) -> Option<Self> {
         let anatomy = Anatomy::of(bytes)?;
         let receiver = match &frame.content {
-            Content::Message(message) => message.target_system_id().map(|system| MavAddress {
-                system,
-                component: message.target_component_id().unwrap_or(0),
-            }),
+            Content::Message(message) => addressed_by(message),
             Content::Undecoded { id, payload } => receiver_in(*id, &payload[..]),
             Content::Unknown { .. } => None,
         };
@@ -81,6 +78,22 @@ impl FrameFacts {
             is_verified: frame.is_verified(),
         })
     }
+}
+
+/// The receiver of a message that the console sends; `None` for everyone.
+pub fn receiver_of(outgoing: &Outgoing) -> Option<MavAddress> {
+    let receiver = match outgoing {
+        Outgoing::Message(message) => addressed_by(message),
+        Outgoing::Raw { id, payload } => receiver_in(*id, payload),
+    };
+    receiver.filter(|receiver| receiver.system != 0)
+}
+
+fn addressed_by(message: &MavMessage) -> Option<MavAddress> {
+    Some(MavAddress {
+        system: message.target_system_id()?,
+        component: message.target_component_id().unwrap_or(0),
+    })
 }
 
 fn content_of(anatomy: &Anatomy<'_>) -> u64 {

@@ -9,7 +9,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::{LinkState, LinkStatus, Rates, Tap};
+use super::{LinkState, LinkStatus, Rates, SignedLink, Tap};
 use crate::text::Text;
 use crate::wire::{Counters, Frame, SequenceStep};
 
@@ -61,6 +61,7 @@ impl LinkMeter {
     /// Publishes changes, with fresh rates.
     pub(super) fn publish(&mut self) {
         self.sample();
+        self.status.uses_signing = self.tap.signing().is_some_and(SignedLink::is_used);
         self.status.dropped_out = self.dropped + self.refused.load(Ordering::Relaxed);
         self.published.send_if_modified(|seen| {
             let changed = *seen != self.status;
@@ -140,7 +141,9 @@ impl LinkMeter {
     pub(super) fn numbered(&mut self, frame: &Frame, step: SequenceStep) {
         let sender = (frame.system, frame.component);
         if frame.is_verified() || self.status.numbered.contains_key(&sender) {
-            self.status.numbered.entry(sender).or_default().note(step);
+            let frames = self.status.numbered.entry(sender).or_default();
+            frames.note(step);
+            frames.seals.note(frame.seal);
         }
     }
 

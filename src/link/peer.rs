@@ -1,10 +1,13 @@
 //! One peer of a link: its decoder, its numbering, its protocol version.
 
+use std::collections::BTreeSet;
+
 use mavlink::MavlinkVersion;
 
 use super::meter::LinkMeter;
 use super::{LinkConfig, LinkPeer, Parcel};
-use crate::wire::{Decoder, Encoder, Frame, LossMeter, is_frame_start};
+use crate::forward::receiver_of;
+use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing, SystemId, is_frame_start};
 
 /// The state of a peer. Each has its own encoder, so that messages to other peers leave no gaps in its sequence
 /// numbers.
@@ -15,6 +18,8 @@ pub(super) struct PeerStream {
     loss: LossMeter,
     encoder: Encoder,
     speaks_v2: bool,
+    /// The systems heard from the peer, which determine the keys of messages for everyone.
+    systems: BTreeSet<SystemId>,
 }
 
 /// Whether an incomplete frame may continue in the next bytes.
@@ -37,6 +42,7 @@ impl PeerStream {
             loss: LossMeter::default(),
             encoder: Encoder::new(config.system, config.component),
             speaks_v2: false,
+            systems: BTreeSet::new(),
         }
     }
 
@@ -67,18 +73,26 @@ impl PeerStream {
         meter: &mut LinkMeter,
         frames: &mut Vec<Frame>,
     ) {
-        while let Some(frame) = match ending {
+        while let Some(mut frame) = match ending {
             StreamEnding::Open | StreamEnding::Datagram => self.decoder.next_frame(),
             StreamEnding::Closed => self.decoder.next_frame_at_end(),
         } {
             let step = self.loss.note(&frame);
-            meter.numbered(&frame, step);
             let bytes = self.decoder.bytes_of(&frame);
+            let mut is_admitted = true;
+            if let Some(signing) = meter.tap.signing() {
+                frame.seal = signing.check(&frame, bytes);
+                is_admitted = signing.admits(frame.seal);
+            }
+            meter.numbered(&frame, step);
             meter.tap.received(self.peer, bytes, &frame);
             if frame.is_verified() {
                 self.answer_in(frame.version);
+                self.systems.insert(frame.system);
             }
-            frames.push(frame);
+            if is_admitted {
+                frames.push(frame);
+            }
         }
     }
 
@@ -104,14 +118,32 @@ impl PeerStream {
 
     /// Appends the frame of a parcel to the output.
     pub(super) fn encode(&mut self, parcel: &Parcel, bytes: &mut Vec<u8>, meter: &LinkMeter) {
-        let from = bytes.len();
         match parcel {
-            Parcel::Message(outgoing) => {
-                self.encoder.encode(outgoing, bytes);
-                meter.tap.sent_own(&bytes[from..]);
+            Parcel::Message(outgoing) => self.encode_own(outgoing, bytes, meter),
+            Parcel::Frame(frame) => {
+                bytes.extend_from_slice(frame);
+                meter.tap.sent(self.peer, frame);
             }
-            Parcel::Frame(frame) => bytes.extend_from_slice(frame),
         }
-        meter.tap.sent(self.peer, &bytes[from..]);
+    }
+
+    /// Appends the frames of a message of the console: one for each key of its receivers, or an unsigned one.
+    fn encode_own(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &LinkMeter) {
+        let seals = match meter.tap.signing() {
+            Some(signing) => {
+                let to = receiver_of(outgoing).map(|receiver| receiver.system);
+                signing.seal(to, self.systems.iter().copied())
+            }
+            None => Vec::new(),
+        };
+        for at in 0..seals.len().max(1) {
+            let from = bytes.len();
+            if let Some((key, stamp)) = seals.get(at) {
+                self.encoder.sign_next(key, *stamp);
+            }
+            self.encoder.encode(outgoing, bytes);
+            meter.tap.sent_own(&bytes[from..]);
+            meter.tap.sent(self.peer, &bytes[from..]);
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Access to a link's frames: a [`Census`] that the link fills and any part may read.
 
+use std::borrow::Cow;
 use std::net::SocketAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -7,10 +8,10 @@ use std::time::Duration;
 use tokio::time::Instant;
 
 use super::relay::RelayPort;
-use super::{FrameSink, LinkPeer, LinkState, LinkStatus};
+use super::{FrameSink, LinkPeer, LinkState, LinkStatus, SignedLink};
 use crate::doctor::{self, Observation};
 use crate::inspector::{Census, FrameWay};
-use crate::wire::{Frame, Outgoing};
+use crate::wire::{Anatomy, Frame, Outgoing, is_secret, without_payload};
 
 /// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a short
 /// copy; nothing is queued, so readers cannot slow the link down.
@@ -22,6 +23,7 @@ pub struct Tap {
     sink: Option<FrameSink>,
     /// The relay that shares the link's frames with other ground stations, if any.
     relay: Option<RelayPort>,
+    signing: Option<SignedLink>,
 }
 
 impl Tap {
@@ -31,6 +33,7 @@ impl Tap {
             census: Arc::default(),
             sink,
             relay: None,
+            signing: None,
         }
     }
 
@@ -39,6 +42,16 @@ impl Tap {
             relay: Some(port),
             ..Self::new(sink)
         }
+    }
+
+    /// The tap of a link whose frames are signed and checked.
+    pub(super) fn signed_by(self, signing: Option<SignedLink>) -> Self {
+        Self { signing, ..self }
+    }
+
+    /// The signing on the link, if there is any.
+    pub(super) fn signing(&self) -> Option<&SignedLink> {
+        self.signing.as_ref()
     }
 
     /// Whether the link leads to other ground stations.
@@ -71,8 +84,11 @@ impl Tap {
     pub fn observe(&self, status: &LinkStatus) -> Observation {
         let (senders, noise) =
             self.look(|census, now| (doctor::observe(census, now), census.noise().to_vec()));
+        let signing = self.signing.as_ref();
         Observation {
             up: status.state == LinkState::Up,
+            keyed: signing.map(SignedLink::keyed).unwrap_or_default(),
+            is_signing_required: signing.is_some_and(SignedLink::is_required),
             counters: status.decoder,
             numbered: status.numbered.clone(),
             senders,
@@ -83,8 +99,9 @@ impl Tap {
     pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], frame: &Frame) {
         self.take_down(bytes);
         let now = self.opened.elapsed();
-        self.census()
-            .note(FrameWay::received(peer.0), bytes, frame.is_verified(), now);
+        let way = FrameWay::received(peer.0);
+        let shown = without_secrets(bytes);
+        self.census().note(way, &shown, frame.is_verified(), now);
         if let Some(port) = &self.relay {
             port.pass(peer, bytes, frame);
         }
@@ -93,7 +110,8 @@ impl Tap {
     pub(super) fn sent(&self, peer: LinkPeer, bytes: &[u8]) {
         self.take_down(bytes);
         let now = self.opened.elapsed();
-        self.census().note(FrameWay::sent(peer.0), bytes, true, now);
+        let way = FrameWay::sent(peer.0);
+        self.census().note(way, &without_secrets(bytes), true, now);
     }
 
     fn take_down(&self, frame: &[u8]) {
@@ -114,5 +132,14 @@ impl Tap {
     fn census(&self) -> MutexGuard<'_, Census> {
         // A panic while counting leaves counters off by one, not a broken census.
         self.census.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The bytes of a frame for display: the payload of a message with a secret is zeros.
+fn without_secrets(bytes: &[u8]) -> Cow<'_, [u8]> {
+    if Anatomy::of(bytes).is_some_and(|frame| is_secret(frame.id)) {
+        without_payload(bytes).into()
+    } else {
+        bytes.into()
     }
 }

@@ -44,7 +44,7 @@ impl Bench {
             component,
             sequence: 0,
             version: MavlinkVersion::V2,
-            signed: false,
+            seal: crate::wire::Seal::Unsigned,
             wire_len: 12,
             content,
         };

@@ -50,6 +50,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         | Command::Query(_)
         | Command::Log(_)
         | Command::Plan(_)
+        | Command::Signing(_)
         | Command::Raw(_) => return true,
     };
     let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
@@ -138,6 +139,7 @@ fn names(command: &Command) -> (&str, &str) {
         | Command::Query(_)
         | Command::Log(_)
         | Command::Plan(_)
+        | Command::Signing(_)
         | Command::Raw(_) => ("", ""),
     }
 }

@@ -67,7 +67,7 @@ impl Scene {
             component,
             sequence: self.sequence,
             version: mavlink::MavlinkVersion::V2,
-            signed: false,
+            seal: crate::wire::Seal::Unsigned,
             wire_len: 20,
             content: Content::Message(message),
         };

@@ -186,6 +186,7 @@ impl Console {
             runs: self.options.preferences.runs.clone(),
             records: self.options.preferences.records.clone(),
             data: self.options.preferences.data.clone(),
+            signer: self.options.preferences.signer.clone(),
             occasion: Occasion {
                 stake: self.attempt.stake,
                 flown_by: self.options.flown_by(),

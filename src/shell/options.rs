@@ -8,7 +8,7 @@ use crate::app::keymap::Keymap;
 use crate::config::Config;
 use crate::forward::ForwardSpec;
 use crate::hangar::{SitlSource, VehicleBackend};
-use crate::link::Address;
+use crate::link::{Address, Signer};
 use crate::mission::Mission;
 use crate::scoring::FlownBy;
 use crate::store::{History, Records, Runs};
@@ -101,6 +101,8 @@ pub struct Preferences {
     pub data: Option<PathBuf>,
     /// The profile to use, by name.
     pub profile: Option<String>,
+    /// The keys of signed links; `None` for measurements.
+    pub signer: Option<Signer>,
     /// Warnings to show at the start: faults in the user's files.
     pub warnings: Vec<Text>,
 }

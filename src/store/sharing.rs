@@ -15,7 +15,7 @@ const SHARED_FOLDER: u32 = 0o2050;
 /// The mode bit of a file in such a folder.
 const SHARED_FILE: u32 = 0o040;
 
-/// Lets the group of a data folder read everything in it; creates the folder if needed.
+/// Lets the group of a data folder read everything in it but the signing keys; creates the folder if needed.
 ///
 /// # Errors
 /// The folder cannot be created, or belongs to another user.
@@ -27,7 +27,7 @@ pub fn share_with_group(data: &Path) -> io::Result<()> {
         let kind = entry.file_type()?;
         if kind.is_dir() {
             share_with_group(&entry.path())?;
-        } else if kind.is_file() {
+        } else if kind.is_file() && entry.file_name() != super::keys::KEY_FILE {
             allow(&entry.path(), SHARED_FILE)?;
         }
     }

@@ -34,6 +34,7 @@ catalogue! {
     "logs",
     "home",
     "links",
+    "signing",
     "map",
     "messages",
     "mission",

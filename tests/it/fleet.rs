@@ -9,11 +9,11 @@ use futures_util::FutureExt as _;
 use futures_util::future::{pending, select_all};
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavMessage, MavType};
 use sortie::commands::{Act, Command};
-use sortie::fleet::{Fleet, FleetClock, FleetEvent, ForwardFeed};
+use sortie::fleet::{Fleet, FleetClock, FleetEvent, ForwardFeed, Keeping};
 use sortie::geo::LatLon;
 use sortie::language::{self, Context, Meaning};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
-use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
+use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Tap, Transport};
 use sortie::parameters::ParameterSnapshot;
 use sortie::session::{Report, VehicleCommand};
 use sortie::sim::{Start, World, WorldConfig};
@@ -26,6 +26,7 @@ use tokio_util::sync::CancellationToken;
 mod forwards;
 mod logs;
 mod parameters;
+mod signing;
 
 /// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
@@ -53,6 +54,7 @@ pub struct Console {
     vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
     parameters: BTreeMap<VehicleId, watch::Receiver<ParameterSnapshot>>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    taps: Vec<Tap>,
     forwards: Vec<ForwardFeed>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
@@ -61,13 +63,20 @@ pub struct Console {
 
 impl Console {
     pub fn start() -> Self {
-        let (fleet, events) = Fleet::start(FleetClock::start(), CancellationToken::new());
+        Self::start_kept(Keeping::default())
+    }
+
+    /// A console that stores data.
+    pub fn start_kept(keeping: Keeping) -> Self {
+        let (fleet, events) =
+            Fleet::start_kept(keeping, FleetClock::start(), CancellationToken::new());
         Self {
             fleet,
             events,
             vehicles: BTreeMap::new(),
             parameters: BTreeMap::new(),
             links: Vec::new(),
+            taps: Vec::new(),
             forwards: Vec::new(),
             rows: Vec::new(),
             notices: Vec::new(),
@@ -130,7 +139,10 @@ impl Console {
                 self.vehicles.insert(id, vehicle);
             }
             FleetEvent::Parameters(id, parameters) => drop(self.parameters.insert(id, parameters)),
-            FleetEvent::Linked(link, _) => self.links.push(link),
+            FleetEvent::Linked(link, tap) => {
+                self.links.push(link);
+                self.taps.push(tap);
+            }
             FleetEvent::Forwarding(feed) => self.forwards.push(feed),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),

@@ -107,7 +107,7 @@ fn read(path: &Path) -> Reading {
         while let Some(frame) = decoder.next_frame() {
             assert_eq!(frame.system, system);
             reading.frame_bytes += u64::from(frame.wire_len);
-            reading.signed += i64::from(frame.signed);
+            reading.signed += i64::from(frame.seal.is_signature());
             let Reading {
                 inbox,
                 vehicle,

@@ -308,10 +308,10 @@ async fn signing_closes_serial_1_to_those_without_the_key() {
     friend.encoder.sign_next(&key, Stamp { link: 4, timestamp });
     friend.order(request, [148.0, 0.0]).await;
     let is_version = |m: &MavMessage| matches!(m, MavMessage::AUTOPILOT_VERSION(_));
-    assert!(friend.until(is_version).await.signed);
+    assert!(friend.until(is_version).await.seal.is_signature());
     for _ in 0..10 {
         let frame = stranger.next().await.expect("connected");
         let is_answer = matches!(&frame.content, Content::Message(m) if is_version(m));
-        assert!(frame.signed && !is_answer, "{frame:?}");
+        assert!(frame.seal.is_signature() && !is_answer, "{frame:?}");
     }
 }

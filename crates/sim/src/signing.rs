@@ -77,7 +77,7 @@ impl Signing {
             return true;
         };
         // The table records valid signatures, even if everything is accepted.
-        let is_signed_rightly = frame.signed
+        let is_signed_rightly = frame.seal.is_signature()
             && is_signed_with(&key, bytes)
             && Stamp::of(bytes).is_some_and(|stamp| self.is_new(serial, frame, stamp));
         let is_cable = serial == Serial::Zero && !self.strict;

@@ -43,6 +43,19 @@ pub fn frame_len(head: [u8; 3]) -> Option<usize> {
     Some(header_len + usize::from(payload_len) + CHECKSUM_LEN + signature_len)
 }
 
+/// The bytes of a frame with zeros for its payload, to show a message with a secret. Bytes that are not a frame stay.
+pub fn without_payload(bytes: &[u8]) -> Vec<u8> {
+    let mut shown = bytes.to_vec();
+    if let Some(frame) = Anatomy::of(bytes) {
+        let header_len = match frame.version {
+            MavlinkVersion::V1 => V1_HEADER_LEN,
+            MavlinkVersion::V2 => V2_HEADER_LEN,
+        };
+        shown[header_len..header_len + frame.payload.len()].fill(0);
+    }
+    shown
+}
+
 impl<'a> Anatomy<'a> {
     /// Splits the bytes of exactly one frame; `None` if they are not a frame.
     pub fn of(bytes: &'a [u8]) -> Option<Self> {

@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::error::ParserError;
 use mavlink::{MavlinkVersion, Message as _, calculate_crc};
 
-use super::{Content, Frame};
+use super::{Content, Frame, Seal};
 
 #[cfg(test)]
 mod tests;
@@ -252,7 +252,11 @@ impl Decoder {
             component: sender[2],
             sequence: sender[0],
             version: layout.version,
-            signed: layout.signed,
+            seal: if layout.signed {
+                Seal::Foreign
+            } else {
+                Seal::Unsigned
+            },
             wire_len: layout.end() as u16,
             content,
         }

@@ -21,11 +21,11 @@ mod encoder;
 mod loss;
 mod signature;
 
-pub use anatomy::{Anatomy, frame_len};
+pub use anatomy::{Anatomy, frame_len, without_payload};
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
 pub use loss::{LossMeter, SequenceStep};
-pub use signature::{SigningKey, Stamp, is_signed_with};
+pub use signature::{Seal, SigningKey, Stamp, is_signed_with};
 
 /// A MAVLink system id. 0 addresses all systems and is never a sender.
 pub type SystemId = u8;
@@ -88,8 +88,8 @@ pub struct Frame {
     pub sequence: u8,
     /// MAVLink 1 or 2.
     pub version: MavlinkVersion,
-    /// Whether a signature followed the frame ([`is_signed_with`] verifies it).
-    pub signed: bool,
+    /// Its signature. The decoder has no keys: to it, a signed frame is [`Seal::Foreign`].
+    pub seal: Seal,
     /// Bytes on the wire, header, checksum and signature included.
     pub wire_len: u16,
     /// The payload, decoded as far as the dialect knows it.

@@ -139,7 +139,7 @@ mod tests {
             component,
             sequence,
             version: MavlinkVersion::V2,
-            signed: false,
+            seal: crate::Seal::Unsigned,
             wire_len: 21,
             content: Content::Message(MavMessage::HEARTBEAT(HEARTBEAT_DATA::default())),
         }

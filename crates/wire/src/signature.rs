@@ -19,6 +19,40 @@ pub struct Stamp {
     pub timestamp: u64,
 }
 
+/// The value of a frame's signature to a receiver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Seal {
+    /// The frame has no signature.
+    Unsigned,
+    /// It was not signed with a key that the receiver has, or it has not been verified.
+    Foreign,
+    /// It was signed with the right key, but its stamp is this many units of 10 microseconds behind that of an earlier
+    /// frame, or equal: it may have been replayed.
+    Old(u64),
+    /// It was signed with the sender's key, at a new time.
+    Right,
+    /// As [`Seal::Right`], with the key that is about to replace the sender's key.
+    RightWithNext,
+}
+
+impl Seal {
+    /// Whether a signature followed the frame, right or wrong.
+    pub fn is_signature(self) -> bool {
+        match self {
+            Self::Unsigned => false,
+            Self::Foreign | Self::Old(_) | Self::Right | Self::RightWithNext => true,
+        }
+    }
+
+    /// Whether the frame is proved to come from a holder of the key, now.
+    pub fn is_right(self) -> bool {
+        match self {
+            Self::Right | Self::RightWithNext => true,
+            Self::Unsigned | Self::Foreign | Self::Old(_) => false,
+        }
+    }
+}
+
 impl Stamp {
     /// The stamp of a signed frame, from its bytes as sent. `None` if it is too short to be signed.
     pub fn of(frame: &[u8]) -> Option<Self> {
@@ -103,7 +137,7 @@ mod tests {
         let mut decoder = Decoder::new();
         decoder.push(&bytes);
         let frame = decoder.next_frame().expect("intact");
-        assert!(frame.signed);
+        assert_eq!(frame.seal, Seal::Foreign);
         assert_eq!(decoder.bytes_of(&frame), bytes);
         let stamp = Stamp::of(decoder.bytes_of(&frame)).expect("signed");
         assert_eq!((stamp.link, stamp.timestamp), (5, 0x0001_0203_0405));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use crate::doctor::{Cause, LinkFinding, Weight};
+use crate::doctor::{Cause, LinkFinding, SealCounts, Weight};
 use crate::text::Text;
 use crate::wire::{ComponentId, SystemId};
 
@@ -106,6 +106,8 @@ pub struct LinkCounters {
     pub unsent: u64,
     /// The number of reconnections.
     pub reconnects: u32,
+    /// Frames of all senders by their signatures; `None` if no signatures are used on the link.
+    pub seals: Option<SealCounts>,
 }
 
 impl LinkCounters {

@@ -48,7 +48,12 @@ fn tell(state: &mut State, finding: &LinkFinding) {
     let is_news = match finding.cause {
         // A closed link shows its own error, and the fleet reports a duplicate system id.
         Cause::NotOpen | Cause::DuplicateSystem(_) => false,
-        Cause::OneWay(_) | Cause::OneWayVehicles(_) | Cause::Signed(_) => true,
+        Cause::OneWay(_)
+        | Cause::OneWayVehicles(_)
+        | Cause::Signed(_)
+        | Cause::Unsigned(_)
+        | Cause::WrongKey(_)
+        | Cause::OldStamps(..) => true,
         Cause::Nothing
         | Cause::Text
         | Cause::NoFrame

@@ -9,6 +9,8 @@ use nix::sys::resource::{Resource, getrlimit};
 use super::super::settings::CliSettings;
 use super::HostFinding;
 use super::mount::network_file_system;
+use crate::store::{KeyFile, KeyFileFault};
+use crate::text::Text;
 
 /// The cost of one idle or flying `ArduCopter` 4.6, measured with up to 32 of them: percent of a core, and resident
 /// memory in kibibytes.
@@ -187,6 +189,30 @@ fn available_kib(text: &str) -> Option<u64> {
         .lines()
         .find_map(|line| line.strip_prefix("MemAvailable:"))?;
     line.split_ascii_whitespace().next()?.parse().ok()
+}
+
+/// Whether the signing keys can be used; `None` without any.
+pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
+    let data = settings.data.as_deref()?;
+    let path = KeyFile::path_within(data).display().to_string();
+    let about = "signing keys";
+    match KeyFile::look(data) {
+        Ok(None) => None,
+        Ok(Some(keys)) => {
+            let count = keys.count();
+            Some(HostFinding::ok(about, format!("{path}: {count} vehicles")))
+        }
+        Err(fault @ KeyFileFault::Readable { .. }) => Some(HostFinding::fault(
+            about,
+            Text::from(&fault).to_string(),
+            format!("chmod 600 {path}, then `signing rotate` for every vehicle"),
+        )),
+        Err(fault) => Some(HostFinding::fault(
+            about,
+            Text::from(&fault).to_string(),
+            format!("restore {path} from a copy: a lost key cannot be recovered over MAVLink"),
+        )),
+    }
 }
 
 /// Whether only its owner can read the token of the services.

@@ -52,6 +52,15 @@ pub(in crate::cli) struct Common {
         help_heading = "Settings"
     )]
     no_record: Option<String>,
+    /// Ignore frames that are not signed with the key of their vehicle (`signing setup`).
+    #[arg(
+        long,
+        global = true,
+        num_args = 0,
+        default_missing_value = "true",
+        help_heading = "Settings"
+    )]
+    require_signing: Option<String>,
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
@@ -71,6 +80,11 @@ impl Common {
             ("symbols", "--symbols", &self.symbols),
             ("mouse", "--mouse", &self.mouse),
             ("records.enabled", "--no-record", &self.no_record),
+            (
+                "connect.require_signing",
+                "--require-signing",
+                &self.require_signing,
+            ),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),
         ];

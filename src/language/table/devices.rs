@@ -9,11 +9,12 @@ use crate::commands::{
 };
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
+use crate::signing::SigningChange;
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[
-    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, LOGS,
+    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, LOGS, SIGNING,
 ];
 
 /// Any value that fits a float on the wire.
@@ -345,3 +346,29 @@ fn int(given: &Arguments) -> Built {
         z: given.required("z")? as f32,
     }))
 }
+
+/// The key crosses the link in clear text, so each change needs a second key.
+const SIGNING: VerbRow = VerbRow {
+    verb: Verb {
+        name: "signing",
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &["3 signing setup", "all signing rotate", "signing remove"],
+    forms: &[
+        Form::new(&[Argument::flag("setup", "argument-signing-setup")], |_| {
+            command(Command::Signing(SigningChange::SetUp))
+        }),
+        Form::new(&[Argument::flag("rotate", "argument-signing-rotate")], |_| {
+            command(Command::Signing(SigningChange::Rotate))
+        }),
+        Form::new(&[Argument::flag("remove", "argument-signing-remove")], |_| {
+            command(Command::Signing(SigningChange::Remove))
+        }),
+    ],
+};

@@ -92,7 +92,12 @@ impl Shared {
     fn add_link(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
         let (inbound, cancel) = (self.inbound.clone(), self.cancel.clone());
-        let link = open_shared(id, transport, None, &self.relay, inbound, cancel);
+        let services = LinkServices {
+            sink: None,
+            relay: &self.relay,
+            signer: None,
+        };
+        let link = open_shared(id, transport, services, inbound, cancel);
         self.links.push(link);
     }
 
@@ -190,7 +195,7 @@ async fn stations_use_the_links_both_ways_and_each_frame_stays_as_it_was() {
     let sent = shared.vehicles[1].say(&text(50)).await;
     for station in [&mut one, &mut other] {
         let (frame, heard) = station.hear(2, 253).await;
-        assert!(frame.signed);
+        assert!(frame.seal.is_signature());
         assert_eq!(heard, sent);
     }
     // A command goes to its vehicle alone, and the answer to its sender alone.

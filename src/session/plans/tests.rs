@@ -80,7 +80,7 @@ fn frame(message: MavMessage) -> Frame {
         component: 1,
         sequence: 0,
         version: mavlink::MavlinkVersion::V2,
-        signed: false,
+        seal: crate::wire::Seal::Unsigned,
         wire_len: 20,
         content: Content::Message(message),
     }

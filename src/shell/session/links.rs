@@ -192,6 +192,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
             lost: lost(status),
             unsent: status.dropped_out,
             reconnects: status.reconnects,
+            seals: status.seals(),
         }),
         round_trip,
     }

@@ -23,7 +23,7 @@ use crate::fleet::{Fleet, FleetClock, Keeping};
 use crate::forward::ForwardSpec;
 use crate::geo::LatLon;
 use crate::hangar::{SitlSource, VehicleBackend as Simulation};
-use crate::link::{Address, Endpoint, Simulator, SimulatorPace, Transport};
+use crate::link::{Address, Endpoint, Signer, Simulator, SimulatorPace, Transport};
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
@@ -68,6 +68,8 @@ pub(in crate::shell) struct SessionBackend {
     pub records: Option<Records>,
     /// The folder of data, where downloaded logs are kept.
     pub data: Option<PathBuf>,
+    /// The keys of signed links.
+    pub signer: Option<Signer>,
     /// The stake and the career of a mission.
     pub occasion: Occasion,
     /// The trainee's attempts before this one, oldest first.
@@ -131,6 +133,7 @@ impl RunningSession {
             sink,
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
             plans: Some(plan.shelf(backend.occasion.stake, backend.data.as_deref())),
+            signer: backend.signer.clone(),
         };
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {

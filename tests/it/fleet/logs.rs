@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use sortie::fleet::{Fleet, FleetClock, Keeping};
+use sortie::fleet::Keeping;
 use sortie::ledger::{EntryId, RowState};
 use sortie::session::{LogKeeper, RadioFault, Want};
 use sortie::store::LogFolder;
-use tokio_util::sync::CancellationToken;
 
 use super::{Console, serve, world};
 
@@ -17,24 +16,10 @@ impl Console {
     /// A console that keeps the logs of vehicles in a folder of data.
     pub(crate) fn keeping_logs(data: &Path) -> Self {
         let folder: Arc<dyn LogKeeper> = Arc::new(LogFolder::within(data));
-        let keeping = Keeping {
-            sink: None,
+        Self::start_kept(Keeping {
             logs: Some(folder),
-            plans: None,
-        };
-        let (fleet, events) =
-            Fleet::start_kept(keeping, FleetClock::start(), CancellationToken::new());
-        Self {
-            fleet,
-            events,
-            vehicles: BTreeMap::new(),
-            parameters: BTreeMap::new(),
-            links: Vec::new(),
-            rows: Vec::new(),
-            notices: Vec::new(),
-            entries: 0,
-            forwards: Vec::new(),
-        }
+            ..Keeping::default()
+        })
     }
 
     pub(crate) async fn until_known(&mut self, ids: &[u16]) {

@@ -256,7 +256,7 @@ fn keys_are_not_taken_over_while_armed_or_for_others() {
     for ground in [&mut ground, &mut parked] {
         let before = ground.heard.len();
         ground.run(2.0);
-        assert!(ground.heard[before..].iter().all(|frame| !frame.signed));
+        assert!(ground.heard[before..].iter().all(|frame| !frame.seal.is_signature()));
     }
     let broadcast = MavMessage::SETUP_SIGNING(SETUP_SIGNING_DATA {
         secret_key: KEY,
@@ -266,6 +266,6 @@ fn keys_are_not_taken_over_while_armed_or_for_others() {
     let before = parked.heard.len();
     parked.run(2.0);
     let signed = &parked.heard[before..];
-    assert!(signed.iter().all(|frame| frame.signed) && !signed.is_empty());
+    assert!(signed.iter().all(|frame| frame.seal.is_signature()) && !signed.is_empty());
     assert!(matches!(signed[0].content, Content::Message(_)));
 }
