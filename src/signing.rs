@@ -347,6 +347,7 @@ impl Keyring {
     /// The last stamp that may be used once a file written now is in place.
     fn reserve(&self, wall: u64) -> u64 {
         let least = self.clock.saturating_add(LEAST_AHEAD);
-        least.max(wall.saturating_add(AHEAD))
+        // Not before the last reserve, even if the clock of this machine was set back in the meantime.
+        least.max(wall.saturating_add(AHEAD)).max(self.reserved)
     }
 }

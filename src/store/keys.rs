@@ -6,6 +6,7 @@ use std::io;
 use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
+use super::sharing::KEY_FILE;
 use super::source::LARGEST_FILE;
 use super::{links, output, sharing};
 use crate::config::Readers;
@@ -13,8 +14,6 @@ use crate::signing::{Keyring, KeyringFault};
 use crate::text;
 use crate::text::Text;
 
-/// The name of the file in the folder of data.
-pub(super) const KEY_FILE: &str = "signing.toml";
 /// All permissions of other users.
 const OTHERS: u32 = 0o077;
 

@@ -10,6 +10,8 @@ use std::path::Path;
 
 use super::links;
 
+/// The file with the signing keys, which is never shared.
+pub(super) const KEY_FILE: &str = "signing.toml";
 /// The mode bits of a shared folder: set-group-ID, and read and enter for the group.
 const SHARED_FOLDER: u32 = 0o2050;
 /// The mode bit of a file in such a folder.
@@ -27,7 +29,7 @@ pub fn share_with_group(data: &Path) -> io::Result<()> {
         let kind = entry.file_type()?;
         if kind.is_dir() {
             share_with_group(&entry.path())?;
-        } else if kind.is_file() && entry.file_name() != super::keys::KEY_FILE {
+        } else if kind.is_file() && entry.file_name() != KEY_FILE {
             allow(&entry.path(), SHARED_FILE)?;
         }
     }

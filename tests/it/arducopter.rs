@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::fleet::Console;
+use crate::fleet::{Console, signing};
 
 /// SITL's TCP port is 5760 and ten more per instance; this number avoids ports that other programs usually use.
 const INSTANCE: u16 = 83;
@@ -193,5 +193,57 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
         let (again, words) = download(&mut console, &folder.path().join("messages")).await;
         assert!(words.contains("saved by log messages: "), "{words}");
         assert!(again == bytes);
+    }
+}
+
+/// An instance whose serial ports are TCP servers: serial 0, which always takes unsigned frames, and serial 1, which does
+/// not once there is a key.
+fn with_ports(folder: &Path, instance: u16) -> Sitl {
+    fs::write(folder.join("copter.parm"), parameters()).expect("written");
+    let sitl = Command::new(program())
+        .args(["--model", "quad", "--speedup", "1", "--slave", "0"])
+        .args(["--sysid", "7", "--home", "-35.363262,149.165237,584,0"])
+        .args(["--serial1", "tcp:2", "--defaults", "copter.parm"])
+        .args(["-I", &instance.to_string()])
+        .current_dir(folder)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
+async fn a_real_arducopter_proves_its_keys_through_restarts_of_both_sides() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let keys = tempfile::tempdir().expect("a folder");
+    let instance = INSTANCE + 2;
+    let address = format!("tcp:127.0.0.1:{}", 5762 + 10 * instance);
+    let sitl = with_ports(folder.path(), instance);
+    let mut console = signing::start(keys.path(), false).await.console;
+    console.connect(&address);
+    console.until_known(&[7]).await;
+    for (line, mode) in [
+        ("signing setup", "guided"),
+        ("signing rotate", "loiter"),
+        ("signing remove", "guided"),
+        ("signing setup", "loiter"),
+    ] {
+        let begun = Instant::now();
+        let words = console.carry_out(line, 7).await;
+        eprintln!("{line} in {:.2?}: {words}", begun.elapsed());
+        console.carry_out(mode, 7).await;
+    }
+    drop(console);
+    drop(sitl);
+    let _sitl = with_ports(folder.path(), instance);
+    for (ago, mode) in [(86_400 * 100_000, "guided"), (0, "loiter")] {
+        let mut signed = signing::start(keys.path(), true).await;
+        signed.set_clock(ago);
+        signed.console.connect(&address);
+        signed.console.until_known(&[7]).await;
+        signed.console.carry_out(mode, 7).await;
+        eprintln!("{:?}", signed.console.seals(0));
+        assert_eq!(signed.console.seals(0).old, 0);
     }
 }

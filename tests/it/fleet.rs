@@ -26,7 +26,7 @@ use tokio_util::sync::CancellationToken;
 mod forwards;
 mod logs;
 mod parameters;
-mod signing;
+pub(crate) mod signing;
 
 /// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
