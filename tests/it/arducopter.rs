@@ -203,8 +203,9 @@ fn with_ports(folder: &Path, instance: u16) -> Sitl {
     let sitl = Command::new(program())
         .args(["--model", "quad", "--speedup", "1", "--slave", "0"])
         .args(["--sysid", "7", "--home", "-35.363262,149.165237,584,0"])
-        .args(["--serial1", "tcp:2", "--defaults", "copter.parm"])
-        .args(["-I", &instance.to_string()])
+        // Without waiting for a client of serial 0.
+        .args(["--serial0", "tcp:0", "--serial1", "tcp:2"])
+        .args(["--defaults", "copter.parm", "-I", &instance.to_string()])
         .current_dir(folder)
         .stdout(Stdio::null())
         .stderr(Stdio::null())
