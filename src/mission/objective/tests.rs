@@ -68,7 +68,7 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
         (report.objectives[0].points, report.score)
     };
     let (near, middle, far) = (score(&[10.0]), score(&[30.0]), score(&[80.0]));
-    assert!((near.0 - 75.0).abs() < 0.1 && (middle.0 - 37.5).abs() < 0.1 && far.0.abs() < 0.1);
+    assert!((near.0 - 60.0).abs() < 0.1 && (middle.0 - 30.0).abs() < 0.1 && far.0.abs() < 0.1);
     let corrected = score(&[80.0, 10.0]);
     assert!((corrected.0 - near.0).abs() < 0.1);
     assert!(corrected.1 < near.1, "{corrected:?} {near:?}");
