@@ -150,6 +150,13 @@ impl Pilot {
         self.fly_to([north_m, east_m, self.position_m[2]], speed_m_s);
     }
 
+    /// Flies to a place and is there still as fast.
+    pub fn cross(&mut self, north_m: f64, east_m: f64, speed_m_s: f64) {
+        self.goto(north_m, east_m, speed_m_s);
+        self.report_state([speed_m_s, 0.0, 0.0]);
+        self.tick();
+    }
+
     pub fn survey(&mut self) {
         self.goto(ROUTE[0].0, ROUTE[0].1, 10.0);
         for (north, east) in ROUTE {
