@@ -68,7 +68,7 @@ mod world;
 mod zone;
 
 pub use crate::scoring::Report;
-pub use area::{Area, AreaKind};
+pub use area::{Area, AreaKind, KnownWire};
 pub use campaign::{Outlay, Requires, Rewards, Unlock};
 pub use clock::Clock;
 pub use event::alert::OpenAlert;

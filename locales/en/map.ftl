@@ -8,6 +8,7 @@ map-outside = { $count ->
    *[other] { $count } vehicles out of view
 }
 map-nowhere = No position is known yet.
+map-objective = next: { $title }: { $detail }
 map-from-home = from home
 map-from-vehicle = from
 map-ruler = ruler
@@ -58,6 +59,7 @@ map-legend-no-fly = no-fly area (x)
 map-legend-jamming = GNSS jammed (~)
 map-legend-people = people below (&)
 map-legend-radio = weak radio (%)
+map-legend-wire = power line, pylons (T)
 map-legend-movers = person, aircraft, drone
 map-legend-swept = searched or sampled
 map-legend-fire = fire: burnt to flames

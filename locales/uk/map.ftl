@@ -9,6 +9,7 @@ map-outside = { $count ->
    *[many] { $count } апаратів поза картою
 }
 map-nowhere = Жодної позиції ще не відомо.
+map-objective = далі: { $title }: { $detail }
 map-from-home = від дому
 map-from-vehicle = від
 map-ruler = лінійка
@@ -59,6 +60,7 @@ map-legend-no-fly = заборонена зона (x)
 map-legend-jamming = зона завад (~)
 map-legend-people = унизу люди (&)
 map-legend-radio = слабкий зв'язок (%)
+map-legend-wire = дріт ЛЕП, опори (T)
 map-legend-movers = людина, літак, дрон
 map-legend-swept = обстежено або виміряно
 map-legend-fire = пожежа: згарище, вогонь

@@ -1,10 +1,10 @@
-//! The areas of a mission that the trainee knows.
+//! The areas and power lines of a mission that the trainee knows.
 
 use std::collections::BTreeMap;
 
 use super::Mission;
 use super::zone::{Shape, Zone, ZoneKind};
-use crate::geo::Outline;
+use crate::geo::{LatLon, Outline};
 
 /// An area of a mission, with its meaning.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +33,13 @@ pub enum AreaKind {
     Radio,
 }
 
+/// A power line as the trainee knows it, without its defects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownWire {
+    /// The pylons in order; the wire hangs between neighbours.
+    pub pylons: Vec<LatLon>,
+}
+
 impl From<ZoneKind> for AreaKind {
     fn from(kind: ZoneKind) -> Self {
         match kind {
@@ -51,6 +58,18 @@ impl Mission {
     pub fn areas(&self) -> Vec<Area> {
         let known = self.site.zones.iter().filter(|zone| zone.active);
         known.map(|zone| self.area(zone)).collect()
+    }
+
+    /// The power lines, which are visible from the start.
+    pub fn wires(&self) -> Vec<KnownWire> {
+        let lines = self.site.hazards.iter().map(|hazard| hazard.pylons());
+        let wires = lines.filter(|pylons| !pylons.is_empty()).map(|pylons| {
+            let places = pylons.iter().map(|&at| self.site.origin.place(at));
+            KnownWire {
+                pylons: places.collect(),
+            }
+        });
+        wires.collect()
     }
 
     /// A zone as the trainee knows it.

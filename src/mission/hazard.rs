@@ -34,6 +34,11 @@ pub(crate) use people::Care;
 pub(crate) trait Hazard: Debug + Send + Sync {
     /// The hazard of one flight; everything random comes from `random`, now and later.
     fn release(&self, weather: &Weather, random: ChaCha8Rng) -> Box<dyn Field>;
+
+    /// The pylons of a power line, which the trainee sees from the start, unlike its defects; empty for other hazards.
+    fn pylons(&self) -> &[Point] {
+        &[]
+    }
 }
 
 /// A hazard's truth during one flight.

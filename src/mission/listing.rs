@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::objective::{GateRoute, ObjectiveScene};
 use super::world::World;
-use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
+use super::{Area, Hint, KnownWire, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
 use crate::scoring::{Component, Medals};
 use crate::swarm::Rules;
@@ -48,6 +48,8 @@ pub struct Listing {
     pub fits: Vec<FitListing>,
     /// The areas that are known from the start.
     pub areas: Vec<Area>,
+    /// The power lines, which are visible from the start.
+    pub wires: Vec<KnownWire>,
     /// The places named from the start, and the pads.
     pub places: BTreeMap<String, LatLon>,
     pub objectives: Vec<ObjectiveListing>,
@@ -135,6 +137,7 @@ impl Mission {
             needs: self.needs(),
             fits: self.listed_fits(),
             areas: self.areas(),
+            wires: self.wires(),
             places: self.sites(),
             objectives: self.listed_objectives(),
             hints: self.advice.hints.clone(),

@@ -100,17 +100,20 @@ impl<'a> Panel<'a> {
         below(self.area, 1)
     }
 
-    /// Marks that a list continues above or below the visible part, in the column beside it if there is one.
+    /// Marks that a list continues above or below the visible part, in the column beside it if there is one; otherwise
+    /// at the end of the nearest row that is short enough, so that the mark covers no letter.
     pub fn mark_scroll(self, first: usize, count: usize, buffer: &mut Buffer) {
         if self.area.is_empty() {
             return;
         }
         let x = self.area.right().min(buffer.area.right().saturating_sub(1));
+        let rows = self.area.y..self.area.bottom();
+        let is_free = |y: &u16| buffer[(x, *y)].symbol() == " ";
+        let (top, bottom) = (rows.start, rows.end - 1);
+        let upper = rows.clone().find(is_free).unwrap_or(top);
+        let lower = rows.rev().find(is_free).unwrap_or(bottom);
         let goes_on = first + usize::from(self.area.height) < count;
-        let marks = [
-            (first > 0, self.area.y, "▲"),
-            (goes_on, self.area.bottom() - 1, "▼"),
-        ];
+        let marks = [(first > 0, upper, "▲"), (goes_on, lower, "▼")];
         for (_, y, mark) in marks.into_iter().filter(|(is_shown, ..)| *is_shown) {
             buffer.set_stringn(x, y, mark, 1, self.style(Role::Key));
         }
@@ -207,6 +210,16 @@ pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option
     Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
 }
 
+/// As many lines of a wrapped text as fit, with a mark at the end if some are left out.
+pub fn clip_rows(mut lines: Vec<String>, rows: usize, width: usize) -> Vec<String> {
+    let is_cut = lines.len() > rows;
+    lines.truncate(rows);
+    if let Some(last) = lines.last_mut().filter(|_| is_cut) {
+        *last = clip(&format!("{last} …"), width);
+    }
+    lines
+}
+
 /// A text cut to a width, with a mark if it was too long.
 pub fn clip(text: &str, width: usize) -> String {
     if Span::raw(text).width() <= width {
@@ -231,6 +244,24 @@ mod tests {
     use super::*;
     use crate::ui::ascii;
     use crate::ui::theme::Theme;
+
+    #[test]
+    fn the_marks_of_a_longer_list_cover_no_letter() {
+        let (look, area) = (Look::default(), Rect::new(0, 0, 4, 4));
+        let drawn = |lines: [&str; 4]| {
+            let mut buffer = Buffer::empty(area);
+            for (row, line) in (0..).zip(lines) {
+                buffer.set_string(0, row, line, Style::default());
+            }
+            Panel::new(&look, area).mark_scroll(1, 9, &mut buffer);
+            let row = |y| (0..4).map(|x| buffer[(x, y)].symbol()).collect::<String>();
+            [0, 1, 2, 3].map(row)
+        };
+        let marked = ["ab ▲", "abcd", "abcd", "a  ▼"];
+        assert_eq!(drawn(["ab", "abcd", "abcd", "a"]), marked);
+        let marked = ["abcd", "ab ▲", "a  ▼", "abcd"];
+        assert_eq!(drawn(["abcd", "ab", "a", "abcd"]), marked);
+    }
 
     #[test]
     fn the_cursor_hides_no_state() {

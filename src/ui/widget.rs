@@ -5,7 +5,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
-pub use super::panel::{below, clip, columns, put, row_of, upper};
+pub use super::panel::{below, clip, clip_rows, columns, put, row_of, upper};
 use super::theme::Role;
 use crate::ledger::RowState;
 use crate::scoring::Medal;

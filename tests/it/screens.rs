@@ -29,6 +29,7 @@ mod replay;
 mod review;
 mod rooms;
 mod vehicle;
+mod wire;
 mod workshop;
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];

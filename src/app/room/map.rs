@@ -14,7 +14,7 @@ mod watch;
 
 pub use overview::Overview;
 pub use samples::{SampleField, Samples};
-pub use scene::{PAUSED, Sketch, SketchKind, planned, shows_leg, sketches};
+pub use scene::{PAUSED, PYLON, Sketch, SketchKind, planned, shows_leg, sketches, wires};
 pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 

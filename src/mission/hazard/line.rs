@@ -45,7 +45,7 @@ struct Strung {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "line",
-    about: "a power line between pylons, with defects and harmless stains on its wire",
+    about: "a power line between pylons, with defects and harmless stains on its wire; the map shows the line from the start",
     read,
 };
 
@@ -169,6 +169,10 @@ fn parameter_m(span_m: f64, sag_m: f64) -> f64 {
 }
 
 impl Hazard for PowerLine {
+    fn pylons(&self) -> &[Point] {
+        &self.wire.pylons
+    }
+
     fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
         let length_m = self.wire.length_m();
         let mut places: Vec<f64> = Vec::new();

@@ -11,7 +11,7 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length, next_place, stamp};
-use crate::ui::widget::{below, columns, mission, put, row_of, upper, urgent, wrap};
+use crate::ui::widget::{below, clip_rows, columns, mission, put, row_of, upper, urgent, wrap};
 
 /// The maximum number of rows of a lesson.
 const LESSON_ROWS: usize = 3;
@@ -44,7 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         buffer,
     );
     if let Some(view) = map.view(GridSize::new(canvas.width, canvas.height)) {
-        draw_lesson(state, &view, panel.at(canvas), buffer);
+        draw_task(state, &view, panel.at(canvas), buffer);
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, panel.at(canvas), buffer);
         let whole = place_line(state, panel.look, cursor, true);
@@ -62,15 +62,17 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the step of a lesson, so that a trainee who was sent to the map need not go back to read it. It is placed
-/// where it does not cover its target.
-fn draw_lesson(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(step) = state.session().mission().and_then(mission::lesson) else {
-        return;
-    };
+/// Draws the step of a lesson, otherwise the next open objective, so that a trainee need not leave the map to read it.
+/// It is placed where it does not cover its target.
+fn draw_task(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = panel.columns(0, panel.area.width.saturating_sub(NORTH_MARK));
-    let mut lines = wrap(&panel.text(&step), room.width());
-    lines.truncate(LESSON_ROWS);
+    let step = state.session().mission().and_then(mission::lesson);
+    let (text, most, role) = match (step, mission::next_objective(state)) {
+        (Some(step), _) => (step, LESSON_ROWS, Role::Accent),
+        (None, Some(objective)) => (objective, 1, Role::Text),
+        (None, None) => return,
+    };
+    let lines = clip_rows(wrap(&panel.text(&text), room.width()), most, room.width());
     let (rows, top) = (lines.len() as u16, urgent::height(state));
     let next = next_place(state).and_then(|at| view.cell(at));
     let is_over_next = next.is_some_and(|(_, row)| row <= top + rows);
@@ -81,7 +83,7 @@ fn draw_lesson(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Bu
     };
     for (row, line) in (first..).zip(&lines) {
         let here = room.at(row_of(room.area, row));
-        stamp(line, panel.style(Role::Accent), here, buffer);
+        stamp(line, panel.style(role), here, buffer);
     }
 }
 

@@ -15,7 +15,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, clock, columns, put, upper, wrap};
+use crate::ui::widget::{aligned, below, clip, clip_rows, clock, columns, put, upper, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns between two readings.
@@ -66,21 +66,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         grid.draw(state, panel.at(upper(free, rows)), buffer);
         rest = below(rest, rows.min(free.height));
     }
-    draw_hint(&hint, panel.at(rest), buffer);
+    draw_hint(hint, panel.at(rest), buffer);
 }
 
 /// Draws the hint, with a mark if it is cut.
-fn draw_hint(lines: &[String], panel: Panel<'_>, buffer: &mut Buffer) {
-    let rows = usize::from(panel.area.height);
-    for (row, line) in lines.iter().take(rows).enumerate() {
-        let is_cut = row + 1 == rows && lines.len() > rows;
-        let text = if is_cut {
-            clip(&format!("{line} …"), usize::from(panel.area.width))
-        } else {
-            line.clone()
-        };
-        let line = Line::styled(text, panel.style(Role::Accent));
-        put(buffer, panel.area, row as u16, &line);
+fn draw_hint(lines: Vec<String>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let shown = clip_rows(lines, usize::from(panel.area.height), panel.width());
+    for (row, line) in (0..).zip(shown) {
+        let line = Line::styled(line, panel.style(Role::Accent));
+        put(buffer, panel.area, row, &line);
     }
 }
 
@@ -105,6 +99,15 @@ pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String>
 pub fn lesson(progress: &Progress) -> Option<Text> {
     let step = progress.lesson.as_ref()?;
     Some(text!("mission-lesson", step = &step.text))
+}
+
+/// The next objective that is still open, and its result so far, on one line; `None` once the mission is over.
+pub fn next_objective(state: &State) -> Option<Text> {
+    let progress = state.session().mission()?;
+    let mut objectives = progress.objectives.iter();
+    let open = objectives.find(|it| it.state == ObjectiveState::Open)?;
+    let (title, detail) = (&open.title, &open.detail);
+    (!state.session().is_over()).then(|| text!("map-objective", title = title, detail = detail))
 }
 
 /// Contacts, reports, prediction and goal: a line for each that exists.
@@ -319,7 +322,7 @@ mod tests {
         let drawn = |lines: &[&str]| {
             let mut buffer = Buffer::empty(area);
             let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
-            draw_hint(&lines, Panel::new(&look, area), &mut buffer);
+            draw_hint(lines, Panel::new(&look, area), &mut buffer);
             let row = |y| (0..12).map(|x| buffer[(x, y)].symbol()).collect::<String>();
             [row(0).trim_end().to_owned(), row(1).trim_end().to_owned()]
         };

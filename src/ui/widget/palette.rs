@@ -17,7 +17,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, mission, put, row_of, wrap};
+use crate::ui::widget::{below, clip, clip_rows, mission, put, row_of, wrap};
 
 /// The maximum number of rows of the box: frame, completions, message, line.
 const HEIGHT: u16 = 13;
@@ -134,8 +134,9 @@ fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'st
     let Some(progress) = progress.filter(|_| state.room() == Room::Fly && height < LOW) else {
         return Vec::new();
     };
-    let lines = mission::hint_lines(progress, width, look).into_iter();
-    let shown = lines.take(LESSON_ROWS);
+    let lines = mission::hint_lines(progress, width, look);
+    let shown = clip_rows(lines, LESSON_ROWS, width);
+    let shown = shown.into_iter();
     shown
         .map(|line| Line::styled(line, look.style(Role::Accent)))
         .collect()
@@ -168,8 +169,9 @@ fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> 
     ];
     let mut lines = Vec::new();
     for (text, rows, role) in parts {
-        let wrapped = wrap(text.unwrap_or_default(), width).into_iter();
-        let shown = wrapped.filter(|line| !line.is_empty()).take(rows);
+        let mut wrapped = wrap(text.unwrap_or_default(), width);
+        wrapped.retain(|line| !line.is_empty());
+        let shown = clip_rows(wrapped, rows, width).into_iter();
         lines.extend(shown.map(|line| Line::styled(line, look.style(role))));
     }
     lines
@@ -257,29 +259,25 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
     let seen = || choices.iter().enumerate().skip(first).take(rows);
     let widest = seen().map(|(_, choice)| choice.text.chars().count()).max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let mut blocks: Vec<Vec<ChoiceRow<'_>>> = seen()
-        .map(|(at, choice)| {
+    let blocks = |most: usize| -> Vec<ChoiceRow<'a>> {
+        let rows = seen().flat_map(|(at, choice)| {
             let is_chosen = palette.chosen() == Some(at);
-            let lines = choice_lines(choice, is_chosen, name_width, width, look);
+            let lines = choice_lines(choice, is_chosen, [name_width, width, most], look);
             let rows = lines.into_iter();
-            rows.map(|line| ChoiceRow { line, is_chosen }).collect()
-        })
-        .collect();
+            rows.map(move |line| ChoiceRow { line, is_chosen })
+        });
+        rows.collect()
+    };
     // Each completion is shown in full if there is room for all, otherwise on one line.
-    if blocks.iter().map(Vec::len).sum::<usize>() > rows {
-        for block in &mut blocks {
-            block.truncate(1);
-        }
-    }
-    blocks.into_iter().flatten().collect()
+    let whole = blocks(usize::MAX);
+    if whole.len() > rows { blocks(1) } else { whole }
 }
 
-/// A completion with its description, wrapped.
+/// A completion with its description, wrapped: the columns of the name and of the whole, and the most rows.
 fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,
-    name_width: usize,
-    width: usize,
+    [name_width, width, rows]: [usize; 3],
     look: &Look,
 ) -> Vec<Line<'a>> {
     let mut mark = if is_chosen { "> " } else { "  " };
@@ -287,7 +285,7 @@ fn choice_lines<'a>(
     let hint = look.text(&choice.hint);
     let room = width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
-    for text in wrap(&hint, room) {
+    for text in clip_rows(wrap(&hint, room), rows, room) {
         let name = std::mem::take(&mut name);
         lines.push(Line::from(vec![
             Span::raw(std::mem::replace(&mut mark, "  ")),

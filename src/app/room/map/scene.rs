@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::app::State;
 use crate::geo::{LatLon, Outline};
-use crate::mission::AreaKind;
+use crate::mission::{AreaKind, KnownWire};
 use crate::swarm::Path;
 use crate::vehicle::{FencePlan, FenceShape, Plan, Vehicle, VehicleId};
 
@@ -21,6 +21,8 @@ pub struct Sketch {
     pub vehicle: Option<VehicleId>,
 }
 
+/// The sign of a pylon of a power line.
+pub const PYLON: &str = "T";
 /// The sign of a vehicle that has paused in its plan.
 pub const PAUSED: &str = "||";
 
@@ -41,6 +43,8 @@ pub enum SketchKind {
     People,
     /// An area where radio is weak.
     Radio,
+    /// The wire of a power line, or one of its pylons.
+    Wire,
     /// A vehicle's plan for AUTO.
     Plan,
     /// The leg of a plan that the vehicle is flying.
@@ -97,7 +101,7 @@ impl Sketch {
     }
 }
 
-/// All outlines, the most important last: the mission's areas, then the plans, fences and rally points of the
+/// All outlines, the most important last: the mission's areas and power lines, then the plans, fences and rally points of the
 /// commanded vehicles. A fence shared by several is drawn once.
 pub fn sketches(state: &State) -> Vec<Sketch> {
     let known = state.session.task.areas.iter();
@@ -106,6 +110,7 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
         Sketch::area(kind, &area.name, &area.outline)
     });
     let mut sketches: Vec<Sketch> = areas.collect();
+    sketches.extend(wires(state).flat_map(strung));
     sketches.extend(
         state
             .session
@@ -124,6 +129,26 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
         Sketch::point(SketchKind::Meeting, format!("{a}/{b}"), meeting.at_point)
     }));
     sketches
+}
+
+/// The power lines of the mission.
+pub fn wires(state: &State) -> impl Iterator<Item = &KnownWire> {
+    let mission = state.session.task.listing.iter();
+    mission.flat_map(|mission| &mission.wires)
+}
+
+/// The wire of a power line and its pylons.
+fn strung(wire: &KnownWire) -> impl Iterator<Item = Sketch> {
+    let between = Sketch {
+        kind: SketchKind::Wire,
+        label: String::new(),
+        points: wire.pylons.clone(),
+        closed: false,
+        vehicle: None,
+    };
+    let pylons = wire.pylons.iter();
+    let pylons = pylons.map(|&at| Sketch::point(SketchKind::Wire, PYLON.to_owned(), at));
+    std::iter::once(between).chain(pylons)
 }
 
 /// A vehicle's path in a manoeuvre, or its place in a formation until it is there.

@@ -1,6 +1,6 @@
 //! Updates of the map during a flight, even while another room is shown.
 
-use super::{Aim, planned};
+use super::{Aim, planned, wires};
 use crate::app::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::{AreaKind, Progress};
@@ -114,6 +114,7 @@ fn places(state: &State) -> Vec<LatLon> {
     let all_areas = session.task.areas.iter();
     let framed = all_areas.filter(|area| area.kind == AreaKind::Task || !has_task);
     let areas = framed.flat_map(|area| area.outline.corners());
+    let pylons = wires(state).flat_map(|wire| wire.pylons.iter().copied());
     let named = session.places.values().copied();
     let all_cells = session
         .task
@@ -126,6 +127,7 @@ fn places(state: &State) -> Vec<LatLon> {
     let trails = shown_trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
     let known = vehicles
         .chain(areas)
+        .chain(pylons)
         .chain(named)
         .chain(cells)
         .chain(trails);

@@ -20,6 +20,8 @@ use crate::vehicle::VehicleId;
 
 /// The cells of a survey.
 const CELL: Stroke = Stroke::dotted(Role::Muted);
+/// The wire of a power line.
+pub const WIRE: Stroke = Stroke::solid(Role::Warning);
 /// The ruler, from its start to the cursor.
 pub const RULER: Stroke = Stroke::dotted(Role::Key);
 
@@ -33,6 +35,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Jamming => Stroke::dashed(Role::Accent),
         SketchKind::People => Stroke::dotted(Role::Warning),
         SketchKind::Radio => Stroke::dotted(Role::Accent),
+        SketchKind::Wire => WIRE,
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Leg => Stroke::broken(Role::Accent),
         SketchKind::Rally => Stroke::dotted(Role::Title),
@@ -60,6 +63,7 @@ pub const fn sign(kind: SketchKind) -> &'static str {
         SketchKind::Task
         | SketchKind::Fence
         | SketchKind::KeepOut
+        | SketchKind::Wire
         | SketchKind::Plan
         | SketchKind::Leg
         | SketchKind::Rally

@@ -12,7 +12,7 @@ use super::ways::{GHOST, target, trail};
 use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
-    Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task,
+    Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task, Wire,
 };
 use crate::app::room::map::{PAUSED, leg, shows_leg, sketches};
 use crate::geo::{Viewport, scale_bar};
@@ -161,7 +161,7 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 17] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -184,6 +184,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 15] {
         (has(Jamming), stroke(Jamming), "map-legend-jamming"),
         (has(People), stroke(People), "map-legend-people"),
         (has(Radio), stroke(Radio), "map-legend-radio"),
+        (has(Wire), stroke(Wire), "map-legend-wire"),
         (has(Plan), plan(Plan), "map-legend-plan"),
         (has(Leg), plan(Leg), "map-legend-leg"),
         (has(Rally), stroke(Rally), "map-legend-rally"),

@@ -1,4 +1,4 @@
-//! A sketch of a mission's site before the flight: its areas, its places and its pads.
+//! A sketch of a mission's site before the flight: its areas, its power lines, its places and its pads.
 
 use std::collections::BTreeSet;
 
@@ -6,9 +6,9 @@ use ratatui::buffer::Buffer;
 use unicode_width::UnicodeWidthStr as _;
 
 use super::canvas::Canvas;
-use super::ground::{outline, sign, stroke};
+use super::ground::{WIRE, outline, sign, stroke};
 use super::legend::draw_scale;
-use crate::app::room::map::SketchKind;
+use crate::app::room::map::{PYLON, SketchKind};
 use crate::geo::{Extent, GridSize, LatLon, Viewport};
 use crate::mission::{AreaKind, Listing, is_pad};
 use crate::ui::panel::Panel;
@@ -48,6 +48,9 @@ pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
             stroke(SketchKind::of_area(zone.kind)),
         );
     }
+    for pair in mission.wires.iter().flat_map(|wire| wire.pylons.windows(2)) {
+        canvas.line(view.dot(pair[0]), view.dot(pair[1]), WIRE);
+    }
     canvas.draw(panel, buffer);
     draw_words(&words(mission, &view), panel, buffer);
     draw_scale(panel.look, &view, area, buffer);
@@ -61,7 +64,9 @@ fn extent(mission: &Listing) -> Option<Extent> {
         .iter()
         .filter(|zone| zone.kind != AreaKind::Geofence);
     let corners = inside.flat_map(|zone| zone.outline.corners());
-    let within = Extent::around(corners.chain(mission.places.values().copied()));
+    let pylons = mission.wires.iter().flat_map(|wire| &wire.pylons).copied();
+    let places = mission.places.values().copied();
+    let within = Extent::around(corners.chain(pylons).chain(places));
     let has_size = |it: &Extent| it.size_m().iter().any(|&side_m| side_m > 1.0);
     let all = mission.areas.iter().flat_map(|zone| zone.outline.corners());
     within.filter(has_size).or_else(|| Extent::around(all))
@@ -87,6 +92,8 @@ fn words(mission: &Listing, view: &Viewport) -> Vec<SketchWord> {
         .into_iter()
         .take(few)
         .filter_map(|(name, &at)| word(at, format!("+{name}"), Role::Info));
+    let pylons = mission.wires.iter().flat_map(|wire| &wire.pylons);
+    let pylons = pylons.filter_map(|&at| word(at, PYLON.to_owned(), WIRE.role));
     let areas = mission.areas.iter().filter_map(|zone| {
         let kind = SketchKind::of_area(zone.kind);
         let corners = zone.outline.corners().into_iter();
@@ -98,7 +105,7 @@ fn words(mission: &Listing, view: &Viewport) -> Vec<SketchWord> {
             role: stroke(kind).role,
         })
     });
-    pads.chain(places).chain(areas).collect()
+    pads.chain(places).chain(pylons).chain(areas).collect()
 }
 
 fn draw_words(words: &[SketchWord], panel: Panel<'_>, buffer: &mut Buffer) {
