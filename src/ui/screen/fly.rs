@@ -82,7 +82,7 @@ fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 struct SidePanes {
     /// To the right of both.
     beside: Rect,
-    /// Below both, if they are beside each other; otherwise without rows.
+    /// Below both on a wide screen; otherwise without rows.
     below: Rect,
 }
 
@@ -122,6 +122,23 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     }
 }
 
+/// Draws the telemetry alone on a wide screen, and returns the rest: the map beside it and the ledger below it use the
+/// rows that a mission would take.
+fn draw_telemetry(
+    state: &State,
+    panel: Panel<'_>,
+    detail: Detail,
+    buffer: &mut Buffer,
+) -> SidePanes {
+    let side = columns(panel.area, 0, MISSION_WIDTH);
+    let used = telemetry::height(state, panel.look, MISSION_WIDTH, detail).min(side.height);
+    telemetry::draw(state, panel.at(upper(side, used)), detail, buffer);
+    SidePanes {
+        beside: columns(panel.area, MISSION_WIDTH + 1, panel.area.width),
+        below: below(side, used),
+    }
+}
+
 /// Draws telemetry and mission, and returns the rest of the area.
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> SidePanes {
     let side = columns(panel.area, 0, SIDE_WIDTH);
@@ -132,6 +149,9 @@ fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> SidePanes 
         below: upper(beside, 0),
     };
     let Some(progress) = state.session().mission() else {
+        if panel.area.width >= THREE_COLUMNS {
+            return draw_telemetry(state, panel, detail, buffer);
+        }
         telemetry::draw(state, panel.at(side), detail, buffer);
         return only_beside(log);
     };
