@@ -45,7 +45,7 @@ pub use destination::{Destination, Heading};
 pub use device::DeviceCommand;
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
-pub use find_kind::FindKind;
+pub use find_kind::{CONTACT_STEMS, FindKind, is_contact_name};
 pub use flight::FlightCommand;
 pub use log::{LogChoice, LogCommand, LogGroup};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};

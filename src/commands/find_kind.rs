@@ -59,6 +59,17 @@ impl FindKind {
     }
 }
 
+/// The names of contacts without their numbers: of most, and of fires, which are numbered separately.
+pub const CONTACT_STEMS: [&str; 2] = ["c", "fire"];
+
+/// Whether a word is the name of a contact, such as `c3` or `fire12`.
+pub fn is_contact_name(word: &str) -> bool {
+    CONTACT_STEMS.iter().any(|stem| {
+        let number = word.strip_prefix(stem).unwrap_or_default();
+        !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

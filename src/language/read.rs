@@ -1,5 +1,7 @@
 //! Parses words into values.
 
+use std::collections::BTreeMap;
+
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::argument::{Kind, Unit, Value};
@@ -8,7 +10,7 @@ use super::modes::{mode_named, mode_names, mode_summary};
 use super::names::{Listed, NameList};
 use super::targets::Targets;
 use super::{Context, VehicleChoice};
-use crate::commands::{command_by_name, command_names};
+use crate::commands::{command_by_name, command_names, is_contact_name};
 use crate::config::{Column, TableSort};
 use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
@@ -349,6 +351,8 @@ fn sort(text: &str) -> Result<String, Misread> {
     }
 }
 
+/// The maximum number of contacts that a fault lists one by one.
+const MOST_CONTACTS: usize = 8;
 /// The position of a place known only by name, to which no vehicle can fly.
 const NOWHERE: LatLon = LatLon::new(f64::NAN, f64::NAN);
 
@@ -360,10 +364,10 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
         return Ok((Value::Point(place), 1));
     }
     if number_length(first.text) == 0 || first.text.parse::<f64>().is_err() {
-        if context.places.is_none() {
+        let Some(places) = context.places else {
             return Ok((Value::Point(NOWHERE), 1));
-        }
-        return Err(Misread::kind(text!("grammar-no-place", place = first.text)));
+        };
+        return Err(no_place(first.text, places));
     }
     let lat_deg =
         number(first.text, Unit::Degrees, -90.0, 90.0).map_err(|misread| misread.part(0, "LAT"))?;
@@ -373,6 +377,28 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     let lon_deg = number(second.text, Unit::Degrees, -180.0, 180.0)
         .map_err(|misread| misread.part(1, "LON"))?;
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
+}
+
+/// The fault of an unknown place. The name of a contact can be no other argument, so its fault names the contacts.
+fn no_place(word: &str, places: &BTreeMap<String, LatLon>) -> Misread {
+    if !is_contact_name(word) {
+        return Misread::kind(text!("grammar-no-place", place = word));
+    }
+    let names = places.keys().map(String::as_str);
+    let mut known: Vec<&str> = names.filter(|name| is_contact_name(name)).collect();
+    // By number: `c2` before `c10`.
+    known.sort_unstable_by_key(|name| (name.len(), *name));
+    Misread::value(match known.as_slice() {
+        [] => text!("grammar-no-contact-yet", contact = word),
+        [first, second, .., last] if known.len() > MOST_CONTACTS => {
+            let known = format!("{first}, {second} .. {last}");
+            text!("grammar-no-contact", contact = word, known = known)
+        }
+        known => {
+            let known = known.join(", ");
+            text!("grammar-no-contact", contact = word, known = known)
+        }
+    })
 }
 
 /// An area known only by name has no corners, so no vehicle can fly there.

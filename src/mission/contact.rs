@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::Point;
 use super::report::{SAME_WITHIN_M, distance_m};
 use super::world::ObjectId;
-use crate::commands::FindKind;
+use crate::commands::{CONTACT_STEMS, FindKind};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -61,13 +61,10 @@ pub(crate) enum Seen {
     Again,
 }
 
-/// Prefixes of the contacts' names; a number follows.
-pub(crate) const STEMS: [&str; 2] = ["c", FIRE];
-const FIRE: &str = "fire";
-
 /// Fires are numbered separately: a fire has dozens of contacts, which would hide the ones to report.
 fn stem(kind: FindKind) -> &'static str {
-    if kind == FindKind::Fire { FIRE } else { "c" }
+    let [usual, fire] = CONTACT_STEMS;
+    if kind == FindKind::Fire { fire } else { usual }
 }
 
 /// All contacts of a flight, in the order of their first sighting.
@@ -96,7 +93,7 @@ impl Contacts {
 
     /// The names that contacts can have, up to `each` of every kind.
     pub fn names(each: usize) -> impl Iterator<Item = String> {
-        let name = |number| STEMS.map(|stem| format!("{stem}{number}"));
+        let name = |number| CONTACT_STEMS.map(|stem| format!("{stem}{number}"));
         (1..=each).flat_map(name)
     }
 

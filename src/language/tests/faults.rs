@@ -306,3 +306,22 @@ fn check_with(read: impl Fn(&str) -> Result<Statement, Diagnostic>, cases: &[Cas
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+#[test]
+fn a_contact_that_does_not_exist_is_named_with_those_that_do() {
+    check(&[
+        ("1 goto c10", "c10", "no contact `c10`; known: c3", ""),
+        ("1 goto fire2 up 20", "fire2", "no contact `fire2`", ""),
+        ("1 goto by c10", "c10", "", ""),
+    ]);
+    let groups = super::groups();
+    let said = |count: u32| {
+        let places = (1..=count).map(|number| (format!("c{number}"), super::places()["tower"]));
+        let places = places.collect();
+        let fault = parse("1 goto c99", &super::context(&groups, &places)).expect_err("unknown");
+        fault.message.to_string()
+    };
+    assert!(said(0).contains("no contact has been found yet"));
+    assert!(said(3).contains("known: c1, c2, c3"), "{}", said(3));
+    assert!(said(12).contains("known: c1, c2 .. c12"), "{}", said(12));
+}

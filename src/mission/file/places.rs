@@ -1,6 +1,6 @@
 //! `[[places]]`: named points.
 
-use crate::mission::contact;
+use crate::commands::CONTACT_STEMS;
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 use crate::mission::objective::NEXT_PLACE;
 use crate::mission::pad;
@@ -57,7 +57,7 @@ fn is_taken(name: &str) -> bool {
     };
     [pad::STEM, "gate", "peak"]
         .into_iter()
-        .chain(contact::STEMS)
+        .chain(CONTACT_STEMS)
         .any(numbered)
         || name == NEXT_PLACE
 }
