@@ -37,12 +37,14 @@ links-key-fly = fly
 # Sharing the links with other ground stations
 
 forwards-title = forwards: other ground stations
+forwards-title-mission = forwards: other ground stations, read-only in a mission
 forwards-stations = stations
 forwards-received = received
 forwards-sent = sent
 forwards-dropped = dropped
 forwards-left-out = left out
 forward-down = forward { $address }: { $reason }
+forward-listens = forward { $address }: in a mission, other stations can only listen; their messages do not reach the vehicles
 forward-opened = shared with { $forward }
 forward-closed = no longer shared with { $address }
 forward-no-session = no links to share: connect to vehicles, or start a flight

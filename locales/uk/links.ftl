@@ -37,12 +37,14 @@ links-key-fly = політ
 # Спільне користування каналами зв'язку
 
 forwards-title = пересилання: інші наземні станції
+forwards-title-mission = пересилання: інші наземні станції, під час завдання лише для читання
 forwards-stations = станцій
 forwards-received = прийнято
 forwards-sent = передано
 forwards-dropped = відкин.
 forwards-left-out = відсіяно
 forward-down = пересилання { $address }: { $reason }
+forward-listens = пересилання { $address }: під час завдання інші станції лише слухають; їхні повідомлення до апаратів не доходять
 forward-opened = відкрито пересилання { $forward }
 forward-closed = закрито пересилання { $address }
 forward-no-session = немає каналів зв'язку: під'єднайтеся до апаратів або почніть політ

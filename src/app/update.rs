@@ -182,12 +182,7 @@ fn link(state: &mut State, event: LinkEvent) {
             state.session.connections.links = summaries;
             state.touch();
         }
-        LinkEvent::Forwards(forwards) => {
-            state.session.connections.forwards = forwards;
-            if state.room == Room::Links {
-                state.touch();
-            }
-        }
+        LinkEvent::Forwards(forwards) => forwards::changed(state, forwards),
         // Both come every second: redraw only if they differ or are on the screen.
         LinkEvent::Findings(findings) => links::findings(state, findings),
         LinkEvent::Traffic(traffic) => links::traffic(state, traffic),

@@ -85,6 +85,42 @@ fn nobody_else_helps_to_fly_a_mission() {
     assert!(closed.is_ok(), "{closed:?}");
 }
 
+/// A station that listens to a mission gets no answer to its commands, so the trainee is told once.
+#[test]
+fn a_station_that_sends_something_to_a_mission_is_named_once() {
+    let told = |activity: Activity| {
+        let mut console = Console::new();
+        console.start(activity);
+        console.hear(LinkEvent::Summaries(vec![LinkSummary {
+            name: "simulator".into(),
+            up: true,
+            ..LinkSummary::default()
+        }]));
+        for held_back in [0, 3, 5] {
+            let forward = ForwardSummary {
+                held_back,
+                ..tcpin()
+            };
+            console.hear(LinkEvent::Forwards(vec![forward]));
+        }
+        let notices = console.state().notices().lines();
+        let said = notices.map(|line| line.notice.text.to_string());
+        let listens = said.filter(|text| text.contains("can only listen"));
+        let count = listens.inspect(|text| assert!(text.contains("5790:"), "{text}"));
+        let count = count.count();
+        console.give("links");
+        let screen = console.screen(80, 24);
+        (count, screen.contains("read-only in a mission"))
+    };
+    let mission = Activity::Mission {
+        id: "00-first-flight".to_owned(),
+        title: "First flight".into(),
+        stake: Stake::Graded,
+    };
+    assert_eq!(told(mission), (1, true));
+    assert_eq!(told(Activity::Free), (0, false));
+}
+
 #[test]
 fn the_room_of_the_links_counts_what_each_forward_carries() {
     let mut console = Console::flying(2);

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::ForwardSummary;
+use crate::app::state::{Activity, ForwardSummary};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -22,7 +22,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let most = (panel.area.height / 3).max(FRAME_ROWS + 2);
     let rows = (forwards.len() as u16 + FRAME_ROWS + 1).min(most);
     let whole = panel.upper(rows);
-    let inner = whole.titled(&panel.say("forwards-title"), buffer);
+    let is_mission = matches!(state.session().activity(), Some(Activity::Mission { .. }));
+    let title = if is_mission {
+        panel.say("forwards-title-mission")
+    } else {
+        panel.say("forwards-title")
+    };
+    let inner = whole.titled(&title, buffer);
     let name_width = usize::from(inner.width).saturating_sub(FIGURES);
     let head = format!(
         "{:name_width$} {:>8} {:>9} {:>9} {:>7} {:>8}  {}",
