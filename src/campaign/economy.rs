@@ -9,13 +9,10 @@ pub(super) const START_CREDITS: u32 = 500;
 const LICENCE_SHARE: f64 = 0.4;
 /// The share of a first pass's reward for passing; the rest depends on the score.
 const FOR_PASSING: f64 = 0.5;
-/// Experience of a perfect flight of tier 1, before the factors below; tier 0 counts as half of it.
-const EXPERIENCE: f64 = 150.0;
-const NEW_BEST: f64 = 1.25;
+/// Experience of a perfect flight of tier 1; tier 0 counts as half of it.
+const EXPERIENCE: f64 = 187.5;
 /// The factor for the first flight of a day that refreshes a due skill.
 const DUE_SKILL: f64 = 1.2;
-/// The share of experience for a pass below the best score.
-const REPEAT: f64 = 0.25;
 /// Level n needs `LEVEL * n^1.5`.
 const LEVEL: f64 = 250.0;
 
@@ -52,17 +49,17 @@ pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts, given the best score before it. A failed flight earns neither experience nor
-/// credits; otherwise a few reports from above the pad would earn some.
+/// Experience for a flight that counts, given the best score of earlier passes, if any. Like credits, it is earned only
+/// by what is better: a pass with the same score as before earns none. A failed flight earns neither; otherwise a few reports from
+/// above the pad would earn some.
 pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
-    if !flight.passed {
+    let is_best = best.is_none_or(|best| flight.score > best);
+    if !flight.passed || !is_best {
         return 0;
     }
     let tier = f64::from(flight.tier).max(0.5);
-    let is_best = best.is_none_or(|best| flight.score > best);
-    let worth = if is_best { NEW_BEST } else { REPEAT };
     let due = if refreshes { DUE_SKILL } else { 1.0 };
-    (EXPERIENCE * tier * thousandths(flight.score) * worth * due).round() as u32
+    (EXPERIENCE * tier * thousandths(flight.score) * due).round() as u32
 }
 
 /// The level for an amount of experience.

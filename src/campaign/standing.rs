@@ -140,7 +140,7 @@ impl CareerStanding {
         let counts = self.counts(flight);
         if counts {
             self.credits = self.credits.saturating_add(self.pay(flight));
-            let best_score = best.and_then(|best| best.score);
+            let best_score = best.and_then(|best| best.passed);
             self.experience += u64::from(economy::experience(flight, best_score, refreshes));
         }
         self.credits = self.credits.saturating_sub(flight.wear);

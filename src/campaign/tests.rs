@@ -130,6 +130,29 @@ fn a_flight_that_fails_brings_no_experience() {
 }
 
 #[test]
+fn only_a_better_score_brings_experience_again() {
+    let course = course();
+    let experience = |flown: &[(Stake, u16)]| {
+        let entries = flown.iter().map(|&(stake, score)| {
+            CareerEntry::Flight(CareerFlight {
+                stake,
+                ..flight(&course, "one", score, 1)
+            })
+        });
+        standing(&entries.collect::<Vec<_>>()).experience().0
+    };
+    for stake in [Stake::Graded, Stake::Exam] {
+        let first = experience(&[(stake, 800)]);
+        assert!(first > 0);
+        for again in [700, 800] {
+            assert_eq!(experience(&[(stake, 800), (Stake::Exam, again)]), first);
+            assert_eq!(experience(&[(stake, 800), (Stake::Graded, again)]), first);
+        }
+        assert!(experience(&[(stake, 800), (Stake::Exam, 801)]) > first);
+    }
+}
+
+#[test]
 fn the_best_exam_of_a_mission_is_kept_whether_passed_or_not() {
     let course = course();
     let fly = |stake, score| {
