@@ -172,7 +172,17 @@ fn course_missions() -> Vec<Mission> {
 
 /// How the text of a mission compares with that of the course's mission with the same id.
 pub fn mission_file(mission: &Mission) -> MissionFile {
+    compared(mission, &course_missions())
+}
+
+/// The same for several missions, in their order.
+pub fn mission_files<'a>(missions: impl IntoIterator<Item = &'a Mission>) -> Vec<MissionFile> {
     let known = course_missions();
+    let missions = missions.into_iter();
+    missions.map(|mission| compared(mission, &known)).collect()
+}
+
+fn compared(mission: &Mission, known: &[Mission]) -> MissionFile {
     match known.iter().find(|of_course| of_course.id == mission.id) {
         None => MissionFile::Own,
         Some(of_course) if of_course.file.text == mission.file.text => MissionFile::Course,

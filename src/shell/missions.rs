@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::app::state::MissionListing;
 use crate::campaign::{MissionCourse, Offer};
-use crate::mission::Mission;
-use crate::scoring::TryReport;
+use crate::mission::{Mission, Rewards};
+use crate::scoring::{MissionFile, TryReport};
 use crate::store;
 use crate::text;
 use crate::text::Text;
@@ -33,14 +33,13 @@ pub fn stock() -> Vec<Design> {
 
 /// The available missions, the course that they form, and the faults of the others.
 pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
-    let mut listings: Vec<MissionListing> = Vec::new();
-    let mut offers: Vec<Offer> = Vec::new();
+    let mut missions: Vec<Mission> = Vec::new();
     let mut names: Vec<String> = Vec::new();
     let mut warnings = Vec::new();
     for source in store::missions() {
         match Mission::parse(&source.text) {
             Ok(mission) => {
-                let first = listings.iter().position(|known| known.id == mission.id);
+                let first = missions.iter().position(|known| known.id == mission.id);
                 if let Some(first) = first {
                     let (id, flown) = (&mission.id, &names[first]);
                     let other = &source.name;
@@ -52,8 +51,7 @@ pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
                     ));
                     continue;
                 }
-                offers.push(Offer::of(&mission));
-                listings.push(mission.listing());
+                missions.push(mission);
                 names.push(source.name);
             }
             Err(faults) => {
@@ -66,5 +64,53 @@ pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
             }
         }
     }
+    let files = store::mission_files(&missions);
+    let (listings, offers): (Vec<MissionListing>, Vec<Offer>) = missions
+        .iter()
+        .zip(files)
+        .map(|(mission, file)| offered(mission, file))
+        .unzip();
     (listings, MissionCourse::new(offers), warnings)
+}
+
+/// A mission as it is listed and offered. Flights with another file than that of the course are practice: they earn no
+/// credits and unlock nothing.
+fn offered(mission: &Mission, file: MissionFile) -> (MissionListing, Offer) {
+    let (listing, offer) = (mission.listing(), Offer::of(mission));
+    match file {
+        MissionFile::Course => (listing, offer),
+        MissionFile::Own | MissionFile::OtherRevision | MissionFile::Altered => (
+            MissionListing {
+                rewards: Rewards::default(),
+                ..listing
+            },
+            // The parts that the mission of the course unlocks stay locked.
+            Offer {
+                credits: 0,
+                ..offer
+            },
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mission_file_of_ones_own_offers_no_credits() {
+        let source = include_str!("../../missions/01-air-sample.toml");
+        let mission = Mission::parse(source).expect("no faults");
+        let (listing, offer) = offered(&mission, MissionFile::Course);
+        assert_eq!((listing.rewards.credits, offer.credits), (300, 300));
+        for file in [
+            MissionFile::Own,
+            MissionFile::OtherRevision,
+            MissionFile::Altered,
+        ] {
+            let (listing, offer) = offered(&mission, file);
+            assert_eq!((listing.rewards.credits, offer.credits), (0, 0), "{file:?}");
+            assert_eq!(listing.rewards.unlock, []);
+        }
+    }
 }
