@@ -58,6 +58,10 @@ profiles-mended = { $count ->
     [one] 1 damaged row of the profiles was restored from the backup
    *[other] { $count } damaged rows of the profiles were restored from the backup
 }
+profiles-unmended = { $count ->
+    [one] 1 row of the profiles is damaged, and no backup has it: what belongs to it cannot be read
+   *[other] { $count } rows of the profiles are damaged, and no backup has them: what belongs to them cannot be read
+}
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-fault-empty = the file is empty
 profiles-fault-database = SQLite: { $words }

@@ -133,7 +133,7 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     if profiles.is_read_only() {
         return Ok((profiles, told));
     }
-    told.extend(profiles.mend()?.map(super::MendedRows::text));
+    told.extend(profiles.mend()?.text());
     let recovered = recover(&mut profiles, &Runs::within(data))?;
     told.extend(recovered.iter().map(Recovery::text));
     Ok((profiles, told))

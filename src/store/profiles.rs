@@ -158,11 +158,11 @@ impl Profiles {
         self.is_read_only
     }
 
-    /// Restores damaged rows from the copies, if possible; `None` if no row was restored.
+    /// Restores damaged rows from the copies, as far as these have them.
     ///
     /// # Errors
     /// The database cannot be read or written.
-    pub fn mend(&mut self) -> Result<Option<MendedRows>, ProfileError> {
+    pub fn mend(&mut self) -> Result<MendedRows, ProfileError> {
         mend::mend_rows(&mut self.connection, &self.path).map_err(|error| self.fault(error))
     }
 

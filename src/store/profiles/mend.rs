@@ -11,13 +11,32 @@ use super::schema::{DOCUMENTS, DocumentColumn, Notation};
 use crate::text;
 use crate::text::Text;
 
-/// The number of damaged rows restored from a copy.
+/// The outcome of a search for damaged rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct MendedRows(usize);
+pub enum MendedRows {
+    /// No row is damaged.
+    Sound,
+    /// Some rows were damaged.
+    Damaged {
+        /// The number of rows restored from a copy.
+        restored: usize,
+        /// The number of rows that stay damaged, because no copy has them.
+        lost: usize,
+    },
+}
 
 impl MendedRows {
-    pub fn text(self) -> Text {
-        text!("profiles-mended", count = self.0)
+    /// The outcome for the user; `None` if no row is damaged.
+    pub fn text(self) -> Option<Text> {
+        let Self::Damaged { restored, lost } = self else {
+            return None;
+        };
+        let restored = (restored > 0).then(|| text!("profiles-mended", count = restored));
+        let lost = (lost > 0).then(|| text!("profiles-unmended", count = lost));
+        Some(Text::joined(
+            "; ",
+            restored.into_iter().chain(lost).collect(),
+        ))
     }
 }
 
@@ -27,12 +46,9 @@ struct RottenRow {
     key: String,
 }
 
-/// Restores unreadable rows from the newest copy that has them; others stay as they are. `None` if no row was restored.
-pub(super) fn mend_rows(
-    connection: &mut Connection,
-    path: &Path,
-) -> rusqlite::Result<Option<MendedRows>> {
-    let mut mended = 0;
+/// Restores unreadable rows from the newest copy that has them; others stay as they are.
+pub(super) fn mend_rows(connection: &mut Connection, path: &Path) -> rusqlite::Result<MendedRows> {
+    let (mut restored, mut lost) = (0, 0);
     for column in DOCUMENTS {
         let rotten = rotten_rows(connection, &column)?;
         for row in rotten {
@@ -40,6 +56,7 @@ pub(super) fn mend_rows(
                 .iter()
                 .find_map(|copy| kept(copy, &column, &row));
             let Some(document) = found else {
+                lost += 1;
                 continue;
             };
             let transaction =
@@ -49,11 +66,15 @@ pub(super) fn mend_rows(
             } = column;
             let update =
                 format!("UPDATE {table} SET {column} = ?1 WHERE profile = ?2 AND {key} = ?3");
-            mended += transaction.execute(&update, params![document, row.profile, row.key])?;
+            restored += transaction.execute(&update, params![document, row.profile, row.key])?;
             transaction.commit()?;
         }
     }
-    Ok((mended > 0).then_some(MendedRows(mended)))
+    Ok(if restored + lost > 0 {
+        MendedRows::Damaged { restored, lost }
+    } else {
+        MendedRows::Sound
+    })
 }
 
 fn rotten_rows(

@@ -7,6 +7,7 @@ use rusqlite::Connection;
 
 use super::super::rescue::back_up;
 use super::{Profiles, anna, open, run};
+use crate::store::MendedRows;
 use crate::workshop::{Design, part};
 
 /// A folder with Anna's flights and a backup, with the database closed; and the file.
@@ -110,13 +111,13 @@ fn a_rotten_byte_in_a_flight_is_healed_from_the_copy_and_nothing_newer_is_lost()
     rot(&file);
     let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
     assert_eq!(rescue, None, "the file stays");
-    let mended = profiles
-        .mend()
-        .expect("writable")
-        .expect("a row was rotten");
-    assert!(mended.text().to_string().contains("1 damaged"));
+    let mended = profiles.mend().expect("writable");
+    let (restored, lost) = (1, 0);
+    assert_eq!(mended, MendedRows::Damaged { restored, lost });
+    let said = mended.text().expect("a row was damaged").to_string();
+    assert!(said.contains("1 damaged"), "{said}");
     assert_eq!(flights(&profiles), 4);
-    assert_eq!(profiles.mend().expect("readable"), None);
+    assert_eq!(profiles.mend().expect("readable"), MendedRows::Sound);
 }
 
 #[test]
@@ -130,7 +131,7 @@ fn flights_and_designs_that_are_sound_are_left_alone() {
     drop(profiles);
     let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
     assert_eq!(rescue, None);
-    assert_eq!(profiles.mend().expect("readable"), None);
+    assert_eq!(profiles.mend().expect("readable"), MendedRows::Sound);
     assert_eq!(profiles.designs(&anna).expect("readable"), [design]);
 }
 
@@ -141,7 +142,11 @@ fn without_a_copy_a_rotten_byte_costs_no_profile() {
     rot(&file);
     let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
     assert_eq!(rescue, None);
-    assert_eq!(profiles.mend().expect("readable"), None);
+    let mended = profiles.mend().expect("readable");
+    let (restored, lost) = (0, 1);
+    assert_eq!(mended, MendedRows::Damaged { restored, lost });
+    let said = mended.text().expect("a row is damaged").to_string();
+    assert!(said.contains("no backup has it"), "{said}");
     let anna = profiles.find("Anna").expect("she is still there");
     let error = profiles.history(&anna).expect_err("a flight is damaged");
     let said = error.text().to_string();
