@@ -72,9 +72,11 @@ impl Course {
         is_certain(telemetry.places.iter().filter_map(elsewhere)).then_some(Disagreement::Position)
     }
 
-    /// The modes of a log around a time; `None` until [`LAG_US`] after its first mode, and after its last position.
+    /// The modes of a log around a time; `None` until [`LAG_US`] after its first mode, and after its last mode and
+    /// position: a log without positions covers the time until its last change of the mode.
     fn modes_around(&self, boot_us: u64) -> Option<impl Iterator<Item = u32>> {
-        let last_us = self.places.last().map(|it| it.boot_us);
+        let last_place_us = self.places.last().map(|it| it.boot_us);
+        let last_us = last_place_us.max(self.modes.last().map(|it| it.boot_us));
         if last_us.is_none_or(|last_us| last_us < boot_us) {
             return None;
         }
@@ -150,6 +152,19 @@ mod tests {
         assert_eq!(other, Some(Disagreement::Mode));
         let other = log.disagreement(&flown(40, 60.0));
         assert_eq!(other, Some(Disagreement::Position));
+    }
+
+    #[test]
+    fn flights_differ_in_their_modes_even_if_the_log_has_no_positions() {
+        let without_places = |rtl_s: u64| Course {
+            places: Vec::new(),
+            ..logged(rtl_s)
+        };
+        let other = without_places(40).disagreement(&flown(20, 0.0));
+        assert_eq!(other, Some(Disagreement::Mode));
+        assert_eq!(without_places(40).disagreement(&flown(40, 0.0)), None);
+        let later = without_places(40).disagreement(&flown(50, 0.0));
+        assert_eq!(later, None, "the log may have ended with its last change");
     }
 
     #[test]

@@ -86,6 +86,25 @@ fn missions_are_flown_to_see_who_passes_them() {
     assert_eq!(table.matches("passed  0/1").count(), 1, "{table}");
 }
 
+/// A drill needs no naive pilot; a mission does.
+#[test]
+fn a_mission_without_a_naive_pilot_is_named() {
+    let drill = include_str!("../../missions/drills/d00-arm-and-hover.toml");
+    let mission = drill.replace("drill_of = \"00-first-flight\"\n", "");
+    assert_ne!(mission, drill);
+    let pilot = include_str!("../../missions/pilots/d00-arm-and-hover.pilot");
+    for (source, is_named) in [(drill, false), (mission.as_str(), true)] {
+        let folder = folder_with(&[("mine.toml", source), ("d00-arm-and-hover.pilot", pilot)]);
+        let path = folder.path().join("mine.toml");
+        let path = path.to_str().expect("Unicode");
+        let flown = sortie(&["check", "--fly", path, "--seeds", "1"]);
+        let said = text(&flown.stderr);
+        assert_eq!(flown.status.code(), Some(0), "{said}");
+        let expected = "d00-arm-and-hover: no naive pilot `d00-naive`, so none was flown";
+        assert_eq!(said.contains(expected), is_named, "{said}");
+    }
+}
+
 #[test]
 fn a_mission_that_its_own_pilot_does_not_pass_is_told() {
     let mission = include_str!("../../missions/drills/d00-arm-and-hover.toml");

@@ -90,9 +90,11 @@ impl NoticeLog {
         }
     }
 
-    /// Whether a kind of alert of a vehicle has been reported since `since`.
+    /// Whether a kind of alert of a vehicle has been reported since `since`. A line accepts notices for [`FOLD_TIME`], so
+    /// earlier lines cannot contain any since then.
     pub fn reports(&self, kind: AlertKind, vehicle: VehicleId, since: Duration) -> bool {
-        let mut newest_first = self.lines.iter().rev().take(LINES_SEARCHED);
+        let may_report = |line: &&NoticeLine| line.notice.at.saturating_add(FOLD_TIME) >= since;
+        let mut newest_first = self.lines.iter().rev().take_while(may_report);
         newest_first.any(|line| {
             let is_of = line.notice.kind == Some(kind) && line.vehicles.contains(&vehicle);
             is_of && line.last >= since
@@ -231,6 +233,26 @@ mod tests {
             [counted("a", 4, 3), counted("b", 1, 1), counted("a", 1, 1)],
             "2 has said something else before it said that again"
         );
+    }
+
+    #[test]
+    fn an_alert_is_found_behind_any_number_of_later_notices() {
+        let mut log = NoticeLog::default();
+        let s = Duration::from_secs;
+        log.push(Notice {
+            at: s(100),
+            kind: Some(AlertKind::LinkLost),
+            source: NoticeSource::Program,
+            ..notice(1, "link lost")
+        });
+        for number in 0..LINES_SEARCHED + 10 {
+            let text = number.to_string().into();
+            log.push(Notice::general(s(101), Severity::Info, text));
+        }
+        assert!(log.reports(AlertKind::LinkLost, 1, s(98)));
+        assert!(!log.reports(AlertKind::LinkLost, 2, s(98)));
+        assert!(!log.reports(AlertKind::Battery, 1, s(98)));
+        assert!(!log.reports(AlertKind::LinkLost, 1, s(101)), "before that");
     }
 
     #[test]

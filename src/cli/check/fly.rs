@@ -14,7 +14,7 @@ use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Report};
 use crate::scoring::Medal;
-use crate::store;
+use crate::store::{self, StoreError};
 
 /// A pilot script that a mission is tested with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -91,9 +91,14 @@ fn course(name: &str, seeds: u64) -> Result<Vec<CheckFlight>, Failure> {
     let reference = pilot_beside(name, &mission.id);
     let naive = pilot_beside(name, &format!("{number}-naive"));
     let mut pilots = vec![(CheckPilot::Reference, load_script(&reference, &mission)?)];
-    // A drill has no naive pilot.
-    if store::pilot(&naive).is_ok() {
-        pilots.push((CheckPilot::Naive, load_script(&naive, &mission)?));
+    match store::pilot(&naive) {
+        Ok(_) => pilots.push((CheckPilot::Naive, load_script(&naive, &mission)?)),
+        // A drill needs no naive pilot.
+        Err(_) if mission.summary.drill_of.is_some() => {}
+        Err(StoreError::Unknown { name, .. }) => {
+            tell!("{}: no naive pilot `{name}`, so none was flown", mission.id);
+        }
+        Err(error) => tell!("{}: no naive pilot was flown: {error}", mission.id),
     }
     let nothing = Script::parse("", &Context::default());
     pilots.extend(nothing.ok().map(|script| (CheckPilot::DoNothing, script)));
