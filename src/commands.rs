@@ -218,6 +218,7 @@ impl Command {
         match self {
             Self::Plan(command) => command.hazard(vehicle),
             Self::Device(command) => command.hazard(vehicle),
+            Self::Signing(change) => Some(signing_hazard(*change)),
             Self::Arming(_)
             | Self::Flight(_)
             | Self::PlanFlight(_)
@@ -225,7 +226,6 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
-            | Self::Signing(_)
             | Self::Raw(_) => None,
         }
     }
@@ -245,5 +245,14 @@ impl Command {
             | Self::Plan(_)
             | Self::Signing(_) => Risk::None,
         }
+    }
+}
+
+/// A key crosses the link in clear text, whatever is done with it.
+fn signing_hazard(change: SigningChange) -> Text {
+    match change {
+        SigningChange::SetUp => text!("hazard-signing-setup"),
+        SigningChange::Rotate => text!("hazard-signing-rotate"),
+        SigningChange::Remove => text!("hazard-signing-remove"),
     }
 }

@@ -14,6 +14,8 @@ use crate::inspector::{Census, Direction, FrameSource, MessageTally};
 use crate::wire::{Anatomy, ComponentId, Counters, Seal, SequenceStep, SystemId};
 
 mod diagnosis;
+#[cfg(test)]
+mod tests;
 mod words;
 
 pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};

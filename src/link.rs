@@ -51,11 +51,11 @@ use parcel::{Outlet, Parcel};
 pub use address::{Address, AddressError};
 pub use rehearsal_tape::RehearsalTape;
 pub use relay::{ForwardCounts, Relay, StationNews};
+pub use signer::{SignedLink, Signer, signing_clock};
 pub use simulator::{
     Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
     step_on_threads,
 };
-pub use signer::{SignedLink, Signer, signing_clock};
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
 pub use tlog::{TlogDamage, TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};

@@ -260,13 +260,7 @@ impl Keyring {
 
     /// Prepares a change: the key to send is part of the keyring, which has to be written before the vehicle learns
     /// of it. `fresh` is a new random key; one that was sent earlier and not proved is sent again instead.
-    pub fn begin(
-        &mut self,
-        link: &str,
-        system: SystemId,
-        change: SigningChange,
-        fresh: SecretKey,
-    ) {
+    pub fn begin(&mut self, link: &str, system: SystemId, change: SigningChange, fresh: SecretKey) {
         let vehicles = self.links.entry(link.to_owned()).or_default();
         let keys = vehicles.entry(system).or_default();
         keys.settle();

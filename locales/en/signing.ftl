@@ -22,3 +22,7 @@ outcome-signing-removed = no longer signs; its key stays in the file, unused
 outcome-signing-refused = the vehicle did not take the key: { $reason }
 outcome-signing-not-taken = no frame shows the change after { $tries } attempts; the earlier state stays, and both keys are kept
 outcome-signing-reverted = the change shows, but there was no proof within { $seconds } s: the earlier key was sent again, and both keys are kept
+
+hazard-signing-setup = gives each vehicle a key; the key crosses the link in clear text
+hazard-signing-rotate = gives each vehicle a new key and deletes the old one; the key crosses the link in clear text
+hazard-signing-remove = lets the vehicles obey unsigned frames of anyone again

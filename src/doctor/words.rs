@@ -1,6 +1,6 @@
 //! The texts of findings: cause and advice.
 
-use super::{Cause, LinkFinding, Way};
+use super::{Cause, LinkFinding, SealCounts, Way};
 use crate::text;
 use crate::text::Text;
 
@@ -133,5 +133,18 @@ fn silence(way: Way) -> Text {
         Way::UdpIn => text!("doctor-try-silence-udpin"),
         Way::Serial => text!("doctor-try-silence-serial"),
         Way::File | Way::Pipe => text!("doctor-try-silence"),
+    }
+}
+
+impl SealCounts {
+    /// The counts in words.
+    pub fn text(self) -> Text {
+        text!(
+            "links-signing-figures",
+            right = self.right,
+            unsigned = self.unsigned,
+            foreign = self.foreign,
+            old = self.old
+        )
     }
 }

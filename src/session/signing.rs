@@ -140,7 +140,13 @@ impl VehicleSigning {
     }
 
     /// Handles a frame of the vehicle's autopilot.
-    pub fn receive(&mut self, frame: &Frame, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+    pub fn receive(
+        &mut self,
+        frame: &Frame,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) {
         if !frame.is_verified() {
             return;
         }

@@ -204,7 +204,10 @@ fn a_message_for_everyone_is_signed_once_with_each_key() {
     let mut ring = with_key();
     for (system, key) in [(4, OLD), (5, NEW), (6, STRANGE)] {
         ring.begin(LINK, system, SigningChange::SetUp, key);
-        let keys = ring.links.get_mut(LINK).and_then(|all| all.get_mut(&system));
+        let keys = ring
+            .links
+            .get_mut(LINK)
+            .and_then(|all| all.get_mut(&system));
         keys.expect("begun").uses = KeyInUse::Next;
     }
     let stamp = Stamp {

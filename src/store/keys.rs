@@ -256,9 +256,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = KeyFile::path_within(folder.path());
         let key = "ab".repeat(31);
-        let row = format!(
-            "stamp = 5\n\n[[vehicle]]\nsystem = 3\nlink = \"tcp:h:1\"\nkey = \"{key}\"\n"
-        );
+        let row =
+            format!("stamp = 5\n\n[[vehicle]]\nsystem = 3\nlink = \"tcp:h:1\"\nkey = \"{key}\"\n");
         for text in [row.clone(), row.replace("system = 3", "system = x")] {
             fs::write(&path, &text).expect("written");
             fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).expect("it is ours");

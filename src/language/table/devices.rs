@@ -364,11 +364,13 @@ const SIGNING: VerbRow = VerbRow {
         Form::new(&[Argument::flag("setup", "argument-signing-setup")], |_| {
             command(Command::Signing(SigningChange::SetUp))
         }),
-        Form::new(&[Argument::flag("rotate", "argument-signing-rotate")], |_| {
-            command(Command::Signing(SigningChange::Rotate))
-        }),
-        Form::new(&[Argument::flag("remove", "argument-signing-remove")], |_| {
-            command(Command::Signing(SigningChange::Remove))
-        }),
+        Form::new(
+            &[Argument::flag("rotate", "argument-signing-rotate")],
+            |_| command(Command::Signing(SigningChange::Rotate)),
+        ),
+        Form::new(
+            &[Argument::flag("remove", "argument-signing-remove")],
+            |_| command(Command::Signing(SigningChange::Remove)),
+        ),
     ],
 };

@@ -207,10 +207,7 @@ fn a_key_is_written_sent_shown_asked_for_and_proved() {
         assert_eq!(state, RowState::Done, "{change:?} {words}");
         assert_eq!(scene.desk.calls().last(), Some(&Call::Proved));
         let states: Vec<RowState> = scene.rows.iter().map(|row| row.state).collect();
-        assert_eq!(
-            states,
-            [RowState::Sent, RowState::Accepted, RowState::Done]
-        );
+        assert_eq!(states, [RowState::Sent, RowState::Accepted, RowState::Done]);
         assert!(!scene.signing.is_busy());
     }
 }
@@ -278,7 +275,10 @@ fn a_forged_unsigned_heartbeat_does_not_prove_a_removal() {
     scene.answer(Seal::Right);
     assert_eq!(scene.end(), None);
     scene.pass(10_000);
-    assert_eq!(scene.end().map(|(state, _)| state), Some(RowState::TimedOut));
+    assert_eq!(
+        scene.end().map(|(state, _)| state),
+        Some(RowState::TimedOut)
+    );
     assert!(!scene.desk.calls().contains(&Call::Proved));
 }
 

@@ -9,7 +9,7 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::room::links::{HISTORY_S, History};
 use crate::app::state::{LinkCounters, LinkSummary};
-use crate::doctor::{LinkFinding, SealCounts, Weight};
+use crate::doctor::{LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -227,20 +227,9 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         (text!("links-others"), counted(others)),
     ]);
     if let Some(seals) = link.counters.as_ref().and_then(|it| it.seals) {
-        lines.push((text!("links-signing"), look.text(&signatures(seals))));
+        lines.push((text!("links-signing"), look.text(&seals.text())));
     }
     lines
-}
-
-/// Frames by their signatures.
-fn signatures(seals: SealCounts) -> Text {
-    text!(
-        "links-signing-figures",
-        right = seals.right,
-        unsigned = seals.unsigned,
-        foreign = seals.foreign,
-        old = seals.old
-    )
 }
 
 /// Counters of bytes and messages that arrived and were not used.

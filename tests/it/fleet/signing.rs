@@ -89,8 +89,10 @@ impl Console {
     }
 
     async fn until_seals(&mut self, what: &str, is_so: impl Fn(SealCounts) -> bool) {
-        self.until(what, |console| !console.links.is_empty() && is_so(console.seals(0)))
-            .await;
+        self.until(what, |console| {
+            !console.links.is_empty() && is_so(console.seals(0))
+        })
+        .await;
     }
 
     /// The last frame that the console sent with a message.
@@ -150,7 +152,9 @@ async fn a_key_is_set_up_rotated_and_removed_with_proof() {
     console.carry_out("loiter", 1).await;
     // No key is among the console's own messages.
     let shown = console.taps[0].look(|census, _| {
-        let tallies = census.tallies().map(|(key, tally)| (key.message, tally.last.clone()));
+        let tallies = census
+            .tallies()
+            .map(|(key, tally)| (key.message, tally.last.clone()));
         tallies.collect::<Vec<_>>()
     });
     let (_, setup) = shown
@@ -171,7 +175,10 @@ async fn both_sides_restart_and_the_clock_is_set_back() {
         .console
         .until_seals("unsigned frames are counted", |seals| seals.unsigned > 20)
         .await;
-    assert!(signed.console.vehicle(1).is_none(), "unsigned frames change nothing");
+    assert!(
+        signed.console.vehicle(1).is_none(),
+        "unsigned frames change nothing"
+    );
     drop(signed);
     let mut console = start(folder.path(), false).await.console;
     console.connect(&address);
@@ -252,10 +259,17 @@ async fn a_wrong_key_is_counted_and_commands_nothing() {
         .until("it is heard", |console| console.vehicle(1).is_some())
         .await;
     assert_eq!(console.failure("guided", 1).await, RowState::TimedOut);
-    assert_eq!(console.failure("signing rotate", 1).await, RowState::Refused);
+    assert_eq!(
+        console.failure("signing rotate", 1).await,
+        RowState::Refused
+    );
 }
 
-fn encoded(encoder: &mut Encoder, message: &MavMessage, seal: Option<(SigningKey, u64)>) -> Vec<u8> {
+fn encoded(
+    encoder: &mut Encoder,
+    message: &MavMessage,
+    seal: Option<(SigningKey, u64)>,
+) -> Vec<u8> {
     if let Some((key, timestamp)) = seal {
         encoder.sign_next(&key, Stamp { link: 0, timestamp });
     }
@@ -340,7 +354,10 @@ async fn forged_and_replayed_telemetry_changes_only_counters() {
     console.connect("udpin:127.0.0.1:0");
     console
         .until("it listens", |console| {
-            console.links.first().is_some_and(|it| it.borrow().local.is_some())
+            console
+                .links
+                .first()
+                .is_some_and(|it| it.borrow().local.is_some())
         })
         .await;
     let local = console.links[0].borrow().local.expect("bound");

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
 use sortie::app::state::{Activity, LinkCounters, LinkSummary, Room};
-use sortie::doctor::{Cause, LinkFinding, Way};
+use sortie::doctor::{Cause, LinkFinding, SealCounts, Way};
 use sortie::vehicle::Vehicle;
 
 use super::inspector::shows;
@@ -194,4 +194,32 @@ fn what_a_vehicle_does_not_know_is_no_figure() {
         !screen.contains("NaN") && !screen.contains("inf "),
         "{screen}"
     );
+}
+
+#[test]
+fn signatures_are_counted_where_they_are_used() {
+    let mut console = Console::flying(0);
+    let mut signed = link("udpin:0.0.0.0:14550", true);
+    if let Some(counters) = &mut signed.counters {
+        counters.seals = Some(SealCounts {
+            right: 1840,
+            unsigned: 12,
+            foreign: 3,
+            old: 40,
+            behind: 1_250_000,
+        });
+    }
+    console.hear(LinkEvent::Summaries(vec![signed]));
+    let found = [
+        Cause::Unsigned(3),
+        Cause::WrongKey(3),
+        Cause::OldStamps(3, 12),
+    ];
+    let found = found.map(|cause| finding(0, Way::UdpIn, cause));
+    console.hear(LinkEvent::Findings(found.into()));
+    console.press("L");
+    for (width, height) in [(80, 24), (200, 50)] {
+        let name = format!("link_room_signing_{width}x{height}");
+        insta::assert_snapshot!(name, console.screen(width, height));
+    }
 }

@@ -256,7 +256,11 @@ fn keys_are_not_taken_over_while_armed_or_for_others() {
     for ground in [&mut ground, &mut parked] {
         let before = ground.heard.len();
         ground.run(2.0);
-        assert!(ground.heard[before..].iter().all(|frame| !frame.seal.is_signature()));
+        assert!(
+            ground.heard[before..]
+                .iter()
+                .all(|frame| !frame.seal.is_signature())
+        );
     }
     let broadcast = MavMessage::SETUP_SIGNING(SETUP_SIGNING_DATA {
         secret_key: KEY,

@@ -7,11 +7,21 @@ use crate::text::{Text, text};
 /// The state of the links and forwards, and their faults.
 pub(super) fn now(state: &State) -> Vec<Text> {
     let session = state.session();
-    let links = session.links().iter().map(link_text);
+    let links = session.links().iter().flat_map(link_texts);
     let forwards = session.forwards().iter().map(forward_text);
     let findings = session.findings().iter();
     let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
     links.chain(forwards).chain(ailments).collect()
+}
+
+/// A link, and the signatures on it if there are any.
+fn link_texts(link: &LinkSummary) -> impl Iterator<Item = Text> {
+    let seals = link.counters.as_ref().and_then(|it| it.seals);
+    let signatures = seals.map(|seals| {
+        let parts = vec![text!("links-signing"), seals.text()];
+        Text::joined(": ", parts)
+    });
+    std::iter::once(link_text(link)).chain(signatures)
 }
 
 fn link_text(link: &LinkSummary) -> Text {

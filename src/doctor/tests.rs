@@ -1,0 +1,88 @@
+//! Findings about signatures.
+
+use super::*;
+use crate::inspector::Direction;
+use crate::wire::Seal;
+
+/// The chart of a link on which vehicle 3 is heard with these signatures, every second for the window.
+fn chart(seals: &[Seal], keyed: &[SystemId], is_signing_required: bool) -> Chart {
+    let mut chart = Chart::new(Way::Udp);
+    let mut frames = NumberedFrames::default();
+    for second in 0..=WINDOW.as_secs() {
+        for seal in seals {
+            frames.came += 1;
+            frames.seals.note(*seal);
+        }
+        let sender = Sender {
+            source: FrameSource {
+                direction: Direction::In,
+                peer: 0,
+                system: 3,
+                component: 1,
+            },
+            role: HeartbeatRole::Autopilot,
+            known_for: Duration::from_secs(60),
+            heartbeat_hz: 1.0,
+            signed: seals.iter().any(|seal| seal.is_signature()),
+            version1: false,
+            answered_ago: Some(Duration::ZERO),
+            asked: 10,
+        };
+        let observation = Observation {
+            up: true,
+            counters: Counters::default(),
+            numbered: [((3, 1), frames)].into(),
+            senders: vec![sender],
+            noise: Vec::new(),
+            keyed: keyed.to_vec(),
+            is_signing_required,
+        };
+        chart.note(observation, Duration::from_secs(second));
+    }
+    chart
+}
+
+fn causes(chart: Chart) -> Vec<Cause> {
+    let findings = diagnose(&[chart]).into_iter();
+    findings.map(|finding| finding.cause).collect()
+}
+
+#[test]
+fn signatures_that_are_missing_wrong_or_old_are_named() {
+    let late = Seal::Old(1_250_000);
+    for (seals, keyed, expected) in [
+        (&[Seal::Right][..], &[3][..], vec![Cause::Well(1)]),
+        (
+            &[Seal::Right, Seal::Unsigned],
+            &[3],
+            vec![Cause::Unsigned(3)],
+        ),
+        (
+            &[Seal::Right, Seal::Foreign],
+            &[3],
+            vec![Cause::WrongKey(3)],
+        ),
+        (&[Seal::Right, late], &[3], vec![Cause::OldStamps(3, 12)]),
+        (&[Seal::Foreign], &[3], vec![Cause::WrongKey(3)]),
+        (&[Seal::Foreign], &[], vec![Cause::SignedButAnswers(3)]),
+        (&[Seal::Unsigned], &[], vec![Cause::Well(1)]),
+        // Datagrams that overtook each other.
+        (&[Seal::Right, Seal::Old(300)], &[3], vec![Cause::Well(1)]),
+    ] {
+        assert_eq!(causes(chart(seals, keyed, false)), expected, "{seals:?}");
+    }
+    let required = chart(&[Seal::Unsigned], &[], true);
+    assert_eq!(causes(required), [Cause::Unsigned(3)]);
+}
+
+#[test]
+fn frames_from_before_a_key_are_not_a_fault() {
+    let mut chart = chart(&[Seal::Unsigned], &[], false);
+    let mut last = chart.last().expect("noted").clone();
+    last.keyed = vec![3];
+    last.numbered
+        .values_mut()
+        .for_each(|frames| frames.seals.note(Seal::Right));
+    chart.note(last, WINDOW + Duration::from_secs(1));
+    assert_eq!(causes(chart), [Cause::Well(1)]);
+}
