@@ -92,8 +92,7 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::File(event) => return file(state, event),
         Event::Tried(tried) => {
             state.touch();
-            let notice = plans::tried(state, tried);
-            telemetry::notice(state, &notice);
+            plans::tried(state, tried);
         }
         Event::Notice(notice) => telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => telemetry::dropped(state, count),

@@ -181,8 +181,8 @@ fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {
     })
 }
 
-/// Handles the outcome of a trial, and returns its notice. Its changes to drafts can be undone one by one.
-pub fn tried(state: &mut State, tried: Tried) -> Notice {
+/// Handles the outcome of a trial, with a notice. Its changes to drafts can be undone one by one.
+pub fn tried(state: &mut State, tried: Tried) {
     let drafts = &mut state.rooms.plans.drafts;
     for changed in &tried.changed {
         let document = Arc::clone(&changed.document);
@@ -209,5 +209,6 @@ pub fn tried(state: &mut State, tried: Tried) -> Notice {
     let has_figures = tried.is_awaited && tried.flight.is_some();
     state.rooms.plans.figures_top = has_figures.then_some(0);
     state.rooms.plans.tried = Some(tried);
-    Notice::general(state.now, severity, text)
+    let notice = Notice::general(state.now, severity, text);
+    state.notices.push(notice);
 }

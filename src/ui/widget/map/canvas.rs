@@ -1,6 +1,7 @@
 //! A canvas of dots, two by four in every cell, drawn in braille patterns, half blocks or ASCII.
 
 use ratatui::buffer::Buffer;
+use ratatui::style::Modifier;
 
 use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
@@ -126,7 +127,8 @@ impl Canvas {
                 if mask != 0 {
                     let cell = &mut buffer[(column, row)];
                     cell.set_char(glyph(mask, self.symbols));
-                    cell.set_style(panel.style(role));
+                    // A line of filled cells would be no line: without colours, some roles are reversed.
+                    cell.set_style(panel.style(role).remove_modifier(Modifier::REVERSED));
                 }
             }
         }
@@ -183,6 +185,7 @@ mod tests {
 
     use super::*;
     use crate::ui::look::Look;
+    use crate::ui::theme::Theme;
 
     fn shown(symbols: Symbols, line: [Dot; 2]) -> String {
         let mut canvas = Canvas::new(GridSize::new(4, 2), symbols);
@@ -203,6 +206,28 @@ mod tests {
         assert_eq!(shown(Symbols::Braille, line), "⠑⢄  \n  ⠑⢄");
         assert_eq!(shown(Symbols::Block, line), "▀▄  \n  ▀▄");
         assert_eq!(shown(Symbols::Ascii, line), "'.  \n  '.");
+    }
+
+    /// The theme without colours reverses the role of danger, which would show a line as filled cells.
+    #[test]
+    fn lines_are_never_reversed() {
+        let mut canvas = Canvas::new(GridSize::new(4, 2), Symbols::Ascii);
+        let (from, to) = (Dot::new(0.0, 0.0), Dot::new(7.0, 7.0));
+        canvas.line(from, to, Stroke::solid(Role::Danger));
+        let look = Look {
+            theme: Theme::named("monochrome").expect("a theme"),
+            ..Look::default()
+        };
+        assert!(
+            look.style(Role::Danger)
+                .add_modifier
+                .contains(Modifier::REVERSED)
+        );
+        let area = Rect::new(0, 0, canvas.columns, canvas.rows);
+        let mut buffer = Buffer::empty(area);
+        canvas.draw(Panel::new(&look, area), &mut buffer);
+        let mut cells = buffer.content.iter();
+        assert!(cells.all(|cell| !cell.modifier.contains(Modifier::REVERSED)));
     }
 
     #[test]

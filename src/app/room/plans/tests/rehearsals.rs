@@ -163,3 +163,24 @@ fn what_is_not_flown_is_named() {
     assert!(idle.contains("not flown: 2"), "{idle}");
     assert_eq!(left_out(&desk.give("draft rehearse 1")), None);
 }
+
+/// The room shows the outcome among its reports: a message would cover the keys with the same text.
+#[test]
+fn the_outcome_is_no_message_in_the_room() {
+    let mut desk = Desk::new();
+    let failed = || {
+        Event::Tried(Tried {
+            text: "plan ends in the air".into(),
+            is_awaited: true,
+            ..Tried::default()
+        })
+    };
+    let _ = desk.app.update(failed());
+    assert_eq!(desk.said(), "");
+    let mut lines = desk.app.state().notices().lines();
+    assert!(lines.any(|line| line.notice.text.contains("ends in the air")));
+    drop(lines);
+    desk.press("F");
+    let _ = desk.app.update(failed());
+    assert_eq!(desk.said(), "plan ends in the air");
+}
