@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
+use crate::geo::maths;
 use crate::signing::SECOND;
 use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
@@ -282,7 +283,7 @@ fn queries_without_doubt(lost: f64) -> u32 {
     let answered = (1.0 - lost) * (1.0 - lost);
     // The limits are those of no loss and of total loss.
     let missed = (1.0 - answered).clamp(0.0, 0.99);
-    let queries = (MISTAKEN.ln() / missed.ln()).ceil();
+    let queries = (maths::ln(MISTAKEN) / maths::ln(missed)).ceil();
     queries.min(f64::from(MOST_QUERIES)) as u32
 }
 

@@ -23,6 +23,7 @@ mod legs;
 mod link_room;
 mod map;
 mod mission;
+mod on_board;
 mod parameters;
 mod plans;
 mod replay;

@@ -11,7 +11,7 @@ use crate::{Item, ListKind, command, frame};
 /// Version 1 has a single polygon to stay in, and a return point without a height; version 2 any number of areas of both
 /// kinds.
 pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
-    let point = node.get("breachReturn").filter(is_set);
+    let point = given(node, "breachReturn");
     if check_version(node, &[1, 2], "1, 2")? == 1 {
         read_single(node, parsed)?;
         let Some(point) = point else {
@@ -28,13 +28,15 @@ pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     read_return([lat, lon], height.number_or_null()? as f32, point, parsed)
 }
 
-fn is_set(node: &&Node) -> bool {
-    !matches!(node.value, Value::Null)
+/// A value that is there and not null.
+fn given<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
+    let value = node.get(key)?;
+    (!matches!(value.value, Value::Null)).then_some(value)
 }
 
 /// The polygon of version 1; without corners, there is none.
 fn read_single(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
-    let outline = node.get("polygon").filter(is_set);
+    let outline = given(node, "polygon");
     match outline {
         Some(outline) if !outline.list()?.is_empty() => {
             read_corners(outline, command::FENCE_POLYGON_INCLUSION, parsed)
