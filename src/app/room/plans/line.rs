@@ -3,7 +3,7 @@
 use super::{change, divide, files, ground, trial};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
-use crate::draft::{EditPart, Refusal};
+use crate::draft::{EditPart, Refusal, Trial};
 use crate::language::{DraftLine, VehicleChoice};
 use crate::plan::ListKind;
 use crate::text;
@@ -27,7 +27,11 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal>
         DraftLine::Divide { work, vehicles } => {
             let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
-            let trial = trial::prepared(state, None)?;
+            let trial = Trial {
+                // The draft that was divided has no vehicle; that it is not flown is no news.
+                left_out: None,
+                ..trial::prepared(state, None)?
+            };
             return Ok(Effects::from(Effect::TryDrafts(trial)));
         }
         DraftLine::Use(name) => {

@@ -155,7 +155,8 @@ fn what_is_not_flown_is_named() {
     desk.give("select all");
     let shared = left_out(&desk.give("draft rehearse")).expect("a note");
     assert!(shared.contains("north (the selected"), "{shared}");
-    desk.give("draft orbit 1 around tower radius 60");
+    let divided = desk.give("draft orbit 1 around tower radius 60");
+    assert_eq!(left_out(&divided), None, "the draft that was divided");
     let unassigned = left_out(&desk.give("draft rehearse")).expect("a note");
     assert!(unassigned.contains("north, south"), "{unassigned}");
     assert!(unassigned.contains("`draft use north`"), "{unassigned}");
