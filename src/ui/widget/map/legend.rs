@@ -161,7 +161,7 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 18] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
