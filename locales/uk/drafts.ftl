@@ -241,7 +241,7 @@ draft-trial-further = { $count ->
     [few] ще { $count } чернетки не вдалися
    *[other] ще { $count } чернеток не вдалися
 }
-draft-trial-unassigned = без польоту: { $names } (не для жодного апарата; `draft use { $first }`, потім `draft rehearse VEHICLES`)
+draft-trial-unassigned = без польоту: { $names } (не належить жодному апарату; `draft use { $first }`, потім `draft rehearse VEHICLES`)
 draft-trial-unchosen = без польоту: { $names } (вибрані апарати виконують лише відкриту чернетку)
 draft-trial-idle = без польоту: { $vehicles } (чернетки немає; відкрита належить іншому апарату)
 draft-trial-delay = { $name } стартує на { $seconds } s пізніше
