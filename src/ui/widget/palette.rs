@@ -259,33 +259,47 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
     let seen = || choices.iter().enumerate().skip(first).take(rows);
     let widest = seen().map(|(_, choice)| choice.text.chars().count()).max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let blocks = |most: usize| -> Vec<ChoiceRow<'a>> {
+    let shown = |most_rows: usize| -> Vec<ChoiceRow<'a>> {
         let rows = seen().flat_map(|(at, choice)| {
             let is_chosen = palette.chosen() == Some(at);
-            let lines = choice_lines(choice, is_chosen, [name_width, width, most], look);
-            let rows = lines.into_iter();
-            rows.map(move |line| ChoiceRow { line, is_chosen })
+            let size = ChoiceSize {
+                name_width,
+                width,
+                most_rows,
+            };
+            let lines = choice_lines(choice, is_chosen, size, look).into_iter();
+            lines.map(move |line| ChoiceRow { line, is_chosen })
         });
         rows.collect()
     };
     // Each completion is shown in full if there is room for all, otherwise on one line.
-    let whole = blocks(usize::MAX);
-    if whole.len() > rows { blocks(1) } else { whole }
+    let whole = shown(usize::MAX);
+    if whole.len() > rows { shown(1) } else { whole }
 }
 
-/// A completion with its description, wrapped: the columns of the name and of the whole, and the most rows.
+/// The space for a completion.
+#[derive(Clone, Copy)]
+struct ChoiceSize {
+    /// Columns of the name, and of the whole.
+    name_width: usize,
+    width: usize,
+    most_rows: usize,
+}
+
+/// A completion with its description, wrapped.
 fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,
-    [name_width, width, rows]: [usize; 3],
+    size: ChoiceSize,
     look: &Look,
 ) -> Vec<Line<'a>> {
     let mut mark = if is_chosen { "> " } else { "  " };
+    let name_width = size.name_width;
     let mut name = clip(&choice.text, name_width);
     let hint = look.text(&choice.hint);
-    let room = width.saturating_sub(name_width + 4);
+    let room = size.width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
-    for text in clip_rows(wrap(&hint, room), rows, room) {
+    for text in clip_rows(wrap(&hint, room), size.most_rows, room) {
         let name = std::mem::take(&mut name);
         lines.push(Line::from(vec![
             Span::raw(std::mem::replace(&mut mark, "  ")),
