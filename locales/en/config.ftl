@@ -3,7 +3,7 @@
 config-unknown = unknown setting `{ $name }`
 config-wrong = `{ $name }` must be { $expected }
 config-wrong-word = { $name } must be { $expected }, not `{ $word }`
-config-section = `{ $name }` is a section: write [{ $name }] on a line of its own and its settings below
+config-section = `{ $name }` is a section: write `[{ $name }]` on a line of its own and its settings below
 config-log-level = unknown log levels: { $error }
 config-expected-word = one of { $choices }
 config-expected-text = text in quotes
@@ -17,7 +17,7 @@ config-faulty = ignored: { $fault }
 keymap-no-key = unknown key `{ $key }`
 keymap-same-key = terminals send the same code for `{ $key }` and { $other }
 keymap-no-context = unknown context `{ $name }`
-keymap-context = `{ $name }` is a context: write [{ $name }] on a line of its own and its keys below
+keymap-context = `{ $name }` is a context: write `[{ $name }]` on a line of its own and its keys below
 keymap-twice = `{ $key }` is already used in this context, on line { $line }
 keymap-shadows = `{ $key }` is used under [anywhere], on line { $line }
 keymap-shadows-advice = give one of them another key

@@ -35,9 +35,9 @@ fr_1133h = hexa 1133 mm, heavy
 e20 = 20 A, 4S
 e30opto = 30 A, 4S
 e40 = 40 A, 6S
-e40foc = 40 A, 6S, field oriented
+e40foc = 40 A, 6S, field-oriented
 e60hv = 60 A, 12S
-e80hv = 80 A, 12S, field oriented
+e80hv = 80 A, 12S, field-oriented
 e4in1_35 = 35 A, 6S, one channel of a 4-in-1
 
 fc_h7 = small autopilot

@@ -18,7 +18,7 @@ action-next-view = гортати показники, потужність, ва
 action-mission-before = складати дрони для попереднього завдання
 action-mission-after = складати дрони для наступного завдання
 action-seats = показати місця флоту або знову верстак
-action-all-seats = обрати проєкт для всіх місць
+action-all-seats = вибрати проєкт для всіх місць
 action-fly-fleet = виконати завдання цими дронами
 
 bench-hint-lists = списки
@@ -38,9 +38,9 @@ bench-hint-open = відкрити
 bench-hint-copy = копіювати
 bench-hint-rename = назвати
 bench-hint-delete = видалити
-bench-hint-other = обрати інший
-bench-hint-assign = обрати для місця
-bench-hint-all = обрати для всіх
+bench-hint-other = вибрати інший
+bench-hint-assign = вибрати для місця
+bench-hint-all = вибрати для всіх
 bench-hint-lend = взяти позичені
 bench-hint-fly = летіти
 
@@ -59,7 +59,7 @@ bench-on-board = { $count ->
    *[other] на борту { $count }
 }
 bench-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, висота 50 m
-bench-part-for-sale = { $part }: ще не ваша, { $key } купує за { $price } cr
+bench-part-for-sale = { $part }: ще не ваша, { $key } купує її за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання залежно від вантажу
@@ -67,7 +67,7 @@ bench-payload-about = крива закінчується там, де тяга 
 bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 
-bench-no-mission = завдання не обрано
+bench-no-mission = завдання не вибрано
 bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
 bench-mission-is = дрон для завдання: { $mission }
 bench-mission-flown = завдання вже виконується
@@ -96,13 +96,13 @@ bench-not-own = це вбудований проєкт: скопіюйте йо�
 bench-comparison = зміни від іншого проєкту до того, що на верстаку (▲ краще, ▼ гірше)
 bench-compared = проєкт
 bench-differs = інакше
-bench-choose-compared = оберіть проєкт і натисніть { $key }, щоб порівняти
+bench-choose-compared = виберіть проєкт і натисніть { $key }, щоб порівняти
 
-bench-no-more = додати не можна: вже на борту, або місце заповнено
-bench-not-on-board = цього немає на борту
+bench-no-more = додати не можна: деталь уже на борту, або місце заповнено
+bench-not-on-board = цієї деталі немає на борту
 bench-nothing-to-undo = нема чого скасовувати
 bench-nothing-to-redo = нема чого повторювати
-bench-nobody-buys = гість може пробувати кожну деталь: купувати нічого не треба
+bench-nobody-buys = гість може використовувати кожну деталь без купівлі
 bench-no-profile = проєкти зберігаються у профілі, а його не вибрано: { $key } записує проєкт у файл
 bench-saved = збережено: { $name }
 bench-name-taken = проєкт { $name } уже є
@@ -122,4 +122,4 @@ prompt-rename-design = нова назва для { $name }
 prompt-export-design = записати проєкт у файл
 prompt-import-design = прочитати проєкт із файлу
 prompt-design-advice = будь-яка назва; вона з'явиться у списку проєктів
-prompt-import-advice = шлях до файлу проєкту (`TOML`); ~/ — домашня тека
+prompt-import-advice = шлях до файлу проєкту (TOML); ~/ — домашня тека

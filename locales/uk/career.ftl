@@ -23,7 +23,7 @@ mission-state-open = відкрито
 mission-state-passed = пройдено
 
 part-for-sale = { $part }: { $price } cr, `sortie profile buy { $id }`
-part-locked = { $part }: у продажу після { $mission }
+part-locked = { $part }: продається після завдання «{ $mission }»
 parts-missing = { $design } має деталі, якими { $profile } ще не може користуватися
 
 profile-created = профіль { $name } створено; літайте з `--profile { $name }`

@@ -1,9 +1,9 @@
 # Помилки у файлах налаштувань, клавіш і тем.
 
 config-unknown = невідоме налаштування `{ $name }`
-config-wrong = для `{ $name }` потрібно { $expected }
-config-wrong-word = для { $name } потрібно { $expected }, а не `{ $word }`
-config-section = `{ $name }` — це розділ: напишіть [{ $name }] окремим рядком, а його налаштування нижче
+config-wrong = значенням `{ $name }` має бути { $expected }
+config-wrong-word = значенням { $name } має бути { $expected }, а не `{ $word }`
+config-section = `{ $name }` — це розділ: напишіть `[{ $name }]` окремим рядком, а його налаштування нижче
 config-log-level = невідомі рівні журналу: { $error }
 config-expected-word = одне зі слів: { $choices }
 config-expected-text = текст у лапках
@@ -17,13 +17,13 @@ config-faulty = пропущено: { $fault }
 keymap-no-key = невідома клавіша `{ $key }`
 keymap-same-key = термінали надсилають той самий код для `{ $key }` і { $other }
 keymap-no-context = невідомий контекст `{ $name }`
-keymap-context = `{ $name }` — це контекст: напишіть [{ $name }] окремим рядком, а його клавіші нижче
+keymap-context = `{ $name }` — це контекст: напишіть `[{ $name }]` окремим рядком, а його клавіші нижче
 keymap-twice = `{ $key }` уже зайнято в цьому контексті, у рядку { $line }
-keymap-shadows = `{ $key }` зайнято в розділі `[anywhere]`, у рядку { $line }
-keymap-shadows-advice = оберіть для одного з них іншу клавішу
+keymap-shadows = `{ $key }` зайнято в розділі [anywhere], у рядку { $line }
+keymap-shadows-advice = призначте одній із двох дій іншу клавішу
 keymap-meaning = потрібна назва дії або рядок команд у лапках, або false
 keymap-no-action = невідома дія чи команда `{ $name }`
-keymap-only-actions = клавішам контексту `{ $name }` можна надати лише дії
+keymap-only-actions = клавішам контексту `{ $name }` можна призначити лише дії
 keymap-is-text = `{ $key }` у цьому контексті вписує літеру
 
 history-unreadable = не вдалося прочитати історію команд із { $path }: { $error }

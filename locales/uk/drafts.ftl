@@ -98,8 +98,8 @@ plans-heights-short = { $name }  { $length }, { $time }
 plans-mark = план { $mark }
 plans-upload = на борт: { $done } з { $count }
 plans-upload-failed = на борт: невдач { $failed } з { $count }, причини на екрані команд
-plans-upload-done = передано все: { $count }
-plans-next-upload = далі: `{ $key }` передасть план на борт
+plans-upload-done = завантажено все: { $count }
+plans-next-upload = далі: `{ $key }` завантажить план на борт
 plans-next-mend = далі: виправте позначене `!` перед завантаженням
 plans-next-figures = випробування не вдалося; далі: `{ $figures }` покаже його показники; змініть чернетки, потім `{ $again }`
 plans-next-change = випробування не вдалося; далі: змініть чернетки, потім `{ $again }` випробує їх знову
@@ -108,15 +108,15 @@ plans-next-start = двигуни активні, план на борту; да
 plans-next-aloft = у повітрі; далі: `plan resume` — летіти за планом, `rtl` — повернутися
 plans-next-flying = летить за планом: `plan pause`, `plan skip`, `plan abort`
 plans-next-paused = пауза: `plan resume`, `plan skip`, `plan abort`
-plans-next-flown = план виконано; далі: `{ $key }` передасть інший план, `plan clear` видалить цей, `guided`, `arm`, `plan start` повторять його
-plans-repeats = , без повторів переходів
+plans-next-flown = план виконано; далі: `{ $key }` завантажить інший план, `plan clear` видалить цей, `guided`, `arm`, `plan start` повторять його
+plans-repeats = , без повторів за переходами
 plans-figures-draft = чернетка
 plans-figures-time = час
 plans-figures-left = заряд
 plans-figures-far = відст.
 plans-figures-fence = зона
 plans-figures-end = кінець
-plans-figures-kept = у зоні
+plans-figures-kept = норма
 plans-figures-pair = зближення
 plans-figures-at = час
 plans-figures-apart = відст.
@@ -129,7 +129,7 @@ draft-holds = { $name }: { $holds }
 draft-restored = знову відкрито незбережені чернетки попереднього сеансу: { $names }
 draft-none = чернетки немає: почніть її командою `draft new`, `draft open FILE` або `draft take`
 draft-empty = чернетка порожня: спершу додайте пункти
-draft-no-item = такого пункту немає; у списку їх { $count }
+draft-no-item = такого пункту немає; пунктів у списку: { $count }
 draft-jump-target = пункт { $item } — перехід до пункту, який буде видалено: спершу видаліть перехід
 draft-no-leg = до цього пункту не веде жоден відрізок, або висоти його кінців відлічено від різних рівнів
 draft-unknown-height = висота дому чи рельєфу невідома: задайте висоту числом
@@ -138,7 +138,7 @@ draft-no-home = дім невідомий: задайте його команд�
 draft-no-place = ці пункти не прив'язані до місця
 draft-no-radius = радіус мають лише кола геозони
 draft-no-fields = { $command } не має параметрів
-draft-jump-never = якщо повторень 0, апарат ніколи не перейде: вкажіть 1 або більше чи -1 (без кінця)
+draft-jump-never = якщо повторів 0, апарат ніколи не перейде: вкажіть 1 або більше чи -1 (без кінця)
 draft-rally-frame = `f` змінює відлік висоти лише в плані: точки збору зберігають свій
 draft-no-field = { $command } не має параметра `{ $name }`; є { $names }
 draft-file-faulty = { $path }:{ $line }:{ $column }: { $fault }
@@ -147,14 +147,14 @@ draft-nothing-on-board = ще нічого не зчитано з апараті
 draft-none-for-vehicles = жодна чернетка не належить апарату: такі чернетки створюють `draft take` і плани для цілого рою
 draft-no-vehicles = жодного апарата не вибрано
 draft-divided = чернетки для { $vehicles }: перегляньте їх, далі `draft upload each`
-draft-divided-idle = чернетки для { $vehicles }; без частини { $idle }: попередній план прибере `{ $idle } plan clear`
+draft-divided-idle = чернетки для { $vehicles }; { $idle } — без частини: попередній план прибере `{ $idle } plan clear`
 draft-no-area = ділянки не намальовано: `draft fence polygon` починає її під курсором, `draft fence corner` додає кути, разом щонайменше три
 draft-line-short = для лінії треба щонайменше два місця: запишіть їх або намалюйте точки в чернетці
 draft-ask-close = ЗАКРИТИ чернетку { $name }
 draft-ask-close-reason = її не збережено
 draft-ask-quit-reason = чернетку плану не збережено
 
-verb-draft = малювати план, геозону й точки збору: починати, відкривати, змінювати, зберігати й завантажувати чернетки
+verb-draft = малювати план, геозону й точки збору: починати, відкривати, змінювати, зберігати чернетки й завантажувати їх на борт
 argument-draft-new = почати порожню чернетку
 argument-draft-name = назва чернетки
 argument-draft-save = записати чернетку у файл
@@ -165,8 +165,8 @@ argument-draft-upload = завантажити чернетку на борт; �
 argument-draft-each = завантажити кожну чернетку на борт апарата, якому вона належить
 argument-draft-survey = покрити намальовану ділянку паралельними лініями, по чернетці для кожного апарата
 argument-draft-search = скласти схему пошуку, по чернетці для кожного апарата
-argument-draft-line = летіти смугами поруч уздовж лінії чи намальованих точок, чернетка для кожного апарата
-argument-draft-orbit = кружляти навколо місця, чернетка для кожного апарата
+argument-draft-line = летіти смугами поруч уздовж лінії чи намальованих точок, по чернетці для кожного апарата
+argument-draft-orbit = кружляти навколо місця, по чернетці для кожного апарата
 argument-draft-drawn = інша ділянка, ніж намальована в чернетці
 argument-draft-undo = скасувати останню зміну
 argument-draft-redo = повторити скасовану зміну
@@ -205,7 +205,7 @@ argument-draft-height = висота
 argument-draft-field = назва параметра
 argument-draft-value = значення
 draft-ground-level = рельєф вважається рівним
-draft-ground-read = висоти рельєфу з { $path }; відрізки, що проходять нижче ніж за { $clearance } m над ним, — помилки
+draft-ground-read = висоти рельєфу з { $path }; відрізки, що проходять менш ніж за { $clearance } m над ним, — помилки
 draft-ground-none = { $path }: немає файлу для цього місця; файли названо за південно-західними кутами, як-от `N50E030.hgt`
 plans-above-ground = щонайменше { $height } m над рельєфом
 argument-draft-ground = брати висоту рельєфу з файлів SRTM (`.hgt`) у теці; без теки рельєф вважається рівним
@@ -216,7 +216,7 @@ draft-trial-flies = { $count ->
    *[other] { $count } планів випробовуються в симуляції
 }
 draft-trial-none = жодна чернетка не має плану
-draft-trial-unplaced = позиція { $vehicles } невідома
+draft-trial-unplaced = { $vehicles }: позиція невідома
 draft-trial-busy = чернетки ще випробовуються: зачекайте на результат
 draft-trial-broken = симуляція чернеток не вдалася
 draft-trial-refused = { $name }: апарат відхилив би список: { $list }
@@ -224,7 +224,7 @@ draft-trial-conflicts = { $count ->
     [one] { $count } конфлікт
     [few] { $count } конфлікти
    *[other] { $count } конфліктів
-}: { $pairs }; `draft deconflict` розведе їх
+}: { $pairs }; `draft deconflict` розведе чернетки
 draft-trial-more = { $pairs } та ще { $more }
 draft-trial-meeting = { $a } і { $b } надто зближуються на { $time }
 draft-trial-fence = { $name } порушує геозону на { $time }
@@ -237,16 +237,16 @@ draft-trial-figures = { $count ->
    *[other] { $count } планів виконано
 } за { $time }, заряду лишається щонайменше { $left } %
 draft-trial-further = { $count ->
-    [one] ще { $count } чернетка не вдалася
-    [few] ще { $count } чернетки не вдалися
-   *[other] ще { $count } чернеток не вдалися
+    [one] ще { $count } чернетка не пройшла випробування
+    [few] ще { $count } чернетки не пройшли випробування
+   *[other] ще { $count } чернеток не пройшли випробування
 }
-draft-trial-unassigned = без польоту: { $names } (не належить жодному апарату; `draft use { $first }`, потім `draft rehearse VEHICLES`)
-draft-trial-unchosen = без польоту: { $names } (вибрані апарати виконують лише відкриту чернетку)
-draft-trial-idle = без польоту: { $vehicles } (чернетки немає; відкрита належить іншому апарату)
+draft-trial-unassigned = без польоту: { $names } (жодному апарату не призначено; `draft use { $first }`, потім `draft rehearse VEHICLES`)
+draft-trial-unchosen = без польоту: { $names } (вибрані апарати виконують лише поточну чернетку)
+draft-trial-idle = без польоту: { $vehicles } (чернетки немає; поточна належить іншому апарату)
 draft-trial-delay = { $name } стартує на { $seconds } s пізніше
 draft-trial-layer = { $name } летить на { $height } m вище
 draft-trial-split = кожен апарат має власну чернетку: `draft upload each`
 draft-trial-disarm = задайте DISARM_DELAY 0, інакше апарат деактивує двигуни, поки чекає
-argument-draft-rehearse = випробувати чернетки всіх апаратів разом у симуляції; спільну чернетку пролітає кожен вибраний або названий апарат
+argument-draft-rehearse = випробувати чернетки всіх апаратів разом у симуляції; чернетку без апарата пролітає кожен вибраний або названий
 argument-draft-deconflict = знайти пізніші старти чи різні висоти для чернеток, що надто зближуються

@@ -25,20 +25,20 @@ detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
-detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }. Огляньте ще раз, нижче й повільніше, і підтверджуйте знахідку, перш ніж повідомляти.
+detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }. Огляньте ділянку ще раз, нижче й повільніше, і підтверджуйте знахідку, перш ніж повідомляти.
 detect-advice-wrong = хибних повідомлень { $wrong }. Спершу підтвердьте знахідку іншим датчиком або зблизька.
 
 # Прохід над зоною.
 coverage-result = обстежено { $swept } %; випадковий пошук: { $random } %
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
-coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б, щоб покрити зону { $coverage } раза.
-coverage-advice-lines = Обстежте всю зону лініями, відстань між якими не перевищує ширини смуги датчика.
+coverage-advice = Відстань між лініями не має перевищувати ширини смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б, щоб покрити ділянку { $coverage } раза.
+coverage-advice-lines = Обстежте всю ділянку лініями, відстань між якими не перевищує ширини смуги датчика.
 
 # Дотримання відстані.
 standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
-standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: заблизько було { $close } s.
+standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: ви були заблизько { $close } s.
 
 # Доставлення.
 deliver-kits = вчасно: { $done }, запізно: { $lost }
@@ -50,7 +50,7 @@ deliver-kits-advice = { $lost ->
    *[other] Знаходьте людей швидше й скидайте набір не далі як за 8 m від них; не дочекалися допомоги: { $lost }.
 }
 deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
-people-kit-reached = доставлено людині за { $distance } m
+people-kit-reached = доставлено людині на відстані { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає
 people-node-placed = вузол на своєму місці
 people-node-lost = у межах { $distance } m місця для вузла немає
@@ -71,11 +71,11 @@ plan-rehearsed-advice = Перед першим зльотом — `all plan reh
 plan-mended-of = хибних планів замінено: { $good }
 plan-unmended = політ за хибним планом: { $vehicles }
 plan-mended-target = жодного польоту за хибним планом
-plan-mended-advice = Шукайте хибні плани на землі: `all plan rehearse`, `all plan status` і точки на карті. Завантажте новий план і випробуйте знову.
+plan-mended-advice = Шукайте хибні плани на землі: `all plan rehearse`, `all plan status` і точки на карті. Завантажте новий план на борт і повторіть випробування.
 plan-kept-of = справних планів без змін: { $good }
 plan-unkept = замінено справні плани: { $vehicles }
 plan-kept-target = справні плани без змін
-plan-kept-advice = Замінюйте лише плани, у яких знайшли помилку: новий план може мати власні.
+plan-kept-advice = Замінюйте лише плани, у яких знайшли помилку: новий план може мати свої помилки.
 plan-flown-of = вилетіли: { $good }
 plan-outlook-rehearsed = випробувано: { $ready }/{ $count }
 plan-outlook-unrehearsed = не випробувано: { $vehicles }

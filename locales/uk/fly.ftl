@@ -12,7 +12,7 @@ fly-by = за «{ $column }»
 fly-selected = вибрано { $count }: { $vehicles }
 fly-selected-hidden = вибрано { $count } (приховано { $hidden }): { $vehicles }
 fly-sorted = порядок за «{ $column }»; { $key } змінює його на зворотний
-fly-sorted-reversed = порядок за «{ $column }», найбільші спочатку
+fly-sorted-reversed = порядок за «{ $column }», спершу найбільші
 fly-no-column = невідомий стовпець `{ $word }`
 fly-columns-are = стовпці: { $columns }
 fly-no-group = немає групи `{ $name }`
@@ -144,8 +144,8 @@ header-dropped = пропущено сповіщень: { $count }
 header-dropped-short = пропущено { $count }
 header-no-link = немає зв'язку
 header-link-up = зв'язок є
-header-link-down = { $name }: немає
-header-links = каналів зв'язку { $up }/{ $all }
+header-link-down = { $name }: обрив
+header-links = каналів працює { $up }/{ $all }
 header-links-short = зв'язок { $up }/{ $all }
 
 footer-vehicles = апарати
@@ -159,7 +159,7 @@ hint-take = взяти
 hint-command = команда
 hint-help = довідка
 hint-commands = команди
-hint-quit = вихід
+hint-quit = вийти
 hint-select = вибрати
 hint-list = за номером
 hint-all = усі
@@ -180,7 +180,7 @@ hint-home = початок
 commands-pane = команди
 commands-none = ще немає команд: { $key } відкриває командний рядок
 commands-none-replayed = команд ще не було
-commands-none-fit = жодна команда не відповідає: { $key } покаже всі
+commands-none-fit = жодна команда не відповідає: { $key } показує всі
 commands-follows = стежить за найновішою
 commands-only-vehicles = { $count ->
     [1] лише апарат { $vehicles }: { $shown } з { $all }
@@ -195,12 +195,12 @@ commands-to = кому
 commands-answer = відгук
 commands-outcome = результат
 commands-tries = спроб
-commands-more = ... ще { $count }: { $key } покаже всі
+commands-more = ... ще { $count }: { $key } показує всі
 commands-sent-times = { $count ->
-    [0] не надіслано
-    [one] { $count } раз
-    [few] { $count } рази
-   *[many] { $count } разів
+    [0] 0 спроб
+    [one] { $count } спроба
+    [few] { $count } спроби
+   *[many] { $count } спроб
 }
 hint-vehicle = апарат
 hint-window = відрізок

@@ -34,12 +34,12 @@ grammar-no-vehicle-number = `{ $word }` — не номер апарата: но
 grammar-no-vehicle = немає апарата { $vehicle }, є лише { $known }
 
 grammar-not-whole = `{ $word }` — не ціле число
-grammar-none-of = `{ $word }` тут не годиться: можна { $choices }
+grammar-none-of = `{ $word }` тут не годиться; допустимі: { $choices }
 grammar-no-number = `{ $word }` — не число
 grammar-out-of-range = `{ $word }` поза межами: { $limits }
 grammar-too-large = `{ $word }` завелике
 grammar-no-unit-here = `{ $word }`: це число пишуть без одиниці
-grammar-wrong-unit = `{ $unit }` сюди не підходить: можна { $known }
+grammar-wrong-unit = `{ $unit }` сюди не підходить; допустимі: { $known }
 grammar-no-mode = невідомий режим `{ $mode }`
 grammar-no-mode-copter = у коптера немає режиму `{ $mode }`
 grammar-no-mode-plane = у літака немає режиму `{ $mode }`
@@ -92,7 +92,7 @@ grammar-no-name = невідома назва `{ $word }`
 grammar-no-vehicles = `{ $word }` не називає апаратів: пишіть номери, `@group`, `all`, `none`, `filter` або `invert`
 grammar-largest-first = спершу найбільші
 grammar-no-targets-here = `{ $verb }` — команда консолі: апаратів перед нею не пишуть
-grammar-only-plain = `{ $verb }` діє лише в консолі без екрана; тут це показує окремий екран
+grammar-only-plain = `{ $verb }` діє лише в консолі без екрана; тут ті самі відомості показує окремий екран
 grammar-only-console = `{ $verb }` діє лише в консолі: у скрипті її не вживають
 
 grammar-script-selection = у скрипті немає вибраних апаратів

@@ -1,9 +1,9 @@
 # Журнали апаратів і те, що вони додають до запису.
-log-is-none = це не журнал `DataFlash`: у ньому немає описів форматів
+log-is-none = це не журнал DataFlash: у ньому немає описів форматів
 log-is-empty = у журналі немає даних про політ
 log-cut-off = журнал обірваний: останній запис неповний, байтів: { $bytes }
 log-damaged = журнал пошкоджений, байтів поза записами: { $bytes }
-log-left-out = пропущено подій: { $count }; журнал дає щонайбільше { $most } одного виду
+log-left-out = пропущено подій: { $count }; з журналу додається щонайбільше { $most } кожного виду
 log-unreadable = { $file }: { $error }
 log-mode-why = режим { $mode } ({ $reason })
 log-error = помилка { $part }: { $code }
@@ -20,7 +20,7 @@ log-of-velocity = швидкість
 log-of-position = позицію
 log-of-height = висоту
 log-of-compass = компас
-log-battery = найнижча напруга акумулятора { $number }: { $volt } V за { $ampere } A
+log-battery = найнижча напруга акумулятора { $number }: { $volt } V за струму { $ampere } A
 log-by-gps-time = часом GPS і часом від запуску
 log-by-boot-time = часом від запуску й активацією двигунів
 log-by-boot-time-only = самим лише часом від запуску (журнал і запис можуть бути з різних польотів)

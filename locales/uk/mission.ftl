@@ -45,14 +45,14 @@ mission-recover-in-air = у повітрі
 mission-recover-away = { $distance } m від майданчика
 mission-recover-charge = треба { $needed } %, є { $percent } %
 mission-recover-landing = ще не сів
-mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: `rtl` сідає саме там.
+mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: `rtl` сідає на майданчик.
 mission-recover-earlier = { $place ->
     [first] Повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
    *[later] повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
 }
 mission-recover-closer = { $place ->
-    [first] Сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, `rtl` сідає саме там
-   *[later] сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, `rtl` сідає саме там
+    [first] Сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m; `rtl` сідає на майданчик
+   *[later] сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m; `rtl` сідає на майданчик
 }
 mission-recover-disarm = { $place ->
     [first] Сядьте й деактивуйте двигуни, доки не вийшов час: `rtl` робить і те, і те
@@ -66,7 +66,7 @@ mission-hit-ground = удар об землю на швидкості { $speed }
 mission-too-high = вище за { $height } m
 mission-outside-fence = поза геозоною { $fence }
 mission-off-pad = посадка за { $distance } m від майданчика
-mission-low-reserve = посадка із зарядом { $percent } %: потрібно { $needed } %
+mission-low-reserve = посадка із зарядом { $percent } %: треба { $needed } %
 mission-not-landed = у повітрі наприкінці завдання
 mission-end-reserve = заряд { $percent } % наприкінці завдання: треба { $needed } %
 mission-battery-critical = критичний заряд акумулятора
@@ -80,8 +80,8 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 # Панель завдання.
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = підказка: { $hint }
-mission-landed = Посадку виконано. Політ завершиться, коли всі повідомлення будуть остаточні: додайте, чого бракує, або зачекайте.
-mission-grounded = FAILSAFE ({ $reason }) посадив апарат { $vehicle }: злітайте знову, якщо вистачить заряду, або завершіть командою `abandon`, без балів
+mission-landed = Посадку виконано. Політ завершиться, коли всі повідомлення надійдуть і стануть остаточними: повідомте про те, чого бракує, або зачекайте.
+mission-grounded = FAILSAFE ({ $reason }) посадив апарат { $vehicle }: злітайте знову, якщо вистачить заряду; `abandon` завершує завдання без балів
 mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.
@@ -143,7 +143,7 @@ mission-hint-given = { $percent ->
 }
 mission-goal-time = виконати за { $seconds } s
 mission-goal-time-result = { $seconds } s
-mission-goal-battery = сісти із зарядом { $percent } %
+mission-goal-battery = сісти із зарядом від { $percent } %
 mission-goal-battery-result = найменший заряд { $percent } %
 mission-goal-battery-unknown = заряд невідомий
 mission-goal-safety = не порушити жодного правила
@@ -172,7 +172,7 @@ pause-not-processes = з ArduPilot паузи немає: його процес�
 pause-not-real = паузи немає: справжні дрони в повітрі не зупинити
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = пауза: команди не приймаються
-pause-refuses-help = спершу продовжте: `continue` або { $key }; тоді дайте команду
+pause-refuses-help = спершу зніміть паузу: `continue` або { $key }; тоді дайте команду
 speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } скасовує прискорення
 speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } скасовує прискорення
 speedup-usual = { $rate }x: звичайна швидкість

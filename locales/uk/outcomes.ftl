@@ -53,7 +53,7 @@ outcome-queue-full = не надіслано: у черзі до апарата 
    *[many] { $count } команд
 }
 outcome-forgotten = апарат забуто
-outcome-not-heard = не надіслано: такого апарата не чути
+outcome-not-heard = не надіслано: такого апарата немає на зв'язку
 outcome-task-busy = не надіслано: консоль не встигає за цим апаратом
 
 # Список, збережений відтоді, як передавання обірвалося.
@@ -96,7 +96,7 @@ outcome-log-listed = { $number } ({ $size } kB)
 outcome-log-listed-at = { $number } ({ $size } kB, { $time })
 outcome-logs-kept = збережено { $size } kB у { $files }
 outcome-logs-kept-by = збережено { $size } kB { $ways }: { $files }
-outcome-log-by-messages = повідомленнями журналу
+outcome-log-by-messages = через повідомлення журналу
 outcome-log-by-file = через MAVFTP
 outcome-log-sum-same = контрольну суму перевірено
 outcome-log-sum-other = прочитано двічі: контрольна сума не така, як в апарата
@@ -116,19 +116,19 @@ outcome-plan-saved = збережено пунктів: { $count }, файл { $
 outcome-plan-kept = { $reason }; на борту й далі старий список
 outcome-plan-restored = { $reason }; старий список повернуто
 outcome-plan-unread = апарат не відповідав; нічого не змінено
-outcome-plan-neither = на борту тепер ні нового списку, ні старого, а пунктів { $count } ({ $mark }); завантажте список ще раз, перш ніж летіти
+outcome-plan-neither = на борту тепер немає ні нового списку, ні старого; пунктів на борту { $count } ({ $mark }): завантажте список на борт ще раз, перш ніж летіти
 outcome-plan-unknown = невідомо, який список на борту: перевірте його через `{ $list } show`, перш ніж летіти
 plan-stage-lost = зв'язок утрачено: передавання продовжиться, коли він відновиться
 plan-stage-restoring = повертається старий список
 outcome-logs-silent = апарат не відповідає на запит переліку журналів
-outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; завантажте ще раз, щоб продовжити
-outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й завантажте ще раз, щоб продовжити
-outcome-log-length = у { $file } байтів: { $bytes }, а апарат називає { $expected }: завантажте ще раз
+outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; повторіть завантаження, щоб продовжити
+outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й повторіть завантаження, щоб продовжити
+outcome-log-length = розмір { $file } — { $bytes } B, а в переліку апарата — { $expected } B: повторіть завантаження
 
 outcome-plan-left = { $vehicles }: тепер без частини, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
 outcome-plan-idle = для цього апарата немає частини: { $reason }; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
-rehearse-waits = очікування планів { $vehicles }: їх передають або зчитують
+rehearse-waits = { $vehicles }: плани ще передаються або зчитуються; випробування чекає
 rehearse-unread = план на борту ще не зчитано: його читає `plan show`
 rehearse-no-plan = на борту немає плану
 rehearse-refused = симулятор відхиляє список апарата { $vehicle }
@@ -147,19 +147,19 @@ rehearse-time-up = через { $time } ще летить
 rehearse-conflict = випробування: { $a } і { $b } надто зближуються на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі
 rehearse-late = випробування: { $a } і { $b } надто зближуються, якщо один із них запізниться на { $late } s
 rehearse-more = випробування: ще { $count ->
-    [one] { $count } пара надто зближується
-    [few] { $count } пари надто зближуються
-   *[other] { $count } пар надто зближуються
-} (також якщо один із апаратів запізниться)
+    [one] { $count } пара надто зближується або зблизиться
+    [few] { $count } пари надто зближуються або зблизяться
+   *[other] { $count } пар надто зближуються або зблизяться
+}, якщо один із апаратів запізниться
 rehearse-conditions = випробування: { $conditions }
-rehearse-parameters-unread = параметри { $vehicles } не зчитано, діють типові
+rehearse-parameters-unread = для { $vehicles } параметрів не зчитано, діють типові
 rehearse-wind-given = вітер { $speed } m/s з напрямку { $from }° (заданий)
-rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from }° (за оцінкою { $vehicle })
-rehearse-wind-estimated-at = вітер { $speed } m/s з напрямку { $from }° на { $height } m (за оцінкою { $vehicle })
+rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from }° (за оцінкою апарата { $vehicle })
+rehearse-wind-estimated-at = вітер { $speed } m/s з напрямку { $from }° на висоті { $height } m (за оцінкою апарата { $vehicle })
 rehearse-wind-mission = вітер { $speed } m/s з напрямку { $from }° (за завданням)
 rehearse-wind-simulator = вітер { $speed } m/s з напрямку { $from }° (`SIM_WIND_SPD`)
-rehearse-wind-unknown = штиль, бо вітер невідомий; задати його: `plan rehearse wind 270 8`
+rehearse-wind-unknown = штиль (вітер невідомий); вітер задає `plan rehearse wind 270 8`
 rehearse-airframes-own = рами дронів цього сеансу
 rehearse-airframes-standard = стандартна рама
 rehearse-airframes-mixed = рами дронів цього сеансу, для { $vehicles } — стандартна
-rehearse-closest = випробування: найближче — { $a } і { $b } на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі
+rehearse-closest = випробування: найбільше зближуються { $a } і { $b }, на { $time }: { $horizontal } m по горизонталі, { $vertical } m по вертикалі

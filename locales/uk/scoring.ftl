@@ -16,7 +16,7 @@ scoring-bronze = бронза
 
 # Що вплинуло на складову.
 scoring-all-met = { $count ->
-    [one] досягнуто { $count } ціль з { $count }
+    [one] досягнуто { $count } цілі з { $count }
    *[many] досягнуто всіх цілей: { $count }
 }
 scoring-missed = не досягнуто: { $objectives }
@@ -36,9 +36,9 @@ scoring-commands-clean = { $count ->
 }
 scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->
-    [one] { $faults }; { $count } команда, рахуючи для кожного дрона
-    [few] { $faults }; { $count } команди, рахуючи для кожного дрона
-   *[many] { $faults }; { $count } команд, рахуючи для кожного дрона
+    [one] { $faults }; { $count } команда, кожен дрон рахується окремо
+    [few] { $faults }; { $count } команди, кожен дрон рахується окремо
+   *[many] { $faults }; { $count } команд, кожен дрон рахується окремо
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }
@@ -59,7 +59,7 @@ scoring-advice-force = Не активуйте двигунів примусов
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки заряд не нижчий за резерв.
 scoring-advice-land = Посадіть усі дрони до завершення завдання.
 scoring-advice-pad = Сідайте на майданчик: `rtl` летить туди сам.
-scoring-advice-battery = Повертайтеся, перш ніж це зробить за вас аварійна реакція на низький заряд.
+scoring-advice-battery = Повертайтеся, перш ніж спрацює аварійна реакція на низький заряд.
 scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
 
 # Увага.
@@ -76,7 +76,7 @@ scoring-advice-alerts = Відповідайте на тривоги вчасн�
 scoring-none-flown = жоден дрон не літав
 scoring-never-flown = дрони без польоту: { $vehicles }
 scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
-scoring-never-idle = простою не було, дронів: { $count }
+scoring-never-idle = жоден із дронів ({ $count }) не простоював
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
 scoring-advice-idle = Давайте дрону { $vehicle } наступну роботу, доки він не скінчив попередньої: він чекав у повітрі { $time }.
 scoring-advice-slack = Нехай усі дрони будуть зайняті однаково довго: давайте кожному наступну роботу, доки він не скінчив попередньої.

@@ -4,7 +4,7 @@ heard-mode = режим { $mode }
 heard-armed = двигуни активовано
 heard-disarmed = двигуни деактивовано
 heard-disarmed-idle = двигуни деактивовано: { $reason }
-idle-no-takeoff = за { $seconds } s не злетів
+idle-no-takeoff = апарат не злетів за { $seconds } s
 idle-on-ground = { $seconds } s на землі
 carried-most = { $list ->
     [plan] план

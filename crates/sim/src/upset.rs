@@ -22,7 +22,7 @@ const RATE_I: DVec3 = DVec3::new(0.135, 0.135, 0.02);
 const RATE_D: DVec3 = DVec3::new(0.0036, 0.0036, 0.0);
 const INTEGRAL_MAX: f64 = 0.5;
 const SLOPE_FILTER_HZ: f64 = 20.0;
-/// Above this error of the lean, the heading is held less; above twice the error, not at all.
+/// Above this lean error, heading control is reduced; above twice this error, it is off.
 const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
 /// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the minimum lean,
 /// and the time this takes (`ATC_ANG_LIM_TC`).

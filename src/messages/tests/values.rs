@@ -1,4 +1,4 @@
-//! Single messages and the model.
+//! The effects of single messages on the model of a vehicle.
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, DISTANCE_SENSOR_DATA, GLOBAL_POSITION_INT_DATA,

@@ -36,7 +36,7 @@ fn a_plan_begins_at_home_if_its_takeoff_has_no_place() {
     assert!((placed[0].distance_m(home) - 20.0).abs() < 0.5);
 }
 
-/// The border of an area to stay out of is a whole line with a sign inside, also without colours and braille.
+/// An area to stay out of has an unbroken border with a sign inside, even without colours and braille.
 #[test]
 fn areas_to_stay_out_of_have_a_sign_inside() {
     let mut console = Console::flying(0);

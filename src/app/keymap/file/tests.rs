@@ -70,7 +70,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
             "[fyl]\n",
             "1:2: unknown context `fyl` (did you mean `fly`?)",
         ),
-        ("fly = 3\n", "1:7: `fly` is a context: write [fly]"),
+        ("fly = 3\n", "1:7: `fly` is a context: write `[fly]`"),
         ("[fly]\n\"f55\" = \"invert\"\n", "2:1: unknown key `f55`"),
         (
             "[fly]\n\"ctrl-m\" = \"invert\"\n",

@@ -22,7 +22,7 @@ pub enum Merge {
 pub struct Spark<'a> {
     /// The readings up to now, oldest first. Gaps stay blank.
     pub readings: &'a [Option<f32>],
-    /// The capacity of the span, so that a shorter curve starts inside it.
+    /// The number of readings that fill the width; with fewer, the curve starts further right.
     pub samples: usize,
     /// The values at the bottom and at the top.
     pub range: RangeInclusive<f32>,
