@@ -95,6 +95,9 @@ fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 fn draw_strokes(curve: &Curve<'_>, weight: LineWeight, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
     let rows = area.height * 4;
     let mut before: Option<u16> = None;
     let mut cells = vec![0u32; usize::from(area.width) * usize::from(area.height)];
