@@ -145,12 +145,11 @@ impl VehicleKeys {
 
     /// How far a stamp is behind the first one that its stream may have; 0 if it is new.
     fn behind(&self, stream: SignedStream, timestamp: u64) -> u64 {
-        let least = match self.heard.get(&stream) {
-            Some(last) => last.saturating_add(1),
-            None => {
-                let newest = self.heard.values().max().copied().unwrap_or_default();
-                newest.saturating_sub(MARGIN)
-            }
+        let least = if let Some(last) = self.heard.get(&stream) {
+            last.saturating_add(1)
+        } else {
+            let newest = self.heard.values().max().copied().unwrap_or_default();
+            newest.saturating_sub(MARGIN)
         };
         least.saturating_sub(timestamp)
     }
@@ -317,7 +316,7 @@ impl Keyring {
         keyed.map(|(&system, _)| system)
     }
 
-    /// The number of vehicles with a key, on all links.
+    /// The number of keys in use: one for each link of each vehicle.
     pub fn count(&self) -> usize {
         let vehicles = self.links.values().flat_map(BTreeMap::values);
         vehicles.filter(|keys| keys.in_use().is_some()).count()

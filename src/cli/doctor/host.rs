@@ -200,7 +200,7 @@ pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
         Ok(None) => None,
         Ok(Some(keys)) => {
             let count = keys.count();
-            Some(HostFinding::ok(about, format!("{path}: {count} vehicles")))
+            Some(HostFinding::ok(about, format!("{path}: {count} in use")))
         }
         Err(fault @ KeyFileFault::Readable { .. }) => Some(HostFinding::fault(
             about,

@@ -111,7 +111,7 @@ impl Scene {
             if self.now >= until {
                 return;
             }
-            self.now += Duration::from_millis(50).min(until - self.now);
+            self.now += Duration::from_millis(50).min(until.saturating_sub(self.now));
         }
     }
 

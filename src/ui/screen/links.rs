@@ -221,14 +221,16 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     lines.extend([
         (text!("links-received"), look.text(&received)),
         (text!("links-sent"), look.text(&sent)),
+    ]);
+    if let Some(seals) = link.counters.as_ref().and_then(|it| it.seals) {
+        lines.push((text!("links-signing"), look.text(&seals.text())));
+    }
+    lines.extend([
         (text!("links-round-trip"), round_trip),
         (text!("links-dropped"), counted(passed_over)),
         (text!("links-missing"), counted(losses)),
         (text!("links-others"), counted(others)),
     ]);
-    if let Some(seals) = link.counters.as_ref().and_then(|it| it.seals) {
-        lines.push((text!("links-signing"), look.text(&seals.text())));
-    }
     lines
 }
 
