@@ -12,7 +12,7 @@ signing-no-random = the system provides no random numbers for a key: { $error }
 refused-signing-here = keys are for vehicles on sockets and serial ports, not for the embedded simulator and recordings
 refused-signing-armed = it is armed: keys change only on the ground, disarmed
 refused-signing-busy = another change of its key is under way
-refused-signing-foreign = it signs with a key that sortie does not have: copy its key into `signing.toml`
+refused-signing-foreign = it signs with a key that sortie does not have: copy its key into `signing.toml`, or run `signing setup` over USB
 refused-signing-has-key = it signs already: `signing rotate` gives it a new key
 refused-signing-without-key = it does not sign: `signing setup` gives it a key
 

@@ -12,7 +12,7 @@ signing-no-random = система не дає випадкових чисел �
 refused-signing-here = ключі бувають лише в апаратів на мережевих і послідовних портах, а не у вбудованому симуляторі чи записах
 refused-signing-armed = двигуни активні: ключ змінюють лише на землі, з неактивними двигунами
 refused-signing-busy = ключ апарата вже змінюється
-refused-signing-foreign = апарат підписує ключем, якого sortie не має: скопіюйте його ключ у `signing.toml`
+refused-signing-foreign = апарат підписує ключем, якого sortie не має: скопіюйте його ключ у `signing.toml` або виконайте `signing setup` через USB
 refused-signing-has-key = апарат уже підписує кадри: новий ключ дає `signing rotate`
 refused-signing-without-key = апарат не підписує кадрів: ключ дає `signing setup`
 

@@ -120,13 +120,15 @@ impl VehicleSigning {
 
     fn refusal(&self, change: SigningChange, vehicle: &Vehicle) -> Option<Text> {
         let signs = self.shown.is_some_and(Seal::is_right);
+        // A port that takes unsigned frames, such as USB, takes a new key instead of an unknown one.
+        let needs_its_key = change != SigningChange::SetUp;
         if self.desk.is_none() {
             Some(text!("refused-signing-here"))
         } else if vehicle.armed() {
             Some(text!("refused-signing-armed"))
         } else if self.job.is_some() {
             Some(text!("refused-signing-busy"))
-        } else if self.shown == Some(Seal::Foreign) {
+        } else if needs_its_key && self.shown == Some(Seal::Foreign) {
             Some(text!("refused-signing-foreign"))
         } else {
             match change {

@@ -289,8 +289,8 @@ fn a_change_that_does_not_fit_is_refused_before_anything_is_sent() {
         (SetUp, Seal::Right),
         (Rotate, Seal::Unsigned),
         (Remove, Seal::Unsigned),
-        (SetUp, Seal::Foreign),
         (Rotate, Seal::Foreign),
+        (Remove, Seal::Foreign),
     ] {
         let mut scene = Scene::new(shown);
         scene.order(change);

@@ -403,3 +403,16 @@ async fn forged_and_replayed_telemetry_changes_only_counters() {
         })
         .await;
 }
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_lost_key_is_replaced_on_a_port_that_takes_unsigned_frames() {
+    let (addresses, _vehicle) = serve(world(1), 10.0).await;
+    for _ in 0..2 {
+        // Without the file of the console before.
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut console = start(folder.path(), false).await.console;
+        console.connect(&addresses[0]);
+        console.until_known(&[1]).await;
+        console.carry_out("signing setup", 1).await;
+    }
+}
