@@ -70,7 +70,7 @@ bench-no-curve = no curve yet: needs frame, motors, propellers, speed controller
 bench-no-mission = no mission chosen
 bench-choose-mission = [ and ] choose a mission to build for.
 bench-mission-is = built for mission: { $mission }
-bench-mission-flown = the mission is in progress
+bench-mission-flown = the mission is in progress: choose another when it is over
 bench-seats = { $count ->
     [one] { $count } drone
    *[other] { $count } drones
@@ -85,7 +85,7 @@ bench-seats-taken = all seats: { $name }
 bench-seats-lent = back to the drones lent by the mission
 bench-does-not-fly = cannot fly: { $reason }
 bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
-bench-over-budget = the fleet costs { $cost } cr; the budget is { $budget } cr
+bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr: use cheaper parts
 
 bench-designs = designs
 bench-no-designs = no designs yet
@@ -98,13 +98,13 @@ bench-differs = differs
 bench-choose-compared = choose a design and press { $key } to compare
 
 bench-no-more = cannot be added: it is already on board, or the slot is full
-bench-not-on-board = it is not on board
+bench-not-on-board = the part is not on board
 bench-nothing-to-undo = nothing to undo
 bench-nothing-to-redo = nothing to redo
 bench-nobody-buys = guests can use every part without buying it
 bench-no-profile = designs are saved in a profile, but none is chosen: { $key } writes the design to a file
 bench-saved = saved: { $name }
-bench-name-taken = a design named { $name } already exists
+bench-name-taken = a design named { $name } already exists: choose another name
 bench-ask-buy = BUY the right to use { $part } for { $price } cr
 bench-ask-buy-reason = you have { $credits } cr; { $left } cr will be left
 bench-ask-replace = REPLACE { $name } on the bench
@@ -121,4 +121,4 @@ prompt-rename-design = new name for { $name }
 prompt-export-design = write the design to the file
 prompt-import-design = read a design from the file
 prompt-design-advice = any name; it appears in the list of designs
-prompt-import-advice = a path to a design file (TOML); ~/ is your home folder
+prompt-import-advice = a path to a design file (TOML); `~/` is your home folder

@@ -12,7 +12,7 @@ skill-swarm = tasking a swarm
 skill-design = designing drones
 skill-judgement = self-assessment
 skill-plans = making and checking plans
-skill-prediction = predicted score
+skill-prediction = predicting the score
 
 locked-pass = pass { $mission }
 locked-medal = win a { $medal } medal in { $mission }
@@ -20,7 +20,7 @@ locked-skill = { $skill }: { $has } %, needs { $wanted } %
 locked-licence = needs a licence for { $wanted } drones; yours is for { $has }
 
 buy-unknown = unknown part; `sortie workshop parts` lists all parts
-buy-owned = you already own it
+buy-owned = you already own this part
 buy-locked = pass { $mission } first
 buy-too-dear = costs { $price } credits; you have { $credits }
 
@@ -51,7 +51,7 @@ profiles-older = { $path } was made by an older version of sortie and is read-on
 profiles-database = { $path }: { $error }
 profiles-unknown = no profile `{ $name }`; profiles: { $known }
 profiles-unknown-first = no profile `{ $name }`; `sortie profile create { $name }` creates it
-profiles-exists = the profile `{ $name }` already exists
+profiles-exists = the profile `{ $name }` already exists: choose another name
 profiles-name = a profile's name is one line of 1 to { $most } characters
 profiles-no-profile = not a profile: { $fault }
 profiles-mended = { $count ->
@@ -59,8 +59,8 @@ profiles-mended = { $count ->
    *[other] { $count } damaged rows of the profiles were restored from the backup
 }
 profiles-unmended = { $count ->
-    [one] 1 row of the profiles is damaged, and no backup has it: what belongs to it cannot be read
-   *[other] { $count } rows of the profiles are damaged, and no backup has them: what belongs to them cannot be read
+    [one] 1 row of the profiles is damaged, and no backup has it: its data cannot be read
+   *[other] { $count } rows of the profiles are damaged, and no backup has them: their data cannot be read
 }
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-fault-empty = the file is empty
@@ -79,10 +79,10 @@ practice-locked = the mission is locked ({ $why })
 practice-parts = { $design } has parts that you do not own ({ $parts })
 practice-airframes = the airframes are your own files
 practice-slow = time runs slower than real time
-practice-unconfirmed = its record cannot be confirmed (`sortie verify` gives the reason)
+practice-unconfirmed = the record cannot be confirmed (`sortie verify` gives the reason)
 exam-real-time = an exam runs in real time: start sortie without `--speedup`
 exam-by-hand = an exam is flown by hand, not by a script: start it from the home screen
-daily-by-hand = the seed of the day is flown by hand, because a script would reveal the layout in advance: use `--seed N`
+daily-by-hand = a mission with the seed of the day is flown by hand, because a script would reveal the layout in advance: use `--seed N`
 flight-practice = { $mission }, practice
 flight-daily = { $mission }, seed of the day
 flight-exam = { $mission }, exam

@@ -23,7 +23,7 @@ mission-state-passed = passed
 
 part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
 part-locked = { $part }: on sale after { $mission }
-parts-missing = { $design } has parts that { $profile } may not use
+parts-missing = { $design } has parts that { $profile } does not own
 
 profile-created = profile { $name } created; fly with `--profile { $name }`
 profile-none = no profiles yet; `sortie profile create NAME` creates one
@@ -37,7 +37,7 @@ import-twice = it appears twice in the file
 import-no-report = it has no report
 import-unfit = its report is inconsistent: { $fault }
 import-fleet = its designs cannot fly this mission
-profile-bought = { $part } is licensed for { $price } credits; { $left } left
+profile-bought = { $part } bought for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
 profile-record = with a profile, sortie records runs in the profile's data folder and counts the tries: leave out `--record` and `--try`
 profiles-damaged = { $path } contains data that sortie did not write: { $fault }

@@ -2,26 +2,26 @@
 
 config-unknown = unknown setting `{ $name }`
 config-wrong = `{ $name }` must be { $expected }
-config-wrong-word = { $name } must be { $expected }, not `{ $word }`
+config-wrong-word = `{ $name }` must be { $expected }, not `{ $word }`
 config-section = `{ $name }` is a section: write `[{ $name }]` on a line of its own and its settings below
 config-log-level = unknown log levels: { $error }
 config-expected-word = one of { $choices }
 config-expected-text = text in quotes
 config-expected-number = a whole number from { $least } to { $most }
-config-expected-flag = true or false
-config-expected-words = a list of words, such as ["one", "two"]
+config-expected-flag = `true` or `false`
+config-expected-words = a list of words, such as `["one", "two"]`
 config-expected-lines = a line of the command language in quotes, or a list of them
 
 config-faulty = ignored: { $fault }
 
 keymap-no-key = unknown key `{ $key }`
-keymap-same-key = terminals send the same code for `{ $key }` and { $other }
+keymap-same-key = terminals send the same code for `{ $key }` and `{ $other }`
 keymap-no-context = unknown context `{ $name }`
 keymap-context = `{ $name }` is a context: write `[{ $name }]` on a line of its own and its keys below
 keymap-twice = `{ $key }` is already used in this context, on line { $line }
-keymap-shadows = `{ $key }` is used under [anywhere], on line { $line }
+keymap-shadows = `{ $key }` is used under `[anywhere]`, on line { $line }
 keymap-shadows-advice = give one of them another key
-keymap-meaning = expected the name of an action or a command line in quotes, or false
+keymap-meaning = expected the name of an action or a command line in quotes, or `false`
 keymap-no-action = unknown action or command `{ $name }`
 keymap-only-actions = only actions can be given to the keys of `{ $name }`
 keymap-is-text = `{ $key }` types a letter in this context
@@ -36,8 +36,8 @@ theme-faulty-parent = the parent theme `{ $name }` has faults
 theme-unknown-role = unknown role `{ $name }`
 theme-roles-are = roles: { $roles }
 theme-role-table = `{ $name }` must be a table with its colours
-theme-role-table-advice = write { $example }
+theme-role-table-advice = write `{ $example }`
 theme-no-style = the role `{ $name }` has no style
-theme-no-style-advice = give it one under [roles], or inherit it: inherits = "dark"
+theme-no-style-advice = give it one under `[roles]`, or inherit it: `inherits = "dark"`
 theme-no-colour = `{ $word }` is not a colour
-theme-no-colour-advice = write "#rrggbb", a name such as "light-red", or a number in quotes, "0" to "255"
+theme-no-colour-advice = write `"#rrggbb"`, a name such as `"light-red"`, or a number in quotes, `"0"` to `"255"`

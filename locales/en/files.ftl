@@ -13,7 +13,7 @@ file-missing-folder-near = { $path }: no folder { $folder }; did you mean `{ $na
 file-is-folder = { $path } is a folder, not a file
 file-forbidden = no permission to read { $path }
 file-unwritable = cannot write { $path }: { $error }
-file-exists = { $path } already exists
+file-exists = { $path } already exists: choose another path
 file-too-large = { $path } is too large: a { $kind } is at most { $most } bytes long
 file-unknown = no { $kind } `{ $name }`: give a path, or one of { $known }
 
@@ -36,7 +36,7 @@ record-torn = the record ends in the middle of line { $line }: the run is scored
 record-no-end = the record stops before the end of the run: the run is scored up to there
 record-mission = this program cannot read the mission of the run: { $fault }
 record-unwritable = Recording has stopped; the flight continues: { $fault }
-record-differs = It was scored { $before } when it was flown; this program scores it { $now }.
+record-differs = The run scored { $before } when it was flown; this program scores it { $now }.
 record-no-runs = no run is recorded in { $folder }; fly a mission with `sortie fly`, or name a recorded run
 journal-none = not the journal of a flight: the first line is of another kind
 record-not-begun = this flight is not recorded and cannot be replayed: { $fault }
@@ -73,7 +73,7 @@ verify-verified = verified: { $mission } with seed { $seed }, flown again, match
 verify-verified-flight = verified: the flight, flown again, matches the record for { $length } (tlog and journal are not compared)
 verify-differs = differs at { $seconds } s ({ $what })
 verify-of-vehicle = vehicle { $vehicle }: { $what }
-verify-other-program = other program: { $program } flew it, and here it differs at { $seconds } s ({ $what })
+verify-other-program = other program: { $program } made the record; flown again here, it differs at { $seconds } s ({ $what })
 verify-other-mission = other mission: { $mission } in the record (hash { $hash }) differs from the one in this program
 verify-rescored = re-scored from telemetry only: { $score } points, as recorded
 verify-rescored-other = re-scored from telemetry only: { $score } points; the record states a different score
@@ -118,7 +118,7 @@ sign-signed = { $count ->
    *[other] signed with key { $key }: { $count } files
 }
 sign-none = not signed
-sign-unchecked = claims to be signed with key { $key }; `--public-key` checks it
+sign-unchecked = claims to be signed with key { $key }; `--public-key` checks the signature
 sign-valid = signed with key { $key } ({ $comment })
 sign-invalid = the signature of { $file } is not valid: { $why }
 sign-unreadable = it cannot be read: { $error }

@@ -25,8 +25,8 @@ detect-outlook = { $count } reported
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
-detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report.
-detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report.
+detect-advice-missed = missed: { $missed }, false reports: { $wrong }. Look again, lower and slower, and confirm before you report.
+detect-advice-wrong = false reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report.
 
 # Covering a zone.
 coverage-result = { $swept } % swept; a random search: { $random } %
@@ -47,7 +47,7 @@ deliver-kits-target = { $target } people
 deliver-nodes-target = { $target } nodes
 deliver-kits-advice = { $lost ->
     [0] Drop a kit within 8 m of each person.
-   *[other] Find people sooner and drop the kit within 8 m of them: for { $lost }, help came too late.
+   *[other] Find people sooner and drop a kit within 8 m of each: help came too late for { $lost } of them.
 }
 deliver-nodes-advice = Drop the nodes within 6 m of their places.
 people-kit-reached = delivered to a person { $distance } m away
@@ -69,7 +69,7 @@ plan-unrehearsed = flown without a successful rehearsal: { $vehicles }
 plan-rehearsed-target = all { $count } rehearsed
 plan-rehearsed-advice = Before the first takeoff, send `all plan rehearse`: every row has to end with a landing. After each change of a plan, rehearse again.
 plan-mended-of = faulty plans replaced: { $good }
-plan-unmended = flown with its fault: { $vehicles }
+plan-unmended = flown with a faulty plan: { $vehicles }
 plan-mended-target = no faulty plan flown
 plan-mended-advice = Find the faulty plans on the ground: `all plan rehearse`, `all plan status`, and the places on the map. Put a new plan on board, and rehearse again.
 plan-kept-of = sound plans flown unchanged: { $good }

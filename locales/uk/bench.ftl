@@ -70,7 +70,7 @@ bench-no-curve = кривої ще немає: потрібні рама, дви
 bench-no-mission = завдання не вибрано
 bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
 bench-mission-is = дрон для завдання: { $mission }
-bench-mission-flown = завдання вже виконується
+bench-mission-flown = завдання вже виконується: інше можна вибрати, коли воно скінчиться
 bench-seats = { $count ->
     [one] { $count } дрон
     [few] { $count } дрони
@@ -86,7 +86,7 @@ bench-seats-taken = усі місця: { $name }
 bench-seats-lent = завдання знову позичає свої дрони
 bench-does-not-fly = не полетить: { $reason }
 bench-lacks-licence = { $part } ще не ваша: спершу купіть право на деталь
-bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr
+bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr: візьміть дешевші деталі
 
 bench-designs = проєкти
 bench-no-designs = проєктів ще немає
@@ -105,7 +105,7 @@ bench-nothing-to-redo = нема чого повторювати
 bench-nobody-buys = гість може використовувати кожну деталь без купівлі
 bench-no-profile = проєкти зберігаються у профілі, а його не вибрано: { $key } записує проєкт у файл
 bench-saved = збережено: { $name }
-bench-name-taken = проєкт { $name } уже є
+bench-name-taken = проєкт { $name } уже є: виберіть іншу назву
 bench-ask-buy = КУПИТИ право на { $part } за { $price } cr
 bench-ask-buy-reason = у вас { $credits } cr, лишиться { $left } cr
 bench-ask-replace = ЗАМІНИТИ { $name } на верстаку
@@ -122,4 +122,4 @@ prompt-rename-design = нова назва для { $name }
 prompt-export-design = записати проєкт у файл
 prompt-import-design = прочитати проєкт із файлу
 prompt-design-advice = будь-яка назва; вона з'явиться у списку проєктів
-prompt-import-advice = шлях до файлу проєкту (TOML); ~/ — домашня тека
+prompt-import-advice = шлях до файлу проєкту (TOML); `~/` — домашня тека

@@ -24,7 +24,7 @@ locked-licence = треба ліцензію на { $wanted ->
 }, ваша на { $has }
 
 buy-unknown = такої деталі немає; усі деталі показує `sortie workshop parts`
-buy-owned = вона вже ваша
+buy-owned = ця деталь уже ваша
 buy-locked = спершу пройдіть «{ $mission }»
 buy-too-dear = коштує { $price } cr, у вас { $credits }
 
@@ -55,13 +55,13 @@ profiles-older = { $path } створено старішою версією sort
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`
-profiles-exists = профіль `{ $name }` уже є
+profiles-exists = профіль `{ $name }` уже є: виберіть інше ім'я
 profiles-name = ім'я профілю — один рядок від 1 до { $most } знаків
 profiles-no-profile = це не профіль: { $fault }
 profiles-mended = { $count ->
-    [one] { $count } пошкоджений рядок профілів узято з резервної копії
-    [few] { $count } пошкоджені рядки профілів узято з резервної копії
-   *[many] { $count } пошкоджених рядків профілів узято з резервної копії
+    [one] { $count } пошкоджений рядок профілів відновлено з резервної копії
+    [few] { $count } пошкоджені рядки профілів відновлено з резервної копії
+   *[many] { $count } пошкоджених рядків профілів відновлено з резервної копії
 }
 profiles-unmended = { $count ->
     [one] { $count } рядок профілів пошкоджено, і в резервних копіях його немає: дані, що від нього залежать, прочитати не вдасться
@@ -85,7 +85,7 @@ practice-locked = завдання закрите ({ $why })
 practice-parts = у { $design } є деталі, яких ви не маєте ({ $parts })
 practice-airframes = рами взято з ваших файлів
 practice-slow = час іде повільніше за реальний
-practice-unconfirmed = його запис не вдається підтвердити (причину називає `sortie verify`)
+practice-unconfirmed = запис не вдається підтвердити (причину називає `sortie verify`)
 exam-real-time = іспит відбувається в реальному часі: запустіть sortie без `--speedup`
 exam-by-hand = іспит складають власноруч, а не скриптом: почніть його з початкового екрана
 daily-by-hand = варіант дня виконують власноруч, бо скрипт показав би, де що є, ще до пошуку: вкажіть `--seed N`

@@ -2,26 +2,26 @@
 
 config-unknown = невідоме налаштування `{ $name }`
 config-wrong = значенням `{ $name }` має бути { $expected }
-config-wrong-word = значенням { $name } має бути { $expected }, а не `{ $word }`
+config-wrong-word = значенням `{ $name }` має бути { $expected }, а не `{ $word }`
 config-section = `{ $name }` — це розділ: напишіть `[{ $name }]` окремим рядком, а його налаштування нижче
 config-log-level = невідомі рівні журналу: { $error }
 config-expected-word = одне зі слів: { $choices }
 config-expected-text = текст у лапках
 config-expected-number = ціле число від { $least } до { $most }
-config-expected-flag = true або false
-config-expected-words = список слів, наприклад ["one", "two"]
+config-expected-flag = `true` або `false`
+config-expected-words = список слів, наприклад `["one", "two"]`
 config-expected-lines = рядок мови команд у лапках або список таких рядків
 
 config-faulty = пропущено: { $fault }
 
 keymap-no-key = невідома клавіша `{ $key }`
-keymap-same-key = термінали надсилають той самий код для `{ $key }` і { $other }
+keymap-same-key = термінали надсилають той самий код для `{ $key }` і `{ $other }`
 keymap-no-context = невідомий контекст `{ $name }`
 keymap-context = `{ $name }` — це контекст: напишіть `[{ $name }]` окремим рядком, а його клавіші нижче
 keymap-twice = `{ $key }` уже зайнято в цьому контексті, у рядку { $line }
-keymap-shadows = `{ $key }` зайнято в розділі [anywhere], у рядку { $line }
+keymap-shadows = `{ $key }` зайнято в розділі `[anywhere]`, у рядку { $line }
 keymap-shadows-advice = призначте одній із двох дій іншу клавішу
-keymap-meaning = потрібна назва дії або рядок команд у лапках, або false
+keymap-meaning = потрібна назва дії або рядок команд у лапках, або `false`
 keymap-no-action = невідома дія чи команда `{ $name }`
 keymap-only-actions = клавішам контексту `{ $name }` можна призначити лише дії
 keymap-is-text = `{ $key }` у цьому контексті вписує літеру
@@ -36,8 +36,8 @@ theme-faulty-parent = батьківська тема `{ $name }` має пом�
 theme-unknown-role = невідома роль `{ $name }`
 theme-roles-are = ролі: { $roles }
 theme-role-table = `{ $name }` має бути таблицею кольорів
-theme-role-table-advice = напишіть { $example }
+theme-role-table-advice = напишіть `{ $example }`
 theme-no-style = для ролі `{ $name }` не задано вигляду
-theme-no-style-advice = задайте його в розділі [roles] або успадкуйте: inherits = "dark"
+theme-no-style-advice = задайте його в розділі `[roles]` або успадкуйте: `inherits = "dark"`
 theme-no-colour = `{ $word }` — не колір
-theme-no-colour-advice = напишіть "#rrggbb", назву на зразок "light-red" або число від 0 до 255 у лапках
+theme-no-colour-advice = напишіть `"#rrggbb"`, назву на зразок `"light-red"` або число від 0 до 255 у лапках

@@ -67,7 +67,7 @@ class-sub = підводний
 class-vehicle = апарат
 
 ids-wrong = `{ $word }` — не апарат: пишіть 3, 3-9 або 1,4-6
-group-empty = немає апаратів для цієї групи
+group-empty = немає апаратів для цієї групи: спершу виберіть їх або назвіть, як у `group red 1-4`
 group-is = @{ $name } тепер { $members }
 group-unknown = немає групи `{ $name }`
 group-name = `{ $name }` не годиться як назва: лише літери, цифри, - та _

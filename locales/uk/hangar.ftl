@@ -7,7 +7,7 @@ hangar-no-program = { $program } не знайдено: вкажіть його 
 hangar-attached = до екземпляра { $id } вже під'єднано іншу програму
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
-hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
+hangar-cannot-open = не вдається відкрити ангар у { $folder }: { $error }
 
 hangar-none = Цих апаратів не симулює жоден процес. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного апарата; тоді тут видно ці процеси.
 hangar-opening = ангар відкривається ...
@@ -24,10 +24,10 @@ hangar-stage-heartbeat = на зв'язку
 hangar-stage-fetching = параметри { $received }/{ $count }
 hangar-stage-parameters = чекає координат
 hangar-stage-position = координати, перевірки
-hangar-stage-ready = готовий
+hangar-stage-ready = готово
 hangar-stage-stopping = завершується
 hangar-stage-crashed = АВАРІЯ
-hangar-stage-ended = завершений
+hangar-stage-ended = завершено
 hangar-vehicle = апарат { $vehicle }
 hangar-fault = АВАРІЯ: { $reason }
 hangar-fault-what = { $restart } перезапускає його на майданчику. { $stop } зупиняє остаточно.
@@ -65,7 +65,7 @@ hangar-here = тут
 # Ангари на інших машинах.
 
 hangar-far = ангар { $hangar }: { $error }
-hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншого хоста: `ssh -L PORT:127.0.0.1:PORT HOST`
 hangar-far-late = { $address } не відповів за { $seconds } s
 hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
-hangar-far-token = { $address } потребує токена ({ $error }): скопіюйте сюди файл із токеном і вкажіть його через --hangar-token FILE
+hangar-far-token = { $address } потребує токена ({ $error }): скопіюйте сюди файл із токеном і вкажіть його через `--hangar-token FILE`

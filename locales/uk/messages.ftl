@@ -4,7 +4,7 @@
 messages-fields = поля
 messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $filter } фільтрує, { $sort } упорядковує, { $pause } ставить на паузу, { $fold } згортає чи розгортає всі системи.
 messages-none = жодним каналом ще нічого не надійшло
-messages-none-found = жодне повідомлення не підходить
+messages-none-found = жодне повідомлення не відповідає фільтру
 messages-paused = ПАУЗА
 messages-by-number = повідомлення за номером
 messages-by-name = повідомлення за назвою

@@ -52,7 +52,7 @@ parameters-only-changed = лише змінені
 parameters-setting = встановлення: лишилося { $count }
 parameters-sets-on = встановлює на { $vehicles }
 parameters-none-yet = ще нічого не надійшло
-parameters-none-fit = жоден параметр не відповідає: { $key } показує всі
+parameters-none-fit = жоден параметр не відповідає фільтру: { $key } показує всі
 parameters-none-differ-yet = поки що відмінностей немає
 parameters-none-differ = відмінностей немає: { $key } показує всі
 parameters-none-changed = нічого не змінено: { $key } показує всі
@@ -111,7 +111,7 @@ prompt-compare-parameters = порівняти з
 prompt-compare-advice = файл або номер іншого апарата
 
 parameters-hint-set = встановити
-parameters-hint-search = пошук
+parameters-hint-search = шукати
 parameters-hint-changed = змінені
 parameters-hint-save = зберегти
 parameters-hint-load = завантажити

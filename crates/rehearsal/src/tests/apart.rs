@@ -115,7 +115,7 @@ fn generated_plans_are_flown_apart_and_take_about_the_same_energy() {
         let outcome = rehearse(&generated(&task, 4, 10.0), &calm()).expect("they can fly");
         let used = outcome.vehicles.iter().map(|flown| {
             assert_eq!(flown.ending, FlightEnding::Landed, "{task:?}");
-            100.0 - flown.energy_left_percent
+            flown.energy_used_percent
         });
         let used: Vec<f64> = used.collect();
         assert_eq!(outcome.conflicts().next(), None, "{task:?}");
