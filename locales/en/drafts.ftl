@@ -216,6 +216,7 @@ draft-trial-flies = { $count ->
 draft-trial-none = no draft has a plan to fly
 draft-trial-unplaced = the position of { $vehicles } is unknown
 draft-trial-busy = drafts are being rehearsed: wait for the outcome
+draft-trial-discarded = outcome discarded: drafts have changed during the rehearsal; rehearse them again
 draft-trial-broken = the simulation of the drafts failed
 draft-trial-refused = { $name }: the vehicle would refuse the { $list }
 draft-trial-conflicts = { $count ->

@@ -218,6 +218,7 @@ draft-trial-flies = { $count ->
 draft-trial-none = жодна чернетка не має плану
 draft-trial-unplaced = { $vehicles }: позиція невідома
 draft-trial-busy = чернетки ще випробовуються: зачекайте на результат
+draft-trial-discarded = результат відкинуто: під час випробування чернетки змінилися; випробуйте їх ще раз
 draft-trial-broken = симуляція чернеток не вдалася
 draft-trial-refused = { $name }: апарат відхилив би список: { $list }
 draft-trial-conflicts = { $count ->

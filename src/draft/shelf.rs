@@ -63,11 +63,19 @@ impl Drafts {
         self.current = first.unwrap_or(self.current);
     }
 
-    /// Changes the content of a draft; undo goes back to the one before.
-    pub fn change(&mut self, name: &str, document: Arc<Document>) {
-        if let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) {
+    /// Changes the content of the draft that has exactly this one; undo goes back to it.
+    pub fn change(&mut self, before: &Arc<Document>, document: Arc<Document>) {
+        let mut all = self.all.iter_mut();
+        if let Some(draft) = all.find(|draft| Arc::ptr_eq(&draft.now, before)) {
             draft.note_change(document);
         }
+    }
+
+    /// Whether a draft has exactly this content, which no edit has replaced.
+    pub fn has_content(&self, document: &Arc<Document>) -> bool {
+        self.all
+            .iter()
+            .any(|draft| Arc::ptr_eq(&draft.now, document))
     }
 
     /// Makes a draft the current one; false if there is none of this name.

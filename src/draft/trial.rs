@@ -44,6 +44,8 @@ pub struct TrialDraft {
     pub sharer: Option<VehicleId>,
     /// The content, with the home from which it is flown.
     pub document: Arc<Document>,
+    /// The content of the open draft when the trial begins.
+    pub source: Arc<Document>,
 }
 
 /// The outcome of a trial.
@@ -68,6 +70,8 @@ pub struct Tried {
     pub flight: Option<TrialFlight>,
     /// Whether the user waits for it.
     pub is_awaited: bool,
+    /// The contents of the open drafts when the trial began.
+    pub sources: Vec<Arc<Document>>,
 }
 
 /// How a plan was flown in a trial.
@@ -122,6 +126,11 @@ impl Trial {
         Tried {
             is_awaited: self.is_awaited,
             left_out: self.left_out.clone(),
+            sources: self
+                .drafts
+                .iter()
+                .map(|it| Arc::clone(&it.source))
+                .collect(),
             ..tried.unwrap_or_else(|error| self.failed(&error))
         }
     }

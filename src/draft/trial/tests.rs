@@ -28,10 +28,12 @@ fn flight(name: &str, from_m: f64, to_m: f64) -> TrialDraft {
         ],
         ..Document::default()
     };
+    let document = Arc::new(document);
     TrialDraft {
         name: name.to_owned(),
         sharer: None,
-        document: Arc::new(document),
+        source: Arc::clone(&document),
+        document,
     }
 }
 

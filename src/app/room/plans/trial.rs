@@ -112,6 +112,7 @@ impl<'a> Casting<'a> {
                 name: files::name_of(id),
                 sharer: Some(id),
                 document: from(draft, Some(home)),
+                source: Arc::clone(draft.document()),
             });
         }
         Ok(flown)
@@ -166,6 +167,7 @@ fn alone(state: &State, draft: &Draft) -> TrialDraft {
         name: draft.name().to_owned(),
         sharer: None,
         document: from(draft, home),
+        source: Arc::clone(draft.document()),
     }
 }
 
@@ -181,17 +183,21 @@ fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {
     })
 }
 
-/// Handles the outcome of a trial, with a notice. Its changes to drafts can be undone one by one.
+/// Handles the outcome of a trial, with a notice. Its changes to drafts can be undone one by one. If a draft has changed
+/// since the trial began, only the verdicts on the plans count.
 pub fn tried(state: &mut State, tried: Tried) {
+    state.session.rehearsed.note_trial(&tried.verdicts);
     let drafts = &mut state.rooms.plans.drafts;
+    if !tried.sources.iter().all(|it| drafts.has_content(it)) {
+        return discard(state, tried.is_awaited);
+    }
     for changed in &tried.changed {
         let document = Arc::clone(&changed.document);
         match changed.sharer {
             Some(id) => drafts.put([Draft::new(changed.name.as_str(), document, Some(id))]),
-            None => drafts.change(&changed.name, document),
+            None => drafts.change(&changed.source, document),
         }
     }
-    state.session.rehearsed.note_trial(&tried.verdicts);
     let severity = if tried.is_sound {
         Severity::Info
     } else {
@@ -210,5 +216,17 @@ pub fn tried(state: &mut State, tried: Tried) {
     state.rooms.plans.figures_top = has_figures.then_some(0);
     state.rooms.plans.tried = Some(tried);
     let notice = Notice::general(state.now, severity, text);
+    state.notices.push(notice);
+}
+
+/// Shows no outcome, because it is about drafts as they no longer are.
+fn discard(state: &mut State, is_awaited: bool) {
+    let room = &mut state.rooms.plans;
+    (room.tried, room.figures_top) = (None, None);
+    let text = text!("draft-trial-discarded");
+    if is_awaited {
+        state.say(Severity::Warning, text.clone());
+    }
+    let notice = Notice::general(state.now, Severity::Warning, text);
     state.notices.push(notice);
 }

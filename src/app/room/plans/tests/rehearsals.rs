@@ -2,7 +2,7 @@
 
 use super::area::{draw_field, standing};
 use super::*;
-use crate::draft::{PlanVerdict, TrialDraft};
+use crate::draft::{PlanVerdict, Trial, TrialDraft};
 use crate::plan::ContentHash;
 use crate::text::Text;
 
@@ -72,6 +72,7 @@ fn drafts_fly_together_before_an_upload() {
             name: "vehicle-1".to_owned(),
             sharer: None,
             document: Arc::clone(&longer),
+            source: Arc::clone(&trial.drafts[0].source),
         }],
         ..Tried::default()
     };
@@ -184,4 +185,44 @@ fn the_outcome_is_no_message_in_the_room() {
     desk.press("F");
     let _ = desk.app.update(failed());
     assert_eq!(desk.said(), "plan ends in the air");
+}
+
+/// Drafts can change while they are flown in simulation.
+#[test]
+fn the_outcome_of_drafts_that_have_changed_is_discarded() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    desk.give("draft add takeoff 20");
+    let effects = desk.give("draft deconflict");
+    let [Effect::TryDrafts(trial)] = &effects[..] else {
+        panic!("{effects:?}");
+    };
+    let rehearsed = Trial {
+        is_apart: false,
+        ..trial.clone()
+    };
+    let tried = Tried {
+        changed: trial.drafts.clone(),
+        ..rehearsed.fly()
+    };
+    assert_eq!(tried.verdicts.len(), 1);
+    let flown = desk.room().items().to_vec();
+    desk.give("draft add n 50 e 0");
+    let _ = desk.app.update(Event::Tried(tried.clone()));
+    assert_eq!(desk.plan().len(), 2, "the newer content stays");
+    assert!(desk.room().tried().is_none() && desk.room().figures().is_none());
+    assert!(desk.said().contains("discarded"), "{}", desk.said());
+    // The plan that was flown has failed all the same.
+    desk.vehicle(1, |vehicle| {
+        read_empty(vehicle);
+        vehicle.plans.plan.content = Some(Arc::new(Plan {
+            items: std::iter::once(Item::default()).chain(flown).collect(),
+            home_first: true,
+        }));
+    });
+    assert!(desk.give("1 plan start").is_empty());
+    let _ = desk.key(KeyCode::Esc);
+    desk.press("u");
+    let _ = desk.app.update(Event::Tried(tried));
+    assert!(desk.room().tried().is_some(), "the drafts are as they were");
 }
