@@ -100,14 +100,14 @@ fn built(
     })
 }
 
-/// Whether a change of frame needs the height of the ground: between terrain and sea level.
-pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame) -> bool {
-    let before = document.plan.get(items.range()).unwrap_or_default();
-    before.iter().any(|item| {
-        matches!(
-            (PlanFrame::of(item), frame),
-            (Some(PlanFrame::Terrain), PlanFrame::Sea) | (Some(PlanFrame::Sea), PlanFrame::Terrain)
-        )
+/// Whether a change of frame converts heights from or to terrain at a place whose ground is unknown, so that it counts as
+/// level with home. Items without a place are carried out elsewhere and do not count.
+pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame, ground: &Terrain) -> bool {
+    let converted = document.plan.get(items.range()).unwrap_or_default();
+    converted.iter().any(|item| {
+        let frames = [PlanFrame::of(item), Some(frame)];
+        let is_over_terrain = frames[0] != frames[1] && frames.contains(&Some(PlanFrame::Terrain));
+        is_over_terrain && place(item).is_some_and(|at| ground.height_m(at).is_none())
     })
 }
 

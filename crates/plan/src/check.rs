@@ -8,6 +8,7 @@ mod flight;
 mod place;
 mod terrain;
 
+pub use place::FAR_M;
 pub(crate) use place::is_crossed;
 pub use terrain::{Leg, USUAL_CLEARANCE_M, check_terrain, legs};
 

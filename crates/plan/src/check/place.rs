@@ -9,7 +9,7 @@ use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
 /// A distance from home that vehicles of this size do not reach, in metres.
-const FAR_M: f64 = 50_000.0;
+pub const FAR_M: f64 = 50_000.0;
 
 pub(super) fn check(
     document: &Document,

@@ -5,16 +5,14 @@ use std::sync::Arc;
 use super::view;
 use crate::app::State;
 use crate::draft::{Draft, Edit, PlanEdit, Refusal, Surroundings, needs_ground};
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Terrain};
+use crate::plan::check::FAR_M;
 use crate::plan::{Document, Home, ListKind};
 use crate::text;
 use crate::vehicle::{Place, Severity};
 
 /// The name of a draft that begins with its first item.
 const FIRST_NAME: &str = "plan";
-
-/// A cursor farther than this from a draft's home was left at another draft, in metres.
-const FAR_M: f64 = 50_000.0;
 
 /// The home of the vehicle under the cursor, otherwise of any.
 pub(super) fn home(state: &State) -> Option<Home> {
@@ -77,6 +75,7 @@ fn come_back(state: &mut State) {
         return;
     };
     let home = LatLon::from_e7(home.x, home.y);
+    // A cursor so far from home was left at another draft.
     if cursor(state).is_some_and(|at| at.distance_m(home) > FAR_M) {
         view::fit(state);
         let size = view::layout(state.display.grid()).canvas;
@@ -102,7 +101,7 @@ pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Refusal> {
     let Some(draft) = room.drafts.current_mut() else {
         return Ok(());
     };
-    let is_level = around.ground.is_empty() && is_over_ground(draft.document(), edit);
+    let is_level = is_over_unknown_ground(draft.document(), edit, &around.ground);
     let item = draft.edit(edit, &around)?;
     room.tried = None;
     if !matches!(edit, Edit::Home(_)) {
@@ -121,11 +120,22 @@ pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Whether a change depends on the height of the ground.
-fn is_over_ground(document: &Document, edit: &Edit) -> bool {
+/// Whether a change depends on the height of the ground where that is unknown.
+fn is_over_unknown_ground(document: &Document, edit: &Edit, ground: &Terrain) -> bool {
     match edit {
-        Edit::Plan(PlanEdit::Frame { items, frame }) => needs_ground(document, *items, *frame),
-        _ => false,
+        Edit::Plan(PlanEdit::Frame { items, frame }) => {
+            needs_ground(document, *items, *frame, ground)
+        }
+        Edit::Plan(
+            PlanEdit::Add { .. }
+            | PlanEdit::Reorder { .. }
+            | PlanEdit::Split(_)
+            | PlanEdit::Command { .. },
+        )
+        | Edit::Fence(_)
+        | Edit::Items { .. }
+        | Edit::Rally { .. }
+        | Edit::Home(_) => false,
     }
 }
 

@@ -209,6 +209,38 @@ fn vehicles_without_a_part_now_are_named_in_a_notice() {
     let mut desk = Desk::new();
     for id in [1, 2, 3] {
         standing(&mut desk, id);
+/// A change of frame says that it has assumed level ground, also if only one of the items is outside the files.
+#[test]
+fn a_change_of_frame_on_unknown_ground_is_not_silent() {
+    let mut desk = Desk::new();
+    desk.give("draft add n 50 e 0 up 20");
+    desk.give("draft frame 1 terrain");
+    assert!(desk.said().contains("level"), "kept: {}", desk.said());
+    desk.give("draft frame 1 terrain");
+    assert!(!desk.said().contains("level"), "no change: {}", desk.said());
+    desk.give("draft frame 1 home");
+    desk.give("draft ground srtm");
+    let (folder, terrain) = ("srtm".to_owned(), slope());
+    let _ = desk
+        .app
+        .update(Event::from(FileEvent::Ground { folder, terrain }));
+    let is_level = |desk: &mut Desk, line: &str| {
+        desk.give(line);
+        desk.said().contains("level")
+    };
+    assert!(!is_level(&mut desk, "draft frame 1 terrain"));
+    assert!(!is_level(&mut desk, "draft frame 1 sea"));
+    desk.give("draft add 50.45 31.2 up 30 frame home");
+    for frame in ["terrain", "sea", "terrain", "home"] {
+        let line = format!("draft frame 2 {frame}");
+        assert!(is_level(&mut desk, &line), "{line}: {}", desk.said());
+    }
+    assert!(is_level(&mut desk, "draft frame 1-2 terrain"), "one of two");
+    desk.give("draft frame 2 home");
+    desk.give("draft frame 2 sea");
+    assert!(!desk.said().contains("level"), "{}", desk.said());
+}
+
     }
     draw_field(&mut desk);
     desk.give("draft survey all");
