@@ -33,6 +33,7 @@ mod trial;
 mod view;
 
 pub(super) use act::{act, draw};
+pub use figures::{FIGURES_WITH_END, FigureRow};
 pub use files::{ask_close, close, fill, is_elsewhere, is_kept, read, uploads, written};
 pub use ground::{ground_read, wanted_ground};
 pub use hints::of_items as room_hints;

@@ -48,7 +48,8 @@ fn go(state: &mut State, row: usize) {
 }
 
 fn by_one(state: &mut State, forward: bool) {
-    if state.rooms.plans.scroll_figures(forward) {
+    let sizes = layout(state.display.grid());
+    if state.rooms.plans.scroll_figures(sizes, forward) {
         return;
     }
     let row = state.rooms.plans.row().unwrap_or(0);

@@ -1,7 +1,43 @@
 //! The figures of the last trial, in place of the items.
 
 use super::Drawing;
+use super::view::PlansLayout;
 use crate::draft::{Draft, TrialFlight};
+use crate::rehearsal::FlightEnding;
+
+/// The minimum columns of figures in which the line of a draft also shows the end of its flight.
+pub const FIGURES_WITH_END: usize = 58;
+
+/// A line of the figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FigureRow {
+    DraftHeading,
+    /// The draft of this index in the trial.
+    Draft(usize),
+    /// The end of that draft's flight, on narrow screens, unless it is a landing.
+    End(usize),
+    PairHeading,
+    /// The pair of this index among the closest approaches.
+    Pair(usize),
+}
+
+impl FigureRow {
+    /// All lines of a trial's figures in so many columns.
+    pub fn of(flight: &TrialFlight, columns: usize) -> Vec<Self> {
+        let mut rows = vec![Self::DraftHeading];
+        for (at, pilot) in flight.pilots.iter().enumerate() {
+            rows.push(Self::Draft(at));
+            if columns < FIGURES_WITH_END && pilot.flown.ending != FlightEnding::Landed {
+                rows.push(Self::End(at));
+            }
+        }
+        if !flight.closest.is_empty() {
+            rows.push(Self::PairHeading);
+            rows.extend((0..flight.closest.len()).map(Self::Pair));
+        }
+        rows
+    }
+}
 
 impl Drawing {
     /// The flights of the last trial of the drafts as they are.
@@ -44,16 +80,17 @@ impl Drawing {
         self.flight().is_some()
     }
 
-    /// Scrolls the figures by a line; false while the items are shown.
-    pub(super) fn scroll_figures(&mut self, forward: bool) -> bool {
+    /// Scrolls the figures by a line, down to where the last one is at the bottom; false while the items are shown.
+    pub(super) fn scroll_figures(&mut self, sizes: PlansLayout, forward: bool) -> bool {
         let Some((flight, top)) = self.figures() else {
             return false;
         };
-        let last = (flight.pilots.len() + flight.closest.len()).saturating_sub(1);
+        let rows = FigureRow::of(flight, usize::from(sizes.list)).len();
+        let last = rows.saturating_sub(usize::from(sizes.canvas.rows));
         self.figures_top = Some(if forward {
             (top + 1).min(last)
         } else {
-            top.saturating_sub(1)
+            top.min(last).saturating_sub(1)
         });
         true
     }

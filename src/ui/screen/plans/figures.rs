@@ -1,15 +1,13 @@
 //! The figures of a rehearsal: each draft, and each pair of them.
 
-use std::time::Duration;
-
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
-use crate::app::room::plans::Drawing;
+use crate::app::room::plans::{Drawing, FIGURES_WITH_END, FigureRow};
 use crate::draft::{TrialFlight, TrialPilot};
 use crate::operator::ending_words;
-use crate::rehearsal::{Approach, FlightEnding};
-use crate::text::{clock, figure, rounded};
+use crate::rehearsal::Approach;
+use crate::text::{clock_s, figure, rounded};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
@@ -22,8 +20,6 @@ const FAR: usize = 8;
 const FENCE: usize = 7;
 /// Columns of a distance of a pair.
 const METRES: usize = 7;
-/// The minimum columns of a line that also shows the end of the flight.
-const WITH_END: usize = 58;
 /// The text between the names of a pair.
 const AND: &str = " + ";
 
@@ -39,7 +35,7 @@ impl NameColumns {
     /// By the minimum columns of the panel.
     const WIDTHS: &'static [(usize, Self)] = &[
         (90, Self::new(24, 24)),
-        (WITH_END, Self::new(8, 15)),
+        (FIGURES_WITH_END, Self::new(8, 15)),
         (0, Self::new(8, 6)),
     ];
 
@@ -89,24 +85,28 @@ pub(super) fn draw(room: &Drawing, panel: Panel<'_>, buffer: &mut Buffer) {
 fn lines(room: &Drawing, flight: &TrialFlight, panel: Panel<'_>) -> Vec<FigureLine> {
     let columns = NameColumns::within(panel.width());
     let names = room.pilots();
-    let mut lines = vec![FigureLine::new(draft_heading(columns, panel), Role::Muted)];
-    let shown = told_apart(&names, columns.draft);
-    for (name, pilot) in shown.iter().zip(&flight.pilots) {
-        let name = aligned(name, columns.draft, false);
-        lines.extend(of_draft(&name, pilot, panel));
-    }
-    if flight.closest.is_empty() {
-        return lines;
-    }
-    lines.push(FigureLine::new(pair_heading(columns, panel), Role::Muted));
-    let shown = told_apart(&names, columns.of_pair);
-    let pairs = flight.closest.iter().map(|pair| {
-        let name = |at: usize| shown.get(at).map_or("", String::as_str);
-        let names = format!("{}{AND}{}", name(pair.a), name(pair.b));
-        of_pair(&aligned(&names, columns.pair(), false), pair)
-    });
-    lines.extend(pairs);
-    lines
+    let drafts = told_apart(&names, columns.draft);
+    let in_pairs = told_apart(&names, columns.of_pair);
+    let in_pair = |at: usize| in_pairs.get(at).map_or("", String::as_str);
+    let line = |row| match row {
+        FigureRow::DraftHeading => FigureLine::new(draft_heading(columns, panel), Role::Muted),
+        FigureRow::Draft(at) => {
+            let name = aligned(&drafts[at], columns.draft, false);
+            of_draft(&name, &flight.pilots[at], panel)
+        }
+        FigureRow::End(at) => {
+            let pilot = &flight.pilots[at];
+            FigureLine::new(format!("    {}", end(pilot, panel)), of_flight(pilot).1)
+        }
+        FigureRow::PairHeading => FigureLine::new(pair_heading(columns, panel), Role::Muted),
+        FigureRow::Pair(at) => {
+            let pair = &flight.closest[at];
+            let names = format!("{}{AND}{}", in_pair(pair.a), in_pair(pair.b));
+            of_pair(&aligned(&names, columns.pair(), false), pair)
+        }
+    };
+    let rows = FigureRow::of(flight, panel.width()).into_iter();
+    rows.map(line).collect()
 }
 
 fn draft_heading(columns: NameColumns, panel: Panel<'_>) -> String {
@@ -119,29 +119,37 @@ fn draft_heading(columns: NameColumns, panel: Panel<'_>) -> String {
         word("plans-figures-far", FAR, true),
         word("plans-figures-fence", FENCE, true),
     );
-    if panel.width() >= WITH_END {
+    if panel.width() >= FIGURES_WITH_END {
         heading.push_str("  ");
         heading.push_str(&panel.say("plans-figures-end"));
     }
     heading
 }
 
-/// The line of a draft; on narrow screens, an end other than a landing has a line of its own.
-fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine> {
-    let flown = &pilot.flown;
-    let (mark, role) = if flown.is_as_planned() {
+/// The mark and the role of a flight.
+fn of_flight(pilot: &TrialPilot) -> (&'static str, Role) {
+    if pilot.flown.is_as_planned() {
         (" ", Role::Text)
     } else {
         ("!", Role::Danger)
-    };
+    }
+}
+
+fn end(pilot: &TrialPilot, panel: Panel<'_>) -> String {
+    panel.text(&ending_words(pilot.flown.ending))
+}
+
+fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> FigureLine {
+    let flown = &pilot.flown;
+    let (mark, role) = of_flight(pilot);
     let fence = match flown.broke_fence_s {
-        Some(at_s) => format!("!{}", time(at_s)),
+        Some(at_s) => format!("!{}", clock_s(at_s)),
         None if flown.has_fence => panel.say("plans-figures-kept"),
         None => "-".to_owned(),
     };
-    let line = format!(
+    let mut line = format!(
         "{mark} {name}{}{}{}{}",
-        aligned(&time(flown.time_s), TIME, true),
+        aligned(&clock_s(flown.time_s), TIME, true),
         aligned(
             &format!("{} %", figure(100.0 - flown.energy_used_percent, 0)),
             LEFT,
@@ -150,15 +158,11 @@ fn of_draft(name: &str, pilot: &TrialPilot, panel: Panel<'_>) -> Vec<FigureLine>
         aligned(&length(flown.farthest_m.round()), FAR, true),
         aligned(&fence, FENCE, true),
     );
-    let end = panel.text(&ending_words(flown.ending));
-    if panel.width() >= WITH_END {
-        return vec![FigureLine::new(format!("{line}  {end}"), role)];
+    if panel.width() >= FIGURES_WITH_END {
+        line.push_str("  ");
+        line.push_str(&end(pilot, panel));
     }
-    let own = (flown.ending != FlightEnding::Landed).then(|| format!("    {end}"));
-    std::iter::once(line)
-        .chain(own)
-        .map(|text| FigureLine::new(text, role))
-        .collect()
+    FigureLine::new(line, role)
 }
 
 fn pair_heading(columns: NameColumns, panel: Panel<'_>) -> String {
@@ -181,13 +185,9 @@ fn of_pair(names: &str, pair: &Approach) -> FigureLine {
     let metres = |metres: f64| aligned(&length(rounded(metres, 1)), METRES, true);
     let text = format!(
         "{mark} {names}{}{}{}",
-        aligned(&time(pair.at_s), TIME, true),
+        aligned(&clock_s(pair.at_s), TIME, true),
         metres(pair.horizontal_m),
         metres(pair.vertical_m),
     );
     FigureLine::new(text, role)
-}
-
-fn time(seconds: f64) -> String {
-    clock(Duration::from_secs_f64(seconds.max(0.0)))
 }

@@ -2,8 +2,9 @@
 
 use super::area::{draw_field, standing};
 use super::*;
-use crate::draft::{PlanVerdict, Trial, TrialDraft};
+use crate::draft::{PlanVerdict, Trial, TrialDraft, TrialFlight, TrialPilot};
 use crate::plan::ContentHash;
+use crate::rehearsal::{FlightEnding, Flown};
 use crate::text::Text;
 
 /// A plan on board has failed as well if it failed as a draft.
@@ -225,4 +226,49 @@ fn the_outcome_of_drafts_that_have_changed_is_discarded() {
     desk.press("u");
     let _ = desk.app.update(Event::Tried(tried));
     assert!(desk.room().tried().is_some(), "the drafts are as they were");
+}
+
+/// The last line of the figures can be reached, and a key back moves at once.
+#[test]
+fn the_figures_scroll_to_their_last_line() {
+    let pilot = |ending| TrialPilot {
+        name: "plan".to_owned(),
+        sharer: None,
+        flown: Flown {
+            time_s: 60.0,
+            energy_used_percent: 10.0,
+            farthest_m: 100.0,
+            broke_fence_s: None,
+            has_fence: false,
+            was_kept_armed: false,
+            ending,
+            moved_east_m: 0.0,
+        },
+    };
+    let top = |count: usize, ending, keys: &str| {
+        let mut desk = Desk::new();
+        let size = TerminalEvent::Resize {
+            columns: 80,
+            rows: 24,
+        };
+        let _ = desk.app.update(Event::from(size));
+        let _ = desk.app.update(Event::Tried(Tried {
+            is_awaited: true,
+            flight: Some(TrialFlight {
+                pilots: vec![pilot(ending); count],
+                closest: Vec::new(),
+            }),
+            ..Tried::default()
+        }));
+        desk.press(keys);
+        let visible = layout(desk.app.state().display().grid()).canvas.rows;
+        let (_, top) = desk.room().figures().expect("figures");
+        (top, usize::from(visible))
+    };
+    // A heading, and two lines for each draft.
+    let (last, visible) = top(20, FlightEnding::InAir, &"j".repeat(60));
+    assert_eq!(last + visible, 41);
+    let (before, _) = top(20, FlightEnding::InAir, &format!("{}k", "j".repeat(60)));
+    assert_eq!(before, last - 1);
+    assert_eq!(top(6, FlightEnding::Landed, "jjj").0, 0, "all lines fit");
 }
