@@ -1,6 +1,6 @@
 //! Plans that failed in a rehearsal, on board or as drafts, and the danger of starting them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::commands::Order;
 use crate::draft::PlanVerdict;
@@ -14,7 +14,7 @@ use crate::vehicle_id::ranges;
 /// The failures of the newest rehearsals.
 #[derive(Debug, Clone, Default)]
 pub struct PlanFailures {
-    /// Where vehicles come too close to each other in the newest rehearsal.
+    /// Where vehicles come too close to each other in the newest rehearsal of either.
     meetings: Vec<Meeting>,
     /// The plans that failed in the newest rehearsal of each vehicle.
     on_board: BTreeMap<VehicleId, FailedRehearsal>,
@@ -23,7 +23,7 @@ pub struct PlanFailures {
 }
 
 impl PlanFailures {
-    /// Where vehicles come too close to each other in the newest rehearsal.
+    /// Where vehicles come too close to each other in the newest rehearsal of either.
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
     }
@@ -35,7 +35,11 @@ impl PlanFailures {
 
     /// Notes the result of a rehearsal.
     pub(in crate::app) fn note(&mut self, findings: RehearsalFindings, vehicles: &Vehicles) {
-        self.meetings = findings.meetings;
+        let failed = findings.failed.iter().map(|failed| failed.vehicle);
+        let flown: BTreeSet<VehicleId> = failed.chain(findings.passed.iter().copied()).collect();
+        let is_flown = |meeting: &Meeting| meeting.vehicles.iter().any(|id| flown.contains(id));
+        self.meetings.retain(|meeting| !is_flown(meeting));
+        self.meetings.extend(findings.meetings);
         for vehicle in findings.passed {
             self.on_board.remove(&vehicle);
             if let Some(plan) = carried(vehicle, vehicles) {
@@ -239,6 +243,36 @@ mod tests {
             reason.contains("too close: 1/3; `1 plan rehearse`"),
             "{reason}"
         );
+    }
+
+    /// A later rehearsal of other vehicles leaves the pair known, one of either of the two replaces it.
+    #[test]
+    fn a_pair_stays_known_until_one_of_it_is_rehearsed_again() {
+        let mut view = FlightView::default();
+        view.insert(Arc::new(carrying(20.0)));
+        let plan = carrying(20.0).plans.plan.content.expect("a plan");
+        view.note_rehearsal(RehearsalFindings {
+            failed: vec![FailedRehearsal {
+                vehicle: 1,
+                plan: ContentHash::of(plan.flown()),
+                reason: Text::verbatim("comes too close"),
+            }],
+            meetings: vec![Meeting {
+                vehicles: [1, 3],
+                at_point: LatLon::new(50.45, 30.52),
+            }],
+            passed: vec![2, 4],
+        });
+        let others = |passed: Vec<VehicleId>| RehearsalFindings {
+            passed,
+            ..RehearsalFindings::default()
+        };
+        view.note_rehearsal(others(vec![5, 6]));
+        let start = order("plan start");
+        let reason = view.hazard(&start).expect("it asks").to_string();
+        assert!(reason.contains("too close: 1/3"), "{reason}");
+        view.note_rehearsal(others(vec![3]));
+        assert!(view.rehearsed.meetings().is_empty());
     }
 
     #[test]
