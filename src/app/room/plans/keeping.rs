@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{change, view};
+use super::{change, files, view};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect};
 use crate::draft::{Draft, kept_drafts, kept_text};
@@ -16,8 +16,9 @@ use crate::vehicle::Severity;
 pub(super) type KeptContent = Vec<(String, Arc<Document>)>;
 
 fn unsaved(state: &State) -> impl Iterator<Item = &Draft> {
+/// The drafts that would be lost if the program ended now.
     let drafts = state.rooms.plans.drafts.all().iter();
-    drafts.filter(|draft| !draft.is_kept())
+    drafts.filter(|draft| !files::is_elsewhere(state, draft))
 }
 
 fn content(state: &State) -> KeptContent {

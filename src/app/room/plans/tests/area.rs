@@ -17,6 +17,8 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
         is_elsewhere(desk.app.state(), draft)
     };
     assert!(!is_safe(&desk));
+    let kept = desk.kept_at(100).flatten().expect("it is unsaved");
+    assert!(kept.contains("vehicle-1"), "{kept}");
     desk.vehicle(1, |vehicle| {
         read_empty(vehicle);
         let home = std::iter::once(Item::default());
@@ -26,8 +28,12 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
         }));
     });
     assert!(is_safe(&desk));
+    let kept = desk.kept_at(200).flatten().expect("the field is unsaved");
+    assert!(!kept.contains("vehicle-1"), "{kept}");
     desk.press("x");
     assert!(!is_safe(&desk));
+    let kept = desk.kept_at(300).flatten().expect("it has changed");
+    assert!(kept.contains("vehicle-1"), "{kept}");
 }
 
 /// A vehicle that stands ready at a place.
@@ -203,12 +209,6 @@ fn the_ground_comes_from_files_of_a_folder() {
     assert!(desk.room().ground().is_empty());
 }
 
-/// Vehicles that have no part in smaller work keep their plans until they are cleared, so a lasting notice names them.
-#[test]
-fn vehicles_without_a_part_now_are_named_in_a_notice() {
-    let mut desk = Desk::new();
-    for id in [1, 2, 3] {
-        standing(&mut desk, id);
 /// A change of frame says that it has assumed level ground, also if only one of the items is outside the files.
 #[test]
 fn a_change_of_frame_on_unknown_ground_is_not_silent() {
@@ -241,6 +241,12 @@ fn a_change_of_frame_on_unknown_ground_is_not_silent() {
     assert!(!desk.said().contains("level"), "{}", desk.said());
 }
 
+/// Vehicles that have no part in smaller work keep their plans until they are cleared, so a lasting notice names them.
+#[test]
+fn vehicles_without_a_part_now_are_named_in_a_notice() {
+    let mut desk = Desk::new();
+    for id in [1, 2, 3] {
+        standing(&mut desk, id);
     }
     draw_field(&mut desk);
     desk.give("draft survey all");

@@ -12,6 +12,16 @@ impl Desk {
         let span = palette.fault().map(|fault| fault.span.clone());
         span.and_then(|span| self.line().get(span)).unwrap_or("")
     }
+
+    /// The text of the unsaved drafts, if a tick at this time writes them.
+    pub(super) fn kept_at(&mut self, ms: u64) -> Option<Option<String>> {
+        let now = Duration::from_millis(ms);
+        let effects = self.app.update(Event::Tick { now, wall: now });
+        effects.into_iter().find_map(|effect| match effect {
+            Effect::File(FileEffect::KeepDrafts(text)) => Some(text),
+            _ => None,
+        })
+    }
 }
 
 #[test]
@@ -137,19 +147,11 @@ fn lines_and_circles_are_divided_among_vehicles() {
 /// Unsaved drafts are written with the next tick, and opened again by another console.
 #[test]
 fn unsaved_drafts_outlive_the_program() {
-    let tick = |desk: &mut Desk, ms: u64| -> Option<Option<String>> {
-        let now = Duration::from_millis(ms);
-        let effects = desk.app.update(Event::Tick { now, wall: now });
-        effects.into_iter().find_map(|effect| match effect {
-            Effect::File(FileEffect::KeepDrafts(text)) => Some(text),
-            _ => None,
-        })
-    };
     let mut desk = Desk::new();
-    assert_eq!(tick(&mut desk, 100), None);
+    assert_eq!(desk.kept_at(100), None);
     desk.press("ta");
-    let text = tick(&mut desk, 200).flatten().expect("it is written");
-    assert_eq!(tick(&mut desk, 300), None, "once");
+    let text = desk.kept_at(200).flatten().expect("it is written");
+    assert_eq!(desk.kept_at(300), None, "once");
     let mut another = Desk::new();
     let _ = another.app.update(Event::from(FileEvent::Kept { text }));
     assert_eq!(another.plan(), [command::TAKEOFF, command::WAYPOINT]);
