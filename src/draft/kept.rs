@@ -4,11 +4,14 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use super::Draft;
-use crate::plan::{self, Document, FileFormat, Home, ListKind, ReadOptions};
+use crate::plan::{self, Document, FileFormat, Home, ListKind, Origin, ReadOptions};
 use crate::vehicle_id::VehicleId;
 
-/// The first line of the text.
-const HEAD: &str = "sortie drafts 1";
+/// The first line of the text, without the version of the format.
+const HEAD: &str = "sortie drafts ";
+/// The version, and the one before it, whose drafts have no data about the vehicle.
+const VERSION: &str = "2";
+const FIRST_VERSION: &str = "1";
 /// The first word of the line that begins a draft; a tab separates its parts.
 const DRAFT: &str = "draft\t";
 /// The first word of a list's text.
@@ -16,8 +19,8 @@ const LIST: &str = "QGC WPL";
 /// The sign of a part that is missing.
 const NONE: &str = "-";
 
-/// The drafts as a text: for each, a line with its vehicle, home and name, and then its lists as `QGC WPL`; `None`
-/// without any.
+/// The drafts as a text: for each, a line with its vehicle, home, data about the vehicle and name, and then its lists as
+/// `QGC WPL`; `None` without any.
 pub fn kept_text<'a>(drafts: impl IntoIterator<Item = &'a Draft>) -> Option<String> {
     let mut text = String::new();
     for draft in drafts {
@@ -26,8 +29,18 @@ pub fn kept_text<'a>(drafts: impl IntoIterator<Item = &'a Draft>) -> Option<Stri
         let home = document.home.map_or(NONE.to_owned(), |home| {
             format!("{} {} {}", home.x, home.y, home.z)
         });
+        let origin = document.origin.map_or(NONE.to_owned(), |origin| {
+            let Origin {
+                firmware,
+                vehicle,
+                cruise_speed_m_s,
+                hover_speed_m_s,
+            } = origin;
+            format!("{firmware} {vehicle} {cruise_speed_m_s} {hover_speed_m_s}")
+        });
+        let name = draft.name();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{DRAFT}{vehicle}\t{home}\t{}", draft.name());
+        let _ = writeln!(text, "{DRAFT}{vehicle}\t{home}\t{origin}\t{name}");
         for kind in document.kinds() {
             // The format holds one list at a time.
             let mut own = Document {
@@ -40,7 +53,7 @@ pub fn kept_text<'a>(drafts: impl IntoIterator<Item = &'a Draft>) -> Option<Stri
             }
         }
     }
-    (!text.is_empty()).then(|| format!("{HEAD}\n{text}"))
+    (!text.is_empty()).then(|| format!("{HEAD}{VERSION}\n{text}"))
 }
 
 /// The drafts of a text; parts that cannot be read are left out.
@@ -48,18 +61,25 @@ pub fn kept_drafts(text: &str) -> Vec<Draft> {
     let Some(rest) = text.strip_prefix(HEAD) else {
         return Vec::new();
     };
+    let has_origin = match rest.lines().next() {
+        Some(VERSION) => true,
+        Some(FIRST_VERSION) => false,
+        _ => return Vec::new(),
+    };
     let begins = format!("\n{DRAFT}");
     let mut parts = rest.split(begins.as_str());
     // What is before the first draft.
     parts.next();
-    parts.filter_map(draft).collect()
+    parts.filter_map(|text| draft(text, has_origin)).collect()
 }
 
-fn draft(text: &str) -> Option<Draft> {
+fn draft(text: &str, has_origin: bool) -> Option<Draft> {
     let (head, lists) = text.split_once('\n').unwrap_or((text, ""));
-    let mut words = head.splitn(3, '\t');
+    // The name is last, because it may contain anything.
+    let mut words = head.splitn(if has_origin { 4 } else { 3 }, '\t');
     let vehicle: Option<VehicleId> = words.next()?.parse().ok();
     let home = words.next().and_then(home);
+    let origin = has_origin.then(|| words.next()).flatten().and_then(origin);
     let name = words.next()?;
     let mut document = Document::default();
     for list in lists.split(LIST).skip(1) {
@@ -72,7 +92,7 @@ fn draft(text: &str) -> Option<Draft> {
             document.list_mut(kind).extend(items.iter().copied());
         }
     }
-    document.home = home;
+    (document.home, document.origin) = (home, origin);
     Some(Draft::new(name, Arc::new(document), vehicle))
 }
 
@@ -82,6 +102,16 @@ fn home(text: &str) -> Option<Home> {
         x: words.next()?.parse().ok()?,
         y: words.next()?.parse().ok()?,
         z: words.next()?.parse().ok()?,
+    })
+}
+
+fn origin(text: &str) -> Option<Origin> {
+    let mut words = text.split(' ');
+    Some(Origin {
+        firmware: words.next()?.parse().ok()?,
+        vehicle: words.next()?.parse().ok()?,
+        cruise_speed_m_s: words.next()?.parse().ok()?,
+        hover_speed_m_s: words.next()?.parse().ok()?,
     })
 }
 
@@ -124,7 +154,12 @@ mod tests {
             // A polygon that is still being drawn.
             fence: vec![item(command::FENCE_POLYGON_INCLUSION, 5); 2],
             rally: vec![item(command::RALLY_POINT, 9)],
-            origin: None,
+            origin: Some(Origin {
+                firmware: 3,
+                vehicle: 13,
+                cruise_speed_m_s: 15.0,
+                hover_speed_m_s: 7.25,
+            }),
         };
         let drafts = [
             Draft::new("north field.plan", Arc::new(whole), None),
@@ -145,6 +180,15 @@ mod tests {
             assert_eq!(after.vehicle(), before.vehicle());
             assert_eq!(after.document(), before.document(), "{text}");
         }
+        // A text without the data about the vehicle.
+        let old = "sortie drafts 1\ndraft\t7\t1 2 3\tnorth field\nQGC WPL 110\n";
+        let read = kept_drafts(old);
+        assert_eq!(read.len(), 1);
+        assert_eq!(
+            (read[0].name(), read[0].vehicle()),
+            ("north field", Some(7))
+        );
+        assert!(read[0].document().home.is_some() && read[0].document().origin.is_none());
         assert_eq!(kept_text(&[]), None);
         assert!(kept_drafts("anything").is_empty());
     }
