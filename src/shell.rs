@@ -18,7 +18,7 @@ use crate::campaign::{Attempt, Stake};
 use crate::config::Config;
 use crate::fleet::FleetClock;
 use crate::replay::Replay;
-use crate::store::History;
+use crate::store::{History, UnsavedDrafts};
 use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
@@ -205,6 +205,8 @@ struct Console {
     ghost: Option<ghost::GhostWork>,
     /// The drafts that are being flown in simulation.
     trial: Option<trials::TrialWork>,
+    /// The unsaved drafts; `None` without a folder for data.
+    drafts: Option<UnsavedDrafts>,
 }
 
 impl Console {
@@ -235,6 +237,7 @@ impl Console {
             has_ardupilot: options.ardupilot.is_some() && options.backend.ardupilot.is_none(),
             has_rooms,
         };
+        let drafts = preferences.data.as_deref().map(UnsavedDrafts::new);
         let mut console = Self {
             warnings,
             kept,
@@ -256,6 +259,7 @@ impl Console {
             is_cut_off: false,
             ghost: None,
             trial: None,
+            drafts,
         };
         console.open_careers(course);
         console

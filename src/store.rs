@@ -36,6 +36,7 @@ mod source;
 mod terrain;
 #[cfg(test)]
 mod tests;
+mod unsaved;
 
 pub use folders::Folders;
 pub use history::History;
@@ -46,7 +47,7 @@ pub use logs::LogFolder;
 pub use names::{names_in, unread, user_path};
 pub use new_name::give_new_name;
 pub use output::{write, write_output};
-pub use plans::{PlanFiles, keep_drafts, kept_drafts, read_plan_text};
+pub use plans::{PlanFiles, read_plan_text};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,
@@ -60,6 +61,7 @@ pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_start};
 pub use terrain::add_square;
+pub use unsaved::UnsavedDrafts;
 
 mod shipped {
     //! The embedded files: `build.rs` lists `missions/`, so that a new mission needs no further entry.

@@ -4,7 +4,7 @@ use super::Console;
 use crate::app::effect::{FileEffect, FileKind};
 use crate::app::event::{Event, FileEvent};
 use crate::geo::{Square, Terrain};
-use crate::store::{self, Source, StoreError};
+use crate::store::{self, Source, StoreError, UnsavedDrafts};
 use crate::text;
 use crate::text::Text;
 
@@ -48,19 +48,19 @@ impl Console {
         self.post(event);
     }
 
-    fn keep_drafts(&self, text: Option<&str>) {
-        let Some(data) = &self.options.preferences.data else {
+    fn keep_drafts(&mut self, text: Option<&str>) {
+        let Some(drafts) = &mut self.drafts else {
             return;
         };
-        if let Err(error) = store::keep_drafts(data, text) {
+        if let Err(error) = drafts.keep(text) {
             tracing::warn!(%error, "the unsaved drafts were not written");
         }
     }
 
-    /// Opens the drafts that an earlier session has not saved.
+    /// Opens the drafts that earlier consoles have not saved.
     pub(super) fn restore_drafts(&mut self) {
-        let data = self.options.preferences.data.as_deref();
-        if let Some(text) = data.and_then(store::kept_drafts) {
+        let drafts = self.drafts.as_mut();
+        for text in drafts.map(UnsavedDrafts::adopt).unwrap_or_default() {
             self.post(FileEvent::Kept { text });
         }
     }

@@ -136,38 +136,6 @@ fn faulty(file: &str, text: &str, fault: Option<&Fault>) -> Text {
     )
 }
 
-fn drafts_file(data: &Path) -> PathBuf {
-    data.join("plans").join("unsaved-drafts.txt")
-}
-
-/// Writes the unsaved drafts of a console to their file in the data folder; `None` removes it.
-///
-/// # Errors
-/// The file cannot be written or removed.
-pub fn keep_drafts(data: &Path, text: Option<&str>) -> Result<(), StoreError> {
-    let path = drafts_file(data);
-    let unwritable = |error| StoreError::Unwritable {
-        path: path.clone(),
-        error,
-    };
-    match text {
-        Some(text) => {
-            sharing::folder_within(data, &data.join("plans")).map_err(unwritable)?;
-            write(&path, text, true)
-        }
-        None => match std::fs::remove_file(&path) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(unwritable(error)),
-            _ => Ok(()),
-        },
-    }
-}
-
-/// The unsaved drafts in the data folder, if there are any.
-pub fn kept_drafts(data: &Path) -> Option<String> {
-    let bytes = read_regular(&drafts_file(data), LONGEST).ok()?;
-    String::from_utf8(bytes).ok()
-}
-
 fn save(path: &Path, text: &str) -> Result<(), Text> {
     write(path, text, false).map_err(|error| match error {
         StoreError::Exists { .. } => {
@@ -202,20 +170,6 @@ mod tests {
             let taken = PlanFiles::default().write(&path(name), ListKind::Plan, &document);
             assert!(taken.is_err(), "{name}");
         }
-    }
-
-    #[test]
-    fn unsaved_drafts_are_kept_and_removed() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let data = folder.path();
-        assert_eq!(kept_drafts(data), None);
-        keep_drafts(data, None).expect("nothing to remove");
-        for text in ["one", "another"] {
-            keep_drafts(data, Some(text)).expect("written");
-            assert_eq!(kept_drafts(data).as_deref(), Some(text));
-        }
-        keep_drafts(data, None).expect("removed");
-        assert_eq!(kept_drafts(data), None);
     }
 
     #[test]

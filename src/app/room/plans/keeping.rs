@@ -1,11 +1,12 @@
-//! Unsaved drafts outlive the program: they are written to a file of the data folder while they change.
+//! Unsaved drafts outlive the program: they are written to a file of the data folder while they change, and opened again
+//! by the next console.
 
 use std::sync::Arc;
 
 use super::{change, files, view};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect};
-use crate::draft::{Draft, kept_drafts, kept_text};
+use crate::draft::{Draft, Drafts, kept_drafts, kept_text};
 use crate::notice::Notice;
 use crate::plan::{Document, ListKind};
 use crate::text;
@@ -15,8 +16,8 @@ use crate::vehicle::Severity;
 /// The unsaved drafts as they were last written: names and contents.
 pub(super) type KeptContent = Vec<(String, Arc<Document>)>;
 
-fn unsaved(state: &State) -> impl Iterator<Item = &Draft> {
 /// The drafts that would be lost if the program ended now.
+fn unsaved(state: &State) -> impl Iterator<Item = &Draft> {
     let drafts = state.rooms.plans.drafts.all().iter();
     drafts.filter(|draft| !files::is_elsewhere(state, draft))
 }
@@ -45,19 +46,36 @@ pub fn keep(state: &mut State) -> Effects {
     Effects::from(Effect::File(FileEffect::KeepDrafts(text)))
 }
 
-/// Opens the drafts of an earlier session that were not saved.
+/// Opens the drafts that a console has left unsaved; [`keep`] then writes them for this one.
 pub fn restore(state: &mut State, text: &str) {
-    let drafts = kept_drafts(text);
-    if drafts.is_empty() {
-        return;
+    let drafts = &mut state.rooms.plans.drafts;
+    let mut names = Vec::new();
+    for draft in kept_drafts(text) {
+        names.extend(add(drafts, &draft));
     }
-    let names = drafts.iter().map(|draft| draft.name().into()).collect();
+    let Some(first) = names.first() else {
+        return;
+    };
+    drafts.choose(first);
+    let names = names.into_iter().map(Text::from).collect();
     let said = text!("draft-restored", names = Text::joined(", ", names));
-    state.rooms.plans.drafts.put(drafts);
-    state.rooms.plans.written = content(state);
     change::look_at(state, ListKind::Plan);
     view::fit(state);
     state.say(Severity::Notice, said.clone());
     let notice = Notice::general(state.now, Severity::Notice, said);
     state.notices.push(notice);
+}
+
+/// Adds a draft, unless it is open already, and returns its name. If another one has that name, it gets another name and
+/// belongs to no vehicle, so that the vehicle does not get two plans.
+fn add(drafts: &mut Drafts, kept: &Draft) -> Option<String> {
+    let mut same = drafts.all().iter().filter(|it| it.name() == kept.name());
+    if same.any(|it| it.document().is_same(kept.document())) {
+        return None;
+    }
+    let name = drafts.free_name(kept.name());
+    let vehicle = kept.vehicle().filter(|_| name == kept.name());
+    let document = Arc::clone(kept.document());
+    drafts.put([Draft::new(name.as_str(), document, vehicle)]);
+    Some(name)
 }

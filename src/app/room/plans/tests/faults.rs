@@ -157,10 +157,34 @@ fn unsaved_drafts_outlive_the_program() {
     assert_eq!(another.plan(), [command::TAKEOFF, command::WAYPOINT]);
     assert!(another.said().contains("plan"), "{}", another.said());
     assert!(!is_kept(another.app.state()));
-    assert_eq!(tick(&mut another, 100), None, "it is there already");
+    let own = another.kept_at(100).flatten();
+    assert!(own.is_some(), "the other console has a file of its own");
+    assert_eq!(another.kept_at(150), None, "once");
     let saved = another.give("draft save field");
     assert_eq!(saved.len(), 1);
     let path = "field.plan".to_owned();
     let _ = another.app.update(Event::from(FileEvent::Written { path }));
-    assert_eq!(tick(&mut another, 200), Some(None), "the file is removed");
+    assert_eq!(another.kept_at(200), Some(None), "the file is removed");
+}
+
+/// Two consoles may have left drafts of the same name.
+#[test]
+fn drafts_of_two_consoles_are_both_opened_again() {
+    let left = |keys: &str| {
+        let mut desk = Desk::new();
+        desk.press(keys);
+        desk.kept_at(100).flatten().expect("it is written")
+    };
+    let mut desk = Desk::new();
+    for text in [left("ta"), left("taa"), left("ta")] {
+        let _ = desk.app.update(Event::from(FileEvent::Kept { text }));
+    }
+    let drafts = desk.room().drafts().all().iter();
+    let counts = drafts.map(|it| (it.name(), it.document().plan.len()));
+    let counts: Vec<(&str, usize)> = counts.collect();
+    assert_eq!(
+        counts,
+        [("plan", 2), ("plan-2", 3)],
+        "the third is open already"
+    );
 }
