@@ -39,7 +39,7 @@ pub use ground::{ground_read, wanted_ground};
 pub use hints::of_items as room_hints;
 pub use judge::{findings, pace};
 pub use keeping::{keep, restore};
-pub use line::carry_out;
+pub use line::{carry_out, meant};
 pub use stage::{NextStep, PlanStage, next_step};
 pub use trial::tried;
 pub use view::{PlansLayout, click, layout};

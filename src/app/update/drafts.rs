@@ -21,10 +21,7 @@ use crate::vehicle::VehicleId;
 pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal> {
     match line {
         DraftLine::Upload(vehicles) => {
-            let ids = match vehicles {
-                Some(vehicles) => state.chosen(&vehicles)?,
-                None => state.addressed(),
-            };
+            let ids = plans::meant(state, vehicles)?;
             let draft = state.rooms.plans.drafts().current().cloned();
             let draft = draft.ok_or_else(|| text!("draft-none"))?;
             Ok(upload(state, &[(draft, ids)])?)

@@ -67,7 +67,10 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal>
 }
 
 /// The vehicles that a line names, otherwise the addressed ones.
-fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Refusal> {
+///
+/// # Errors
+/// One of them is unknown.
+pub fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Refusal> {
     let Some(vehicles) = vehicles else {
         return Ok(state.addressed());
     };

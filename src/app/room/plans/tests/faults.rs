@@ -35,6 +35,7 @@ fn a_refusal_marks_the_word_at_fault() {
         ("draft order 1-2 to 7", "to 7"),
         ("draft take 9", "9"),
         ("draft rehearse 9", "9"),
+        ("draft upload 9", "9"),
     ] {
         desk.give(line);
         assert_eq!(desk.faulty(), word, "{line}");
@@ -45,13 +46,15 @@ fn a_refusal_marks_the_word_at_fault() {
 
 #[test]
 fn a_vehicle_that_is_not_there_is_named() {
-    let mut desk = Desk::new();
-    desk.give("draft take 9");
-    let Some(Overlay::Palette(palette)) = desk.app.state().overlay() else {
-        panic!("a fault");
-    };
-    let message = palette.fault().expect("a fault").message.to_string();
-    assert!(message.contains("no vehicle 9"), "{message}");
+    for line in ["draft take 9", "draft upload 9"] {
+        let mut desk = Desk::new();
+        desk.give(line);
+        let Some(Overlay::Palette(palette)) = desk.app.state().overlay() else {
+            panic!("a fault");
+        };
+        let message = palette.fault().expect("a fault").message.to_string();
+        assert!(message.contains("no vehicle 9"), "{line}: {message}");
+    }
 }
 
 #[test]
