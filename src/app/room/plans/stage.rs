@@ -1,13 +1,12 @@
 //! The next step with a draft and the vehicles that it is for.
 
-use super::findings;
 use crate::app::State;
 use crate::app::action::{Action, PlansAction};
 use crate::draft::Draft;
 use crate::language::verb;
 use crate::ledger::RowState;
 use crate::plan::ContentHash;
-use crate::plan::check::Severity;
+use crate::plan::check::{Finding, Severity};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -48,8 +47,8 @@ pub struct NextStep {
 }
 
 /// The next step with the current draft: for its vehicle, otherwise for those that got the last upload, otherwise for
-/// the addressed ones. `None` without a plan or a vehicle.
-pub fn next_step(state: &State) -> Option<NextStep> {
+/// the addressed ones. `findings` are the faults of the draft. `None` without a plan or a vehicle.
+pub fn next_step(state: &State, findings: &[Finding]) -> Option<NextStep> {
     let draft = state.rooms.plans.drafts.current()?;
     if draft.document().plan.is_empty() {
         return None;
@@ -62,18 +61,14 @@ pub fn next_step(state: &State) -> Option<NextStep> {
     let staged: Vec<(PlanStage, VehicleId)> = staged.collect();
     let stage = staged.iter().map(|(stage, _)| *stage).max()?;
     let own = staged.iter().filter(|(own, _)| *own == stage);
+    let mut severities = findings.iter().map(Finding::severity);
     Some(NextStep {
         stage,
         vehicles: own.map(|(_, id)| *id).collect(),
         count: staged.len(),
-        is_faulty: stage == PlanStage::Elsewhere && is_faulty(state, draft),
+        is_faulty: severities.any(|it| it == Severity::Error),
         has_failed: state.rooms.plans.tried().is_some_and(|it| !it.is_sound),
     })
-}
-
-fn is_faulty(state: &State, draft: &Draft) -> bool {
-    let found = findings(state, draft.document());
-    found.iter().any(|it| it.severity() == Severity::Error)
 }
 
 fn concerned(state: &State, draft: &Draft) -> Vec<VehicleId> {

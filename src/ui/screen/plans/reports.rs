@@ -67,7 +67,9 @@ pub(super) fn draw(
     let tried = shown
         .map(|shown| tried(state, shown, panel))
         .unwrap_or_default();
-    let next = next(state, panel);
+    let next = shown
+        .map(|shown| next(state, shown, panel))
+        .unwrap_or_default();
     let entry = last_entry(state);
     let is_short = usize::from(panel.area.height) < ALL_REPORTS && entry.is_some();
     let found = shown
@@ -296,9 +298,9 @@ fn upload(entries: &[&LedgerEntry]) -> (Text, Role) {
 }
 
 /// What can be done next.
-fn next(state: &State, panel: Panel<'_>) -> Report {
+fn next(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
-    if let Some(step) = next_step(state) {
+    if let Some(step) = next_step(state, &shown.findings) {
         report.say(&panel.text(&step.text(state)), Role::Muted, panel);
     }
     report

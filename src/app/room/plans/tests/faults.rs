@@ -109,13 +109,9 @@ fn a_draft_with_errors_is_mended_before_it_is_uploaded() {
     let mut desk = Desk::new();
     desk.vehicle(1, |_| {});
     desk.press("ta");
-    let next = |desk: &Desk| {
-        let step = next_step(desk.app.state()).expect("a step");
-        step.text(desk.app.state()).to_string()
-    };
-    assert!(next(&desk).contains("`U`"), "{}", next(&desk));
+    assert!(desk.next().contains("`U`"), "{}", desk.next());
     desk.give("draft fence polygon n 0 e 0");
-    assert!(next(&desk).contains("fix the faults"), "{}", next(&desk));
+    assert!(desk.next().contains("fix the faults"), "{}", desk.next());
 }
 
 #[test]

@@ -1,18 +1,24 @@
 //! The next step with a draft.
 
 use super::*;
-use crate::app::room::plans::{PlanStage, next_step};
+use crate::app::room::plans::{NextStep, PlanStage, next_step};
 use crate::draft::TrialFlight;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::vehicle::LandedState;
 
 impl Desk {
-    fn stage(&self) -> Option<PlanStage> {
-        next_step(self.app.state()).map(|step| step.stage)
+    fn step(&self) -> Option<NextStep> {
+        let state = self.app.state();
+        let draft = self.room().drafts().current()?;
+        next_step(state, &findings(state, draft.document()))
     }
 
-    fn next(&self) -> String {
-        let step = next_step(self.app.state()).expect("a step");
+    fn stage(&self) -> Option<PlanStage> {
+        self.step().map(|step| step.stage)
+    }
+
+    pub(super) fn next(&self) -> String {
+        let step = self.step().expect("a step");
         step.text(self.app.state()).to_string()
     }
 
