@@ -10,7 +10,6 @@ use crate::plan::edit::HeightChange;
 use crate::plan::{Document, HeightFrame, Home, Item, ListKind, command};
 use crate::text::Text;
 
-const CONDITION_DELAY: u16 = MavCmd::MAV_CMD_CONDITION_DELAY as u16;
 const SET_SERVO: u16 = MavCmd::MAV_CMD_DO_SET_SERVO as u16;
 
 /// Items of a list by their numbers, from 1.
@@ -113,7 +112,7 @@ impl NewItem {
 const fn usual_params(command: u16) -> [f32; 4] {
     match command {
         command::LOITER_TURNS => [1.0, 0.0, 0.0, 0.0],
-        command::LOITER_TIME | command::DELAY | CONDITION_DELAY => [10.0, 0.0, 0.0, 0.0],
+        command::LOITER_TIME | command::DELAY | command::CONDITION_DELAY => [10.0, 0.0, 0.0, 0.0],
         command::DO_CHANGE_SPEED => [0.0, 5.0, 0.0, 0.0],
         // The first output that drives no motor, in the middle.
         SET_SERVO => [9.0, 1500.0, 0.0, 0.0],

@@ -6,9 +6,6 @@ use crate::plan::effort::Pace;
 use crate::plan::legs::{LegMotion, LegPace, LegStart, changed_speed_m_s, turns_m};
 use crate::plan::{Document, HeightFrame, Item, command};
 
-/// A wait before the next item to fly to.
-const CONDITION_DELAY: u16 = 112;
-
 /// An item that the vehicle flies to, and the leg that leads there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stop {
@@ -132,7 +129,7 @@ pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
                 course.pace.speed_m_s = speed_m_s.unwrap_or(course.pace.speed_m_s);
             }
             command::DO_JUMP | command::DO_JUMP_TAG => course.profile.repeats = true,
-            command::DELAY | CONDITION_DELAY => {
+            command::DELAY | command::CONDITION_DELAY => {
                 course.profile.time_s += f64::from(item.params[0].max(0.0));
                 // Only a delay is a stop; a condition holds back the next action.
                 if item.command == command::DELAY {

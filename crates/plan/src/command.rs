@@ -32,6 +32,8 @@ pub const PAYLOAD_PLACE: u16 = 94;
 pub const LAST_NAVIGATION: u16 = 95;
 /// Continues at another item: parameter 1 is its number, parameter 2 the number of repetitions.
 pub const DO_JUMP: u16 = 177;
+/// Waits before the next item that is flown to.
+pub const CONDITION_DELAY: u16 = 112;
 /// Sets the speed from here on.
 pub const DO_CHANGE_SPEED: u16 = 178;
 /// Moves home to a place.

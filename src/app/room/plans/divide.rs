@@ -57,13 +57,9 @@ pub(super) fn divide(
     let drawn = state.rooms.plans.drafts.current();
     let forbidden = drawn.map_or_else(Vec::new, |it| keep_out(&it.document().fence));
     let divided = conductor.plans(&task, vehicles, &state.session.vehicles, &forbidden)?;
-    let idle: Vec<VehicleId> = vehicles
-        .iter()
-        .copied()
-        .filter(|id| divided.plans.iter().all(|(busy, _)| busy != id))
-        .collect();
     let left = state.rooms.plans.divided.divide(vehicles);
-    let idle: Vec<VehicleId> = idle.into_iter().chain(left).collect();
+    let spare = divided.idle.iter().map(|(id, _)| *id);
+    let idle: Vec<VehicleId> = spare.chain(left).collect();
     // Their earlier plans would lead these vehicles through the parts of others.
     state.rooms.plans.drafts.drop_of(&idle);
     let reasons = divided.idle_words();
