@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::{keep_out_sign, outline, sign, stroke};
-use super::labels::{self, Label};
+use super::ground::{keep_out_sign, label_kind, outline, sign, stroke};
+use super::labels::{self, Label, LabelKind};
 use super::{draw_nowhere, legend, markers};
 use crate::app::State;
 use crate::app::room::map::{SketchKind, sketches};
@@ -72,10 +72,18 @@ impl Board<'_> {
         }
     }
 
-    fn label(&mut self, place: LatLon, text: String, role: Role) {
+    fn label(&mut self, place: LatLon, kind: LabelKind, text: String, role: Role) {
         let cell = self.view.cell(place);
-        self.labels
-            .extend(cell.map(|cell| Label { cell, text, role }));
+        self.labels.extend(cell.map(|cell| Label {
+            cell,
+            kind,
+            text,
+            role,
+        }));
+    }
+
+    fn home(&mut self, place: LatLon) {
+        self.label(place, LabelKind::Word, "H".to_owned(), Role::Title);
     }
 
     /// Areas and homes, and what the vehicles have on board, without numbers.
@@ -92,7 +100,7 @@ impl Board<'_> {
                 let is_area = !sketch.label.is_empty();
                 if let Some(corner) = points.first().filter(|_| is_area) {
                     let name = format!("{}{}", sign(sketch.kind), sketch.label);
-                    self.label(*corner, name, stroke.role);
+                    self.label(*corner, label_kind(sketch.kind), name, stroke.role);
                 }
             } else {
                 for pair in points.windows(2) {
@@ -103,11 +111,11 @@ impl Board<'_> {
         // The next place of a mission has a name of its own.
         let places = state.session().places().iter();
         for (name, place) in places.filter(|(name, _)| *name != NEXT_PLACE) {
-            self.label(*place, format!("+{name}"), Role::Info);
+            self.label(*place, LabelKind::Signed, format!("+{name}"), Role::Info);
         }
         let vehicles = state.session().vehicles().values();
         for home in vehicles.filter_map(|vehicle| vehicle.home) {
-            self.label(home.at_point, "H".to_owned(), Role::Title);
+            self.home(home.at_point);
         }
     }
 
@@ -120,6 +128,7 @@ impl Board<'_> {
             let [a, b] = [pair.a, pair.b].map(|at| names.get(at).map_or("", String::as_str));
             Some(Label {
                 cell: self.view.cell(pair.place)?,
+                kind: label_kind(SketchKind::Meeting),
                 text: format!("{sign}{a}/{b}"),
                 role: Role::Danger,
             })
@@ -143,7 +152,8 @@ impl Board<'_> {
                 Some(vehicle) => vehicle.to_string(),
                 None => draft.short_name().to_owned(),
             };
-            self.label(*away, format!("{}{name}", badge.sign), badge.role);
+            let text = format!("{}{name}", badge.sign);
+            self.label(*away, LabelKind::Signed, text, badge.role);
         }
     }
 
@@ -156,7 +166,7 @@ impl Board<'_> {
         }
         self.jumps(&document.plan, role);
         if let Some(home) = document.home {
-            self.label(LatLon::from_e7(home.x, home.y), "H".to_owned(), Role::Title);
+            self.home(LatLon::from_e7(home.x, home.y));
         }
         self.numbers(room, ListKind::Rally, &document.rally, Role::Title);
         // Numbers of both lists at once could not be told apart.
@@ -210,7 +220,10 @@ impl Board<'_> {
     /// The numbers of a list's items; those that keys would change stand out.
     fn numbers(&mut self, room: &Drawing, list: ListKind, items: &[Item], role: Role) {
         let marked = room.marked().filter(|_| room.list() == list);
-        let prefix = if list == ListKind::Rally { "R" } else { "" };
+        let (kind, prefix) = match list {
+            ListKind::Plan | ListKind::Fence => (LabelKind::Number, ""),
+            ListKind::Rally => (LabelKind::Word, "R"),
+        };
         let mut last = Vec::new();
         let numbered = (1..).zip(items);
         for (number, here) in numbered.filter_map(|(number, item)| Some((number, place(item)?))) {
@@ -220,11 +233,11 @@ impl Board<'_> {
             if is_marked {
                 last.push((here, text));
             } else {
-                self.label(here, text, role);
+                self.label(here, kind, text, role);
             }
         }
         for (here, text) in last {
-            self.label(here, text, Role::Selected);
+            self.label(here, kind, text, Role::Selected);
         }
     }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use unicode_width::UnicodeWidthStr as _;
 
 use super::fire;
-use super::labels::{Label, MapCell};
+use super::labels::{Label, LabelKind, MapCell};
 use crate::app::State;
 use crate::geo::{LatLon, Viewport};
 use crate::mission::{Progress, ShownContact, Trust};
@@ -35,6 +35,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
         let cell = view.cell(mark.at);
         labels.extend(cell.map(|cell| Label {
             cell,
+            kind: LabelKind::Signed,
             text,
             role: Role::Ok,
         }));
@@ -58,6 +59,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
         let name = if has_name { contact.name.as_str() } else { "" };
         labels.push(Label {
             cell,
+            kind: LabelKind::Signed,
             text: format!("{sign}{name}"),
             role: *role,
         });

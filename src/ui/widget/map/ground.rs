@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
-use super::labels::{self, Label, MapCell};
+use super::labels::{self, Label, LabelKind, MapCell};
 use super::{finds, ways};
 use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, sketches};
@@ -71,6 +71,24 @@ pub const fn sign(kind: SketchKind) -> &'static str {
     }
 }
 
+/// The kind of the label of an area, a line or a place: the `x` of areas without flights is a letter.
+pub const fn label_kind(kind: SketchKind) -> LabelKind {
+    match kind {
+        SketchKind::Jamming | SketchKind::People | SketchKind::Radio | SketchKind::Meeting => {
+            LabelKind::Signed
+        }
+        SketchKind::NoFly
+        | SketchKind::Task
+        | SketchKind::Fence
+        | SketchKind::KeepOut
+        | SketchKind::Wire
+        | SketchKind::Plan
+        | SketchKind::Leg
+        | SketchKind::Rally
+        | SketchKind::Course => LabelKind::Word,
+    }
+}
+
 /// The sign in the middle of an area to stay out of: without colours, its border looks like a trail.
 pub const KEEP_OUT: &str = "x";
 
@@ -79,6 +97,7 @@ pub fn keep_out_sign(corners: &[LatLon], view: &Viewport) -> Option<Label> {
     let middle = Extent::around(corners.iter().copied())?.centre();
     Some(Label {
         cell: view.cell(middle)?,
+        kind: LabelKind::Word,
         text: KEEP_OUT.to_owned(),
         role: stroke(SketchKind::KeepOut).role,
     })
@@ -161,7 +180,12 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
             && f64::from(width) < room
         {
             let cell = (column.saturating_sub(width / 2), row);
-            labels.push(Label { cell, text, role });
+            labels.push(Label {
+                cell,
+                kind: LabelKind::Word,
+                text,
+                role,
+            });
         }
     }
 }
@@ -195,9 +219,13 @@ fn draw_sketch(
     if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
         let vehicle = sketch.vehicle.filter(|_| is_signed && points.len() == 1);
         let own = vehicle.map(|id| format!("{}:", Badge::of_vehicle(id).sign));
+        let kind = own
+            .as_ref()
+            .map_or(label_kind(sketch.kind), |_| LabelKind::Signed);
         let sign = own.unwrap_or_else(|| sign(sketch.kind).to_owned());
         labels.push(Label {
             cell: (column + u16::from(points.len() > 1), row),
+            kind,
             text: format!("{sign}{}", sketch.label),
             role: stroke.role,
         });
@@ -244,12 +272,14 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
         };
         labels.extend(cell.map(|cell| Label {
             cell,
+            kind: LabelKind::Signed,
             text: format!("{sign}{name}"),
             role,
         }));
     }
     labels.extend(homes.into_iter().map(|cell| Label {
         cell,
+        kind: LabelKind::Word,
         text: "H".to_owned(),
         role: Role::Title,
     }));
@@ -289,6 +319,7 @@ fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut
         outline(&around.corners(), view, canvas, Stroke::dotted(role));
         labels.extend(view.cell(mover.at).map(|cell| Label {
             cell,
+            kind: LabelKind::Word,
             text: format!("{letter}:{}", mover.name),
             role,
         }));

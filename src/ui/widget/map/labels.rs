@@ -21,9 +21,21 @@ const NUMBER_WIDTH: u16 = 2;
 /// The rows by which a label may move away from its place.
 const FARTHEST_ROW: u16 = 4;
 
+/// The part of a label that has to stay readable next to others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LabelKind {
+    /// A word or a letter: shown whole or not at all.
+    Word,
+    /// A sign of one character, and a name after it unless there is no room.
+    Signed,
+    /// A number: beside another one it would be read as part of it.
+    Number,
+}
+
 /// A text at a cell.
 pub struct Label {
     pub cell: MapCell,
+    pub kind: LabelKind,
     pub text: String,
     pub role: Role,
 }
@@ -33,9 +45,14 @@ impl Label {
         self.text.width() as u16
     }
 
-    /// Whether it is a sign, which could be read as part of a word next to it.
-    fn is_sign(&self) -> bool {
-        self.text.chars().all(|c| !c.is_alphanumeric())
+    /// Leaves only its sign; false if it has none.
+    fn shorten(&mut self) -> bool {
+        let sign = match self.kind {
+            LabelKind::Signed => self.text.chars().next(),
+            LabelKind::Word | LabelKind::Number => None,
+        };
+        self.text = sign.map(String::from).unwrap_or_default();
+        sign.is_some()
     }
 }
 
@@ -173,22 +190,26 @@ fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
         let is_cut = width > 1 && cells(&label).any(|cell| is_under_vehicle(cell, vehicles));
         if is_cut || around.any(|at| taken.contains(&(at, row))) {
             let is_free = !taken.contains(&(column, row));
-            let sign = label.text.chars().next();
-            let Some(sign) = sign.filter(|c| is_free && !c.is_alphanumeric()) else {
+            if !is_free || !label.shorten() {
                 continue;
-            };
-            label.text = sign.to_string();
+            }
         }
         if label.width() > 1 {
             words.extend(cells(&label));
-        } else if label.is_sign() && beside(&label).any(|at| words.contains(&at)) {
-            continue;
-        } else if label.text.chars().all(char::is_numeric) {
-            // Two figures side by side would read as one number.
-            if beside(&label).any(|at| figures.contains(&at)) {
+        } else {
+            let mut around = beside(&label);
+            let is_misread = match label.kind {
+                LabelKind::Word => false,
+                // It would read as part of the word.
+                LabelKind::Signed => around.any(|at| words.contains(&at)),
+                LabelKind::Number => around.any(|at| figures.contains(&at)),
+            };
+            if is_misread {
                 continue;
             }
-            figures.extend(cells(&label));
+            if label.kind == LabelKind::Number {
+                figures.extend(cells(&label));
+            }
         }
         taken.extend(cells(&label));
         kept.push(label);
@@ -211,9 +232,10 @@ mod tests {
     use super::*;
     use crate::ui::look::Look;
 
-    fn label(column: u16, text: &str) -> Label {
+    fn label(column: u16, kind: LabelKind, text: &str) -> Label {
         Label {
             cell: (column, 0),
+            kind,
             text: text.to_owned(),
             role: Role::Danger,
         }
@@ -222,7 +244,11 @@ mod tests {
     #[test]
     fn a_vehicle_leaves_no_piece_of_a_word() {
         let kept = |vehicle: u16| -> Vec<String> {
-            let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
+            let labels = vec![
+                label(10, LabelKind::Word, "peak4"),
+                label(20, LabelKind::Signed, "!c2"),
+                label(30, LabelKind::Word, "H"),
+            ];
             let kept = readable(labels, &[(vehicle, 0)]);
             kept.into_iter().rev().map(|label| label.text).collect()
         };
@@ -234,7 +260,8 @@ mod tests {
 
     #[test]
     fn a_sign_never_stands_beside_a_word() {
-        let labels = vec![label(13, "?"), label(14, "?"), label(10, "!c2")];
+        let sign = |column, text| label(column, LabelKind::Signed, text);
+        let labels = vec![sign(13, "?"), sign(14, "?"), sign(10, "!c2")];
         let kept = readable(labels, &[]);
         let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
         assert_eq!(texts, ["?", "!c2"]);
@@ -245,7 +272,7 @@ mod tests {
     fn labels_in_one_place_are_spread_over_the_rows_around_it() {
         let at = |row| Label {
             cell: (10, row),
-            ..label(10, "!1/2")
+            ..label(10, LabelKind::Signed, "!1/2")
         };
         let rows = |labels, rows| -> Vec<u16> {
             let spread = spread(labels, rows).into_iter();
@@ -257,9 +284,18 @@ mod tests {
 
     #[test]
     fn two_figures_side_by_side_do_not_make_one_number() {
-        let kept = readable(vec![label(10, "3"), label(11, "5"), label(20, "7")], &[]);
-        let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
-        assert_eq!(texts, ["5", "7"]);
+        let kept = |kind| -> Vec<String> {
+            let labels = [(10, "3"), (11, "5"), (20, "7")];
+            let labels = labels.map(|(column, text)| label(column, kind, text));
+            let kept = readable(labels.into(), &[]).into_iter().rev();
+            kept.map(|label| label.text).collect()
+        };
+        assert_eq!(kept(LabelKind::Number), ["5", "7"]);
+        assert_eq!(
+            kept(LabelKind::Word),
+            ["3", "5", "7"],
+            "places of these names"
+        );
     }
 
     #[test]
@@ -270,7 +306,12 @@ mod tests {
         let below = Style::new().add_modifier(Modifier::BOLD | Modifier::REVERSED);
         buffer.set_string(0, 0, "66666666", below);
         let panel = Panel::new(&look, area);
-        draw(vec![label(2, "A3")], &[], panel, &mut buffer);
+        draw(
+            vec![label(2, LabelKind::Word, "A3")],
+            &[],
+            panel,
+            &mut buffer,
+        );
         let shown: String = buffer
             .content
             .iter()

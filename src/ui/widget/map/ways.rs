@@ -1,7 +1,7 @@
 //! The vehicles' trails and targets.
 
 use super::canvas::{Canvas, Stroke};
-use super::labels::Label;
+use super::labels::{Label, LabelKind};
 use crate::app::State;
 use crate::app::room::map::{leg, shows_leg};
 use crate::comparison::TrackPoint;
@@ -56,6 +56,7 @@ pub fn draw_trails(
             let places = along(&dots).into_iter().map(|dot| view.place(dot));
             numbers.extend(places.filter_map(|at| view.cell(at)).map(|cell| Label {
                 cell,
+                kind: LabelKind::Number,
                 text: vehicle.id.to_string(),
                 role: stroke.role,
             }));
@@ -79,6 +80,7 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
         canvas.line(view.dot(to), view.dot(here), stroke);
         labels.extend(view.cell(to).map(|cell| Label {
             cell,
+            kind: LabelKind::Word,
             text: "x".to_owned(),
             role: stroke.role,
         }));
@@ -104,6 +106,7 @@ pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas) -> Vec<La
     let label = |(vehicle, point): (_, TrackPoint)| {
         Some(Label {
             cell: view.cell(point.place)?,
+            kind: LabelKind::Word,
             text: format!("g{vehicle}"),
             role: Role::Muted,
         })
