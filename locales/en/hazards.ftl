@@ -31,8 +31,8 @@ locate-reports = reported: { $count }
 locate-off = { $distance } m off
 locate-missed = not found
 locate-wrong = { $count ->
-    [one] 1 wrong report
-   *[other] { $count } wrong reports
+    [one] 1 false report
+   *[other] { $count } false reports
 }
 locate-quality = report only when you are sure, and fly over the place slowly first
 locate-target = { $count } within { $within } m

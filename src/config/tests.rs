@@ -151,7 +151,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
             "fps = 0",
             "c.toml:1:7: `fps` must be a whole number from 1 to 60",
         ),
-        ("mouse = 1", "c.toml:1:9: `mouse` must be true or false"),
+        ("mouse = 1", "c.toml:1:9: `mouse` must be `true` or `false`"),
         ("lang = \"ua\"", "c.toml:1:8: `lang` must be one of en, uk"),
         (
             "symbols = \"brail\"",
@@ -205,7 +205,7 @@ fn a_wrong_variable_is_told_and_left_out() {
     let mut layers = Layers::default();
     let variable = |name: &str| (name == "SORTIE_FPS").then(|| "many".to_owned());
     let faults = layers.environment(variable).expect_err("it is no number");
-    let expected = "SORTIE_FPS must be a whole number from 1 to 60, not `many`";
+    let expected = "`SORTIE_FPS` must be a whole number from 1 to 60, not `many`";
     assert_eq!(faults[0].to_string(), expected);
     assert_eq!(layers.config(), Config::default());
     assert!(layers.flag("mouse", "--mouse", "maybe").is_err());

@@ -167,18 +167,18 @@ fn what_is_named_has_to_be_there_and_right() {
         (
             &[("SORTIE_FPS", "many")],
             &[],
-            "SORTIE_FPS must be a whole number",
+            "`SORTIE_FPS` must be a whole number",
         ),
         (
             &[],
             &["--fps", "0"],
-            "--fps must be a whole number from 1 to 60, not `0`",
+            "`--fps` must be a whole number from 1 to 60, not `0`",
         ),
         (&[], &["--theme", "drak"], "did you mean `dark`?"),
         (
             &[],
             &["--lang", "de"],
-            "--lang must be one of en, uk, not `de`",
+            "`--lang` must be one of en, uk, not `de`",
         ),
         (&[], &["--log-level", "sortie=loud"], "unknown log levels"),
     ];

@@ -161,7 +161,7 @@ fn what_nobody_asked_for_is_not_missed() {
     console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(10).press("m");
     let text = shown(&console, Symbols::Ascii);
-    assert!(text.contains("present, not part of the task 1"), "{text}");
+    assert!(text.contains("present, not an objective 1"), "{text}");
     assert!(!text.contains("missed"), "{text}");
 }
 

@@ -74,7 +74,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ("[fly]\n\"f55\" = \"invert\"\n", "2:1: unknown key `f55`"),
         (
             "[fly]\n\"ctrl-m\" = \"invert\"\n",
-            "2:1: terminals send the same code for `ctrl-m` and enter",
+            "2:1: terminals send the same code for `ctrl-m` and `enter`",
         ),
         (
             "[fly]\nx = \"inver\"\n",
@@ -98,7 +98,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         (
             "[map]\nx = \"invert\"\n[anywhere]\nx = \"help\"\n",
-            "2:1: `x` is used under [anywhere], on line 4 (give one of them another key)",
+            "2:1: `x` is used under `[anywhere]`, on line 4 (give one of them another key)",
         ),
         (
             "[fly]\nx = \"invert\"\nx = \"help\"\n",
