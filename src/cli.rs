@@ -43,6 +43,7 @@ mod fly;
 mod hangar;
 mod home;
 mod manual;
+mod mcp;
 mod plan;
 mod profile;
 mod programs;
@@ -139,6 +140,12 @@ enum CliCommand {
                             sortie watch /tmp/lab.sock vehicles --every 5\n  \
                             sortie watch --schema")]
     Watch(watch::WatchArguments),
+    /// Offers a console that was started with --api to language models, as a server of the Model Context Protocol (MCP)
+    /// on standard input and output.
+    #[command(after_help = "Examples:\n  \
+                            sortie mcp --api /tmp/lab.sock                     tools that read\n  \
+                            sortie mcp --api /tmp/lab.sock --allow-commands    also a tool that gives commands")]
+    Mcp(mcp::McpArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
     /// Makes, checks, converts and rehearses plans, fences and rally points in files.
@@ -297,6 +304,7 @@ fn dispatch(
         }
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
+        Some(CliCommand::Mcp(options)) => mcp::serve(&options),
         Some(CliCommand::Debrief(options)) => {
             settings.complain();
             debrief::debrief(&options, &settings)

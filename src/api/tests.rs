@@ -9,6 +9,7 @@ use crate::app::event::{Event, ProgramLine, SessionEvent, Started, VehicleEvent}
 use crate::app::state::Activity;
 use crate::app::{App, Setup, State};
 use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::mission::Stake;
 use crate::notice::Notice;
 use crate::vehicle::{Severity, Vehicle};
 
@@ -18,9 +19,13 @@ fn read(line: &str) -> Result<Call, Fault> {
 
 /// A console in free flight with vehicles 1 and 2.
 fn console() -> App {
+    console_in(Activity::Free)
+}
+
+fn console_in(activity: Activity) -> App {
     let mut app = App::new(Setup::default());
     let started = Started {
-        activity: Activity::Free,
+        activity,
         mission: None,
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
@@ -205,6 +210,34 @@ fn lines_for_the_screen_and_macros_are_refused() {
         assert!(outcome.is_err(), "{line}");
         assert!(effects.is_empty(), "{line}");
     }
+}
+
+#[test]
+fn in_an_exam_programs_can_read_and_give_no_line() {
+    let mut app = console_in(Activity::Mission {
+        id: "00-first-flight".to_owned(),
+        title: "First flight".into(),
+        stake: Stake::Exam,
+    });
+    for line in [
+        "all arm",
+        "1 mode guided",
+        "all kill",
+        "show map",
+        "draft survey",
+    ] {
+        let (outcome, effects) = say(&mut app, line, true);
+        let refusal = outcome.expect_err(line);
+        assert!(refusal.contains("in an exam"), "{line}: {refusal}");
+        assert!(effects.is_empty(), "{line}");
+    }
+    assert_eq!(app.state().session().ledger().entries().len(), 0);
+    let vehicles = present(app.state(), Some(1), Subject::Vehicles, None, Vec::new);
+    let vehicles = lines(&[vehicles.expect("a state")]).remove(0);
+    assert_eq!(
+        vehicles["vehicles"]["list"].as_array().map(Vec::len),
+        Some(2)
+    );
 }
 
 #[test]

@@ -30,8 +30,11 @@ impl ConsoleLine {
     }
 }
 
+/// The direction from the console.
+pub(super) struct ApiReader(BufReader<UnixStream>);
+
 pub(super) struct ApiConnection {
-    read: BufReader<UnixStream>,
+    reader: ApiReader,
     write: UnixStream,
     sent: u64,
 }
@@ -50,7 +53,7 @@ impl ApiConnection {
             ))
         })?;
         Ok(Self {
-            read: BufReader::new(read),
+            reader: ApiReader(BufReader::new(read)),
             write,
             sent: 0,
         })
@@ -73,8 +76,23 @@ impl ApiConnection {
     /// # Errors
     /// The line is not a message of a console.
     pub fn next(&mut self) -> Result<Option<ConsoleLine>, Failure> {
+        self.reader.next()
+    }
+
+    /// Both directions, to be used at the same time.
+    pub fn split(self) -> (ApiReader, UnixStream) {
+        (self.reader, self.write)
+    }
+}
+
+impl ApiReader {
+    /// The next line; `None` once the console has closed the connection.
+    ///
+    /// # Errors
+    /// The line is not a message of a console.
+    pub fn next(&mut self) -> Result<Option<ConsoleLine>, Failure> {
         let mut text = String::new();
-        if self.read.read_line(&mut text)? == 0 {
+        if self.0.read_line(&mut text)? == 0 {
             return Ok(None);
         }
         let text = text.trim_end().to_owned();

@@ -9,6 +9,8 @@ use serde_json::{Value, json};
 
 use crate::terminal::{home_variables, program};
 
+mod mcp;
+
 /// The plain console with a socket; its input stays open.
 struct Served {
     child: Child,

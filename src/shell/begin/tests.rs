@@ -7,7 +7,7 @@ use crate::app::event::TerminalEvent;
 use crate::mission::record::{Stored, WithoutEnd};
 use crate::scoring::TryReport;
 use crate::shell::pace::TICK;
-use crate::shell::{ConsoleOptions, Opening, key};
+use crate::shell::{ApiOptions, ConsoleOptions, Opening, key};
 use crate::store::Runs;
 use crate::text;
 
@@ -117,6 +117,18 @@ async fn the_record_of_a_flight_that_is_left_is_written_to_its_end() {
         .report;
     let missing_s = elapsed.as_secs_f64() - report.sim_time_s;
     assert!(missing_s.abs() < 0.05, "{missing_s} s are missing");
+}
+
+#[tokio::test(start_paused = true)]
+async fn no_exam_begins_in_a_console_that_accepts_commands_of_programs() {
+    for (commands, expected) in [(true, Err(text!("exam-by-hand"))), (false, Ok(()))] {
+        let mut options = ConsoleOptions::for_test(Opening::Home);
+        let socket = "api".into();
+        options.api = Some(ApiOptions { socket, commands });
+        let mut console = Console::new(options, true);
+        let begun = Box::pin(console.launch(first(), Stake::Exam, None)).await;
+        assert_eq!(begun, expected);
+    }
 }
 
 #[tokio::test(start_paused = true)]
