@@ -4,7 +4,7 @@ hangar-unknown = no instance { $id }
 hangar-taken = instance { $id } is already running: stop it first, or choose another number
 hangar-full = { $limit } instances are running, which is the limit: stop some, or raise it
 hangar-no-program = no { $program } was found: name one with `--arducopter` or `SORTIE_ARDUCOPTER`, or put it on the PATH
-hangar-attached = another program is attached to instance { $id }
+hangar-attached = another program is attached to instance { $id }: close that program, or choose another instance
 hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
 hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
@@ -17,7 +17,7 @@ hangar-stage = stage
 hangar-pid = pid
 hangar-restarts = starts
 hangar-memory = memory
-hangar-processor = core
+hangar-processor = CPU
 hangar-stage-queued = queued
 hangar-stage-process = running
 hangar-stage-heartbeat = heartbeat
@@ -30,7 +30,7 @@ hangar-stage-crashed = CRASHED
 hangar-stage-ended = ended
 hangar-vehicle = vehicle { $vehicle }
 hangar-fault = CRASHED: { $reason }
-hangar-fault-what = { $restart } restarts it on its pad. { $stop } stops it for good.
+hangar-fault-what = { $restart } restarts the vehicle on its pad. { $stop } stops its process for good.
 hangar-no-output = in { $folder }; nothing printed yet
 hangar-output = in { $folder }; last output:
 hangar-output-of = vehicle { $vehicle }: output
@@ -43,7 +43,7 @@ hangar-all-ready = { $count ->
    *[other] all { $count } vehicles are ready to arm
 }
 hangar-ready-again = is ready to arm again
-hangar-restarted = its process was restarted ({ $count })
+hangar-restarted = its process was restarted (restart { $count })
 hangar-crash = its process has crashed: { $reason }
 hangar-crash-said = its process has crashed: { $reason }: { $line }
 hangar-crash-again = { $key }, then { $again } restarts it (`hangar restart { $vehicle }`)
@@ -64,7 +64,7 @@ hangar-here = here
 # Hangars on other machines.
 
 hangar-far = hangar { $hangar }: { $error }
-hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
-hangar-far-late = { $address } has not answered within { $seconds } s
-hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error })
+hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? For a hangar on another host, forward its port: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } has not answered within { $seconds } s: check that host and the network
+hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error }): check the address
 hangar-far-token = { $address } requires a token ({ $error }): copy its token file to this machine and add `--hangar-token FILE`

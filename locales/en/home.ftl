@@ -7,7 +7,7 @@ home-ardupilot = Free flight on ArduPilot
 home-ardupilot-about = Free flight with real ArduPilot autopilots (SITL), one process per drone. They can be armed after a few seconds.
 home-connect = Connect to vehicles
 home-quit = Quit
-home-free-about = Simulated drones without a task: learn the commands and try things safely.
+home-free-about = Simulated drones without a mission: learn the commands and try things safely.
 home-free-first = A first flight: type `{ $key }` before each line
 home-free-wait = Wait for `takeoff done`: a `goto` before that is refused. Then
 home-connect-about = Command real drones or a simulator elsewhere: anything that speaks MAVLink over TCP, UDP or a serial port.
@@ -20,7 +20,7 @@ home-quit-deed = leaves
 home-over = { $session } is over: { $key } shows its debrief
 home-replay = Replay of { $session }: { $key } returns to it
 home-running = { $session } is still running: { $key } returns to it
-home-connect-empty = write an address, such as tcp:127.0.0.1:5760
+home-connect-empty = write an address, such as `tcp:127.0.0.1:5760`
 home-starting-mission = starting the mission ...
 home-starting-simulator = starting the simulator ...
 

@@ -25,7 +25,7 @@ links-missing = never arrived
 links-others = other
 links-other-figures = peers { $peers }, reconnected { $reconnects }, not sent { $unsent }
 links-signing = signatures
-links-signing-figures = right { $right }, unsigned { $unsigned }, wrong key { $foreign }, old stamp { $old }
+links-signing-figures = valid { $right }, unsigned { $unsigned }, wrong key { $foreign }, old stamp { $old }
 links-history = { $way }, last { $seconds } s, peak { $most }
 
 links-key-command = command
@@ -45,30 +45,30 @@ forwards-dropped = dropped
 forwards-left-out = left out
 forward-down = forward { $address }: { $reason }
 forward-listens = forward { $address }: in a mission, other stations can only listen; their messages do not reach the vehicles
-forward-opened = shared with { $forward }
-forward-closed = no longer shared with { $address }
+forward-opened = links shared with { $forward }
+forward-closed = links no longer shared with { $address }
 forward-no-session = no links to share: connect to vehicles, or start a flight
 forward-mission = in a mission, forwards must be read-only: add `read-only` after the address
-forward-open-already = already shared with { $address }: remove that forward first
-forward-none-there = no forward to { $address }: `forward` lists them
+forward-open-already = links already shared with { $address }: remove that forward first
+forward-none-there = no forward to { $address }: `forward` lists all forwards
 forward-empty = the address is missing: write `ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]`
-forward-no-value = a value is missing after "{ $word }"
-forward-unknown-word = unknown word "{ $word }": after the address come `read-only`, `only NAMES`, `except NAMES`, `rate HZ`
-forward-wrong-rate = "{ $word }" is not a rate: write 0.1 to 1000 messages per second
-forward-no-message = unknown message "{ $word }": write names or ids with commas between them, such as `ATTITUDE,GPS_RAW_INT`
+forward-no-value = a value is missing after `{ $word }`
+forward-unknown-word = unknown word `{ $word }`: after the address, write `read-only`, `only NAMES`, `except NAMES` or `rate HZ`
+forward-wrong-rate = `{ $word }` is not a rate: write 0.1 to 1000 messages per second
+forward-no-message = unknown message `{ $word }`: write names or ids with commas between them, such as `ATTITUDE,GPS_RAW_INT`
 forward-file = { $address } is a recording: a forward needs a port
 
 # Commands of other ground stations
 
-foreign-mode = { $station } set { $vehicle } to { $mode }
-foreign-arm = { $station } armed { $vehicle }
-foreign-disarm = { $station } disarmed { $vehicle }
-foreign-command = { $station } sent { $command } to { $vehicle }
-foreign-parameter = { $station } set { $name } of { $vehicle } to { $value }
-foreign-plan = { $station } uploaded { $count } plan items to { $vehicle }
-foreign-no-plan = { $station } cleared the plan of { $vehicle }
-foreign-steering = { $station } steers { $vehicle }
-foreign-twin = another ground station uses the address of this console ({ $system }/{ $component }): { $vehicle } answers { $command }, which was not sent here; give that station another system id
+foreign-mode = { $station } set vehicle { $vehicle } to { $mode }
+foreign-arm = { $station } armed vehicle { $vehicle }
+foreign-disarm = { $station } disarmed vehicle { $vehicle }
+foreign-command = { $station } sent { $command } to vehicle { $vehicle }
+foreign-parameter = { $station } set { $name } of vehicle { $vehicle } to { $value }
+foreign-plan = { $station } uploaded { $count } plan items to vehicle { $vehicle }
+foreign-no-plan = { $station } cleared the plan of vehicle { $vehicle }
+foreign-steering = { $station } steers vehicle { $vehicle }
+foreign-twin = another ground station uses the address of this console ({ $system }/{ $component }): vehicle { $vehicle } answers { $command }, which this console did not send; give that station another system id
 
 # The name of a link to a simulator that the console runs.
 link-simulator = simulator

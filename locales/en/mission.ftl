@@ -40,8 +40,8 @@ mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
 mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the vehicle disarms: `rtl` lands there.
 mission-recover-earlier = { $place ->
-    [first] Come home before { $least } %: you had { $percent } %
-   *[later] come home before { $least } %: you had { $percent } %
+    [first] Come home before the battery is below { $least } %: you had { $percent } %
+   *[later] come home before the battery is below { $least } %: you had { $percent } %
 }
 mission-recover-closer = { $place ->
     [first] Land within { $radius } m of a pad: you were { $distance } m away; `rtl` lands there
@@ -67,14 +67,14 @@ mission-battery-low = battery low
 
 # Translations in mission files.
 mission-untranslated = no `{ $key }`: the Ukrainian screens show the English text
-mission-english-only = in English only: add `title_uk`, `brief_uk`, `text_uk` next to the English texts
+mission-english-only = in English only: add `title_uk`, `brief_uk` and `text_uk` next to the English texts
 mission-translation-empty = `{ $key }` is empty: remove it to show the English text
 
 # The mission pane.
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
 mission-landed = Landed. The flight ends when all reports are in and final: report what is missing, or wait.
-mission-grounded = a failsafe has landed { $vehicle } ({ $reason }): take off again if the battery lasts; `abandon` ends the mission without points
+mission-grounded = a failsafe has landed vehicle { $vehicle } ({ $reason }): take off again if the battery lasts; `abandon` ends the mission without points
 mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen
 # At most 6 columns.
@@ -83,7 +83,7 @@ mission-cell-done = done
 # The room of the mission.
 mission-begin = { $fly } flies it   { $back } goes back
 mission-under-way = time { $elapsed } of { $limit }   score { $score }
-mission-ended = over after { $elapsed }   score { $score }   { $key } shows the debrief
+mission-ended = ended after { $elapsed }   score { $score }   { $key } shows the debrief
 mission-objectives = objectives
 mission-required = mandatory
 mission-hints = hints so far
@@ -160,25 +160,25 @@ pause-ends = resumed
 pause-is-one = already paused
 pause-is-none = not paused
 pause-not-begun = nothing to pause: the clock starts when you leave the brief
-pause-not-processes = no pause with ArduPilot: its processes cannot be stopped
-pause-not-real = no pause: real drones cannot be stopped in the air
+pause-not-processes = no pause: ArduPilot keeps its own time
+pause-not-real = no pause for real drones: `hold` stops them in the air
 pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = the mission is paused
 pause-refuses-help = `continue` or { $key } resumes; then give the command
-speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
+speedup-is = { $rate }x speed-up until a command result, an alert or a mission message; { $key } ends it
 speedup-idle = { $rate }x: time passes faster, but no command is in progress; { $key } ends it
 speedup-usual = { $rate }x: usual speed
 speedup-back = back to real time: { $reason }
 speedup-back-to = back to { $rate }x: { $reason }
-speedup-done = { $verb } of { $vehicle } done
-speedup-row = { $verb } of { $vehicle }: { $state }
+speedup-done = { $verb } of vehicle { $vehicle } done
+speedup-row = { $verb } of vehicle { $vehicle }: { $state }
 speedup-alert = alert { $alert }, vehicle { $vehicle }
 speedup-same = already { $rate }x
 speedup-nothing-to-wait-for = no command is in progress: give one first, or write `speedup 2`
 speedup-limit = already { $most }x: faster is not allowed here
 speedup-nothing = nothing to speed up: no flight is under way
-speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with `--speedup`
-speedup-not-real = the time of real drones cannot be changed
+speedup-not-processes = ArduPilot keeps its own time: choose the speed-up at the start with `--speedup`
+speedup-not-real = no speed-up: real drones fly in real time
 speedup-not-in-exams = an exam runs in real time
 speedup-not-allowed = the rules of this mission do not allow a speed-up
 speedup-too-much = too fast: at most { $most }x
@@ -191,7 +191,7 @@ mission-prediction = your score
 mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares both
 mission-prediction-is = { $points } predicted
 mission-goal = your goal
-mission-goal-none = { $key } sets one, as in `goal time 200s`: score, time, battery, safety, commands, attention
+mission-goal-none = { $key } sets one for `score`, `time`, `battery`, `safety`, `commands` or `attention`, as in `goal time 200s`
 mission-reading = clock
 mission-reading-first = it starts when you leave the brief
 mission-brief-left = the mission's clock runs now; { $key } pauses it

@@ -37,8 +37,8 @@ outcome-no-parameter = the vehicle may not have the parameter { $name }
 outcome-value-became = { $name } = { $value } (requested: { $wanted })
 outcome-other-name = { $outcome } (this vehicle's name for { $name })
 outcome-opposite-name = { $outcome } (this vehicle's name for { $name }, with the opposite meaning)
-outcome-not-seen = { $effect } was not seen
-outcome-not-seen-within = { $effect } not seen within { $seconds } s
+outcome-not-seen = not seen: { $effect }
+outcome-not-seen-within = not seen within { $seconds } s: { $effect }
 outcome-overtaken = by { $mode }
 outcome-disarmed = by disarming
 outcome-disarmed-idle = by disarming: { $reason }
@@ -64,7 +64,7 @@ plan-broken-off-empty = an upload of its { $verb ->
 } was interrupted; there was no list before: `{ $verb } clear` removes what is left
 
 # Expected effects, inserted into outcome-not-seen and similar messages.
-effect-nothing = an effect
+effect-nothing = any effect
 effect-armed = armed
 effect-disarmed = disarmed
 effect-mode = mode { $mode }
@@ -110,7 +110,7 @@ outcome-plan-saved = { $count } items saved: { $file }
 outcome-plan-kept = { $reason }; the old list is still on board
 outcome-plan-restored = { $reason }; the old list was restored
 outcome-plan-unread = no answer from the vehicle; nothing was changed
-outcome-plan-neither = the vehicle now holds neither the new list nor the old one, but { $count } items ({ $mark }): upload again before you fly
+outcome-plan-neither = the vehicle now holds neither the new list nor the old one, but { $count } items ({ $mark }): upload the list again before you fly
 outcome-plan-unknown = the list on board is unknown: check it with `{ $list } show` before you fly
 plan-stage-lost = the link is lost: the transfer continues when it is back
 plan-stage-restoring = the old list is being restored
@@ -125,7 +125,7 @@ rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-waits = waiting for the plans of { $vehicles }, which are being sent or read
 rehearse-unread = the plan on board has not been read yet: `plan show` reads it
 rehearse-no-plan = no plan on board
-rehearse-refused = the simulator refuses a list of { $vehicle }
+rehearse-refused = the simulator refuses the plan, fence or rally points of vehicle { $vehicle }
 rehearse-landed = lands after { $time }; uses { $used } % of the battery, { $left } % left
 rehearse-ends-in-air = the plan ends in the air after { $time }; uses { $used } % of the battery
 rehearse-battery = uses { $used } % of the battery: more than is left
@@ -141,9 +141,9 @@ rehearse-time-up = still flying after { $time }
 rehearse-conflict = rehearsal: { $a } and { $b } come too close at { $time }: { $horizontal } m horizontally, { $vertical } m vertically
 rehearse-late = rehearsal: { $a } and { $b } come too close if one of them is { $late } s late
 rehearse-more = rehearsal: { $count ->
-    [one] { $count } more pair comes too close, or does
-   *[other] { $count } more pairs come too close, or do
-} if one of them is late
+    [one] { $count } more pair comes
+   *[other] { $count } more pairs come
+} too close, on time or with one vehicle late
 rehearse-conditions = rehearsal: { $conditions }
 rehearse-parameters-unread = parameters of { $vehicles } not read, so the defaults apply
 rehearse-wind-given = wind { $speed } m/s from { $from }° (given)

@@ -18,7 +18,7 @@ parameters-file-no-value = { $name } has no value
 parameters-file-more = unexpected text after the value
 parameters-file-name = `{ $name }` is not a parameter: names have 1 to 16 letters, digits and `_`
 parameters-file-too-large = { $value } is too large for a vehicle
-parameters-file-help = write NAME,VALUE on a line, and comments after a #
+parameters-file-help = write `NAME,VALUE` on a line, and comments after a `#`
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
     [one] (nothing was loaded)
    *[other] ({ $count } faults in all; nothing was loaded)
@@ -47,7 +47,7 @@ parameters-hidden = { $count } only on this vehicle (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
 parameters-setting = setting: { $count } left
-parameters-sets-on = sets on { $vehicles }
+parameters-sets-on = targets: { $vehicles }
 parameters-none-yet = nothing received yet
 parameters-none-fit = no parameter matches: { $key } shows all
 parameters-none-differ-yet = no differences so far
@@ -100,7 +100,7 @@ prompt-filter-advice = all words must match; { $submit } or { $escape } goes bac
 prompt-parameter = { $name } on { $vehicles }
 prompt-parameter-advice = { $submit } sets it, { $escape } leaves it unchanged
 prompt-save-parameters = save parameters to
-prompt-save-advice = a path; ~/ is your home folder. sortie asks before it replaces a file
+prompt-save-advice = a path (`~/` is your home folder); sortie asks before it replaces a file
 prompt-load-parameters = load parameters from
 prompt-load-advice = shows the differences before anything is set
 prompt-compare-parameters = compare with

@@ -1,8 +1,8 @@
 # The console without a screen.
 
-plain-greeting = plain console: one command per line, `help` lists them, `quit` leaves
-plain-asks = { $question }: { $reason }; type { $answer } and Enter to do it, anything else cancels
-plain-unconfirmed = not confirmed, so nothing was done: from a pipe, the next line has to be { $answer }, or `no`
+plain-greeting = plain console: one command per line; `help` lists the commands, `quit` leaves
+plain-asks = { $question }: { $reason }; type `{ $answer }` and press Enter to do it; anything else cancels
+plain-unconfirmed = not confirmed, so nothing was done: from a pipe, the next line must be `{ $answer }` or `no`
 plain-wait-in-vain = timed out: { $line }
 plain-no-room = this needs the console with a screen
 plain-critical = CRITICAL
@@ -21,10 +21,10 @@ plain-disarmed = disarmed
 plain-flight = height { $height } m, speed { $speed } m/s
 plain-home = { $distance } m from home
 plain-battery = battery { $percent } %
-plain-way-home = way home { $needed } %
+plain-way-home = return needs { $needed } %
 plain-link = { $name }: { $state }, { $received } messages a second in, { $sent } out, { $lost } lost
 plain-forward = forward { $name }: { $state }, stations { $stations }, received { $received } messages ({ $bytes_in } B), sent { $sent } ({ $bytes_out } B), dropped { $dropped }, filtered { $filtered }, held back { $held }, repeated { $repeated }
-plain-before-launch = before takeoff: `1 predict 800` states the score you expect, `1 goal time 200s` sets a goal; `objectives`, `contacts`, `hint`, `pause`, `continue` help in flight
+plain-before-launch = before takeoff: `1 predict 800` states the score you expect, `1 goal time 200s` sets a goal; in flight, use `objectives`, `contacts`, `hint`, `pause` and `continue`
 plain-asked = objective: { $title }, { $target }, { $points } points
 plain-asked-required = mandatory objective: { $title }, { $target }, { $points } points
 plain-limits = at most { $seconds } s, par { $par } s; gold from { $gold }, silver from { $silver }, bronze from { $bronze }

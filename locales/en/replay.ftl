@@ -28,11 +28,11 @@ bookmark-nothing = nothing to bookmark: no flight is under way
 bookmark-not-recorded = this flight is not recorded, so it cannot be bookmarked
 bookmark-set = bookmark set
 bookmark-renamed = bookmark renamed
-seek-unreadable = expected a time such as 12:30, +30, -10, `end`, `mission 4:10` or `next refusal`
-loop-unreadable = expected two times, the earlier one first: 1:10 1:40, or a kind of moment: `bookmark`
+seek-unreadable = expected a time such as `12:30`, `+30`, `-10`, `end`, `mission 4:10` or `next refusal`
+loop-unreadable = expected two times, the earlier one first: `1:10 1:40`, or a kind of moment: `bookmark`
 loop-beyond = no section to repeat: the record ends at { $length }
 loop-none = no section to repeat: no moment of this kind before the moment shown, or none after it
-argument-seek = 12:30, +30, -10, `end`, `mission 4:10`, `next refusal`
+argument-seek = `12:30`, `+30`, `-10`, `end`, `mission 4:10`, `next refusal`
 argument-loop = start and end of the section; or a kind of moment, to repeat from the previous one to the next
 hint-play = play
 hint-stop = stop
@@ -47,7 +47,7 @@ moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
 moment-objective = objective met: { $objective }
 moment-near = only { $metres } m apart
-moment-nearest = smallest distance of the flight: { $metres } m
+moment-nearest = smallest separation of the flight: { $metres } m
 moment-kind-bookmark = bookmark
 moment-kind-refusal = refusal
 moment-kind-alert = alert
@@ -78,7 +78,7 @@ records-total = { $count ->
     [one] 1 record
    *[other] { $count } records
 }, { $size } MiB; the newest { $most } are kept, and at most { $space } MiB
-records-not-numbers = `{ $word }` is not a record: write 3, 3-9 or 1,4-6
+records-not-numbers = `{ $word }` is not a record: write `3`, `3-9` or `1,4-6`
 records-not-a-file = { $file } is not a file: name a file of a record, or a tlog
 records-unknown = no record and no file { $name }: `sortie records list` lists the records
 records-no-number = no record { $number }: `sortie records list` numbers them
@@ -94,7 +94,7 @@ records-mission-time = mission time
 records-kind = kind
 records-vehicles = vehicles
 records-what = event
-records-in-use = { $name } is still being recorded
+records-in-use = { $name } is still being recorded: end the flight first
 records-confirm = { $count ->
     [one] 1 record would be deleted: add `--yes`
    *[other] { $count } records would be deleted: add `--yes`

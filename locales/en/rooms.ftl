@@ -19,7 +19,7 @@ keys-prompt = command line
 keys-reader = help and lists
 keys-writes = write `{ $line }`; { $key } sends
 keys-gives = send `{ $line }`
-keys-types = type a list such as 3-9 or 1,4; { $key } selects it
+keys-types = type a list (`3-9` or `1,4`); { $key } selects it
 
 action-home = go to the home screen
 action-fly = watch and command the swarm in flight
@@ -67,7 +67,7 @@ action-collapse = close the branch, or go back
 action-fold-all = close or open all systems
 action-other-side = switch between the messages and the fields
 action-pause = freeze or resume the display
-action-pin = draw the field as a graph, or remove it
+action-pin = draw a graph of the field, or remove the graph
 action-hex = show the last frame byte by byte
 action-sort = sort by the next column
 action-sort-reverse = reverse the order

@@ -20,7 +20,7 @@ scoring-all-met = { $count ->
    *[other] all { $count } objectives met
 }
 scoring-missed = missed: { $objectives }
-scoring-missed-capped = missed: { $objectives }, which is mandatory: no more than { $most }
+scoring-missed-capped = missed: { $objectives }; capped at { $most } (mandatory)
 scoring-needs-objectives = needs { $percent } % of the objectives
 scoring-seconds = s
 scoring-watt-hours = Wh
@@ -51,7 +51,7 @@ scoring-improve-quality-how = Raise the quality from { $from } to { $to } ({ $no
 scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Avoid refused commands: read the reason before you repeat one.
-scoring-advice-mandatory = Reach every mandatory objective; without it the score is capped: { $objectives }.
+scoring-advice-mandatory = Meet every mandatory objective, or the score is capped. Missed: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check the numbers of a `goto` against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
 scoring-advice-crash = Bring the vehicle down with `rtl` or `land` and wait until it disarms.
@@ -79,8 +79,8 @@ scoring-never-flown = never flown: drone { $vehicles }
 scoring-idle = drone { $vehicle } idle in the air for { $time }
 scoring-never-idle = none of the { $count } drones was idle
 scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
-scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
-scoring-advice-slack = Keep all drones busy for about the same time: give each its next task before the last one is done.
+scoring-advice-idle = Give drone { $vehicle } its next task before it finishes the current one: it waited { $time } in the air.
+scoring-advice-slack = Keep all drones busy for about the same time: give each its next task before it finishes the current one.
 
 # Hints.
 scoring-advice-hints = { $count ->

@@ -6,7 +6,7 @@ signing-file-foreign = signing keys are not used: { $path } belongs to another u
 signing-file-in-use = signing keys are not used: another console uses { $path }; close it and start again
 signing-file-content = signing keys are not used: { $path }: { $fault }
 signing-file-fault = fault in line { $line }
-signing-no-folder = signing keys need a data folder: set HOME, or name one with --data
+signing-no-folder = signing keys need a data folder: set HOME, or name one with `--data`
 signing-no-random = the system provides no random numbers for a key: { $error }
 
 refused-signing-here = keys are for vehicles on sockets and serial ports, not for the embedded simulator and recordings
@@ -19,10 +19,10 @@ refused-signing-without-key = it does not sign: `signing setup` gives it a key
 outcome-signing-set-up = signs now, proved by a signed answer
 outcome-signing-rotated = signs with a new key, proved by a signed answer; the old key is deleted
 outcome-signing-removed = no longer signs; its key stays in the file, unused
-outcome-signing-refused = the vehicle did not take the key: { $reason }
+outcome-signing-refused = the vehicle did not accept the key: { $reason }
 outcome-signing-not-taken = no frame shows the change after { $tries } attempts; the earlier state stays, and both keys are kept
 outcome-signing-reverted = the change shows, but there was no proof within { $seconds } s: the earlier key was sent again, and both keys are kept
 
 hazard-signing-setup = gives each vehicle a key; the key crosses the link in clear text
 hazard-signing-rotate = gives each vehicle a new key and deletes the old one; the key crosses the link in clear text
-hazard-signing-remove = lets the vehicles obey unsigned frames of anyone again
+hazard-signing-remove = lets the vehicles obey unsigned frames from anyone again

@@ -101,7 +101,7 @@ standing-flights = { $count ->
    *[other] { $count } flights
 }
 standing-aids-key = changes it
-standing-skills = skills: how likely each is mastered
+standing-skills = skills: probability of mastery
 standing-next = next
 standing-review = review { $when }
 standing-why = why: { $skill }

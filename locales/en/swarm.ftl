@@ -10,7 +10,7 @@ swarm-no-line = no line left for it: { $lines ->
 } for { $vehicles } vehicles
 swarm-no-area = no area to fly over
 swarm-too-many-lines = this needs more than { $most } lines: choose a smaller area or a wider spacing
-swarm-too-near = { $spacing } m is too close: at least { $least } m, for { $separation } m of separation and a margin
+swarm-too-near = { $spacing } m is too close: use at least { $least } m ({ $separation } m of separation and a margin)
 swarm-no-way = no safe path: some vehicles are above others; use `spread` first
 swarm-no-home = home is not known yet
 swarm-not-there = the position of vehicle { $vehicle } is not known yet

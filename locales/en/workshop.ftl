@@ -89,11 +89,11 @@ design-batteries = batteries in parallel must all be of one kind
 design-full = `{ $part }` is one too many: `{ $slot }` takes at most { $most }, and only loads and batteries may be fitted more than once
 
 finding-missing = no { $slot } yet
-finding-propeller = propellers of { $diameter } in touch each other: this frame takes { $most } in
+finding-propeller = the propellers ({ $diameter } in) touch each other: this frame takes at most { $most } in
 finding-motor-cells = the battery has { $cells } cells; the motors take { $fewest } to { $most }
 finding-esc-cells = the battery has { $cells } cells; the speed controllers take at most { $most }
 finding-esc-current = speed controllers for { $current } A, but motors peak at { $peak } A: choose { $wanted } A or more
-finding-thrust = thrust is { $ratio } times the weight of { $mass } kg: it cannot hold its position in wind (at least { $least }; { $good } is good)
+finding-thrust = thrust is { $ratio } times the weight of { $mass } kg: it cannot hold its position in wind (needs at least { $least }; { $good } is good)
 finding-weak = thrust is { $ratio } times the weight: enough in calm air, but gusts and climbs need all of it ({ $good } is good)
 finding-collapse = the battery's voltage collapses in the hover
 finding-current = the hover draws { $current } A; the battery supplies { $most } A: its voltage collapses

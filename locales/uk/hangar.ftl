@@ -4,7 +4,7 @@ hangar-unknown = екземпляра { $id } немає
 hangar-taken = екземпляр { $id } уже працює: спершу зупиніть його або виберіть інший номер
 hangar-full = уже працює екземплярів: { $limit }, більше не можна; зупиніть зайві або збільште межу
 hangar-no-program = { $program } не знайдено: вкажіть його через `--arducopter` чи `SORTIE_ARDUCOPTER` або додайте до PATH
-hangar-attached = до екземпляра { $id } вже під'єднано іншу програму
+hangar-attached = до екземпляра { $id } вже під'єднано іншу програму: закрийте її або виберіть інший екземпляр
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
 hangar-cannot-open = не вдається відкрити ангар у { $folder }: { $error }
@@ -44,7 +44,7 @@ hangar-all-ready = { $count ->
    *[other] усі { $count } апаратів готові до активації двигунів
 }
 hangar-ready-again = знову готовий до активації двигунів
-hangar-restarted = його процес перезапущено ({ $count })
+hangar-restarted = його процес перезапущено (перезапуск { $count })
 hangar-crash = його процес аварійно завершився: { $reason }
 hangar-crash-said = його процес аварійно завершився: { $reason }: { $line }
 hangar-crash-again = { $key }, потім { $again } перезапускає його (`hangar restart { $vehicle }`)
@@ -65,7 +65,7 @@ hangar-here = тут
 # Ангари на інших машинах.
 
 hangar-far = ангар { $hangar }: { $error }
-hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншого хоста: `ssh -L PORT:127.0.0.1:PORT HOST`
-hangar-far-late = { $address } не відповів за { $seconds } s
-hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
+hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? Якщо ангар на іншій машині, перешліть його порт: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } не відповів за { $seconds } s: перевірте ту машину й мережу
+hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error }): перевірте адресу
 hangar-far-token = { $address } потребує токена ({ $error }): скопіюйте сюди файл із токеном і вкажіть його через `--hangar-token FILE`

@@ -20,7 +20,7 @@ home-quit-deed = вийти
 home-over = { $session } завершено: { $key } показує розбір
 home-replay = Перегляд: { $session }; { $key } повертає до нього
 home-running = { $session } триває: { $key } повертає туди
-home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
+home-connect-empty = впишіть адресу, наприклад `tcp:127.0.0.1:5760`
 home-starting-mission = завдання починається ...
 home-starting-simulator = симулятор запускається ...
 

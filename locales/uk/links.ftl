@@ -52,10 +52,10 @@ forward-mission = під час завдання пересилання може
 forward-open-already = пересилання { $address } вже відкрите: спершу закрийте його
 forward-none-there = немає пересилання { $address }: усі пересилання показує `forward`
 forward-empty = бракує адреси: напишіть `ADDR [read-only] [only NAMES] [except NAMES] [rate HZ]`
-forward-no-value = після «{ $word }» бракує значення
-forward-unknown-word = невідоме слово «{ $word }»: після адреси пишуть `read-only`, `only NAMES`, `except NAMES`, `rate HZ`
-forward-wrong-rate = «{ $word }» не є частотою: напишіть від 0.1 до 1000 повідомлень за секунду
-forward-no-message = невідоме повідомлення «{ $word }»: напишіть назви або номери через кому, наприклад `ATTITUDE,GPS_RAW_INT`
+forward-no-value = після `{ $word }` бракує значення
+forward-unknown-word = невідоме слово `{ $word }`: після адреси пишіть `read-only`, `only NAMES`, `except NAMES` або `rate HZ`
+forward-wrong-rate = `{ $word }` не є частотою: напишіть від 0.1 до 1000 повідомлень за секунду
+forward-no-message = невідоме повідомлення `{ $word }`: напишіть назви або номери через кому, наприклад `ATTITUDE,GPS_RAW_INT`
 forward-file = { $address } є записом: для пересилання потрібен порт
 
 # Команди інших наземних станцій

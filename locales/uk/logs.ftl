@@ -34,7 +34,7 @@ log-other-mode = у спільний час режими в журналі й у
 log-other-position = у спільний час позиції в журналі й у записі різні: журнал іншого польоту
 log-join-unreadable = приєднані до запису дані журналу не читаються: { $error }
 log-join-other = { $file } пропущено: він від апарата { $vehicle }
-log-join-later = приєднані до запису дані журналу записала новіша версія ({ $version })
+log-join-later = приєднані до запису дані журналу записала новіша версія sortie (формат { $version }): оновіть sortie
 log-joined = { $count ->
     [one] { $count } подію апарата { $vehicle } приєднано за { $by }: { $path }
     [few] { $count } події апарата { $vehicle } приєднано за { $by }: { $path }

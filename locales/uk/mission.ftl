@@ -74,7 +74,7 @@ mission-battery-low = низький заряд акумулятора
 
 # Переклади у файлах завдань.
 mission-untranslated = немає `{ $key }`: на українських екранах буде англійський текст
-mission-english-only = лише англійською: додайте `title_uk`, `brief_uk`, `text_uk` поруч з англійськими текстами
+mission-english-only = лише англійською: додайте `title_uk`, `brief_uk` і `text_uk` поруч з англійськими текстами
 mission-translation-empty = `{ $key }` порожній: приберіть його, щоб показати англійський текст
 
 # Панель завдання.
@@ -168,12 +168,12 @@ pause-ends = симуляцію продовжено
 pause-is-one = пауза вже триває
 pause-is-none = паузи немає
 pause-not-begun = пауза не потрібна: відлік почнеться, коли ви закриєте інструктаж
-pause-not-processes = з ArduPilot паузи немає: його процеси не зупинити
-pause-not-real = паузи немає: справжні дрони в повітрі не зупинити
+pause-not-processes = паузи немає: ArduPilot має власний час
+pause-not-real = для справжніх дронів паузи немає: у повітрі їх зупиняє `hold`
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = пауза: команди не приймаються
 pause-refuses-help = спершу зніміть паузу: `continue` або { $key }; тоді дайте команду
-speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } скасовує прискорення
+speedup-is = { $rate }x: прискорення до результату команди, тривоги чи повідомлення завдання; { $key } скасовує його
 speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } скасовує прискорення
 speedup-usual = { $rate }x: звичайна швидкість
 speedup-back = знову реальний час: { $reason }
@@ -185,8 +185,8 @@ speedup-same = уже { $rate }x
 speedup-nothing-to-wait-for = жодна команда не виконується: дайте команду або напишіть `speedup 2`
 speedup-limit = уже { $most }x: швидше тут не можна
 speedup-nothing = нема чого прискорювати: польоту немає
-speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через `--speedup`
-speedup-not-real = час справжніх дронів не змінити
+speedup-not-processes = ArduPilot має власний час: прискорення задають під час запуску через `--speedup`
+speedup-not-real = прискорення немає: справжні дрони літають у реальному часі
 speedup-not-in-exams = іспит відбувається в реальному часі
 speedup-not-allowed = правила цього завдання не дозволяють прискорення
 speedup-too-much = надто швидко: щонайбільше { $most }x
@@ -199,7 +199,7 @@ mission-prediction = ваші бали
 mission-prediction-none = прогноз задає { $key }, наприклад `predict 800`; розбір порівняє його з результатом
 mission-prediction-is = передбачено { $points }
 mission-goal = ваша мета
-mission-goal-none = { $key } ставить її, наприклад `goal time 200s`: score, time, battery, safety, commands, attention
+mission-goal-none = { $key } ставить її: `score`, `time`, `battery`, `safety`, `commands` або `attention`, наприклад `goal time 200s`
 mission-reading = годинник
 mission-reading-first = відлік почнеться, коли ви закриєте інструктаж
 mission-brief-left = відлік часу завдання почався; { $key } — пауза

@@ -18,7 +18,7 @@ parameters-file-no-value = { $name } не має значення
 parameters-file-more = зайвий текст після значення
 parameters-file-name = `{ $name }` — не параметр: назва має від 1 до 16 літер, цифр і `_`
 parameters-file-too-large = { $value } — завелике число для апарата
-parameters-file-help = пишіть НАЗВА,ЗНАЧЕННЯ в рядку, а коментарі — після #
+parameters-file-help = пишіть `НАЗВА,ЗНАЧЕННЯ` в рядку, а коментарі — після `#`
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
     [1] (нічого не завантажено)
     [one] (усього { $count } помилка; нічого не завантажено)
@@ -50,7 +50,7 @@ parameters-hidden = лише на цьому апараті: { $count } (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = лише змінені
 parameters-setting = встановлення: лишилося { $count }
-parameters-sets-on = встановлює на { $vehicles }
+parameters-sets-on = для апаратів { $vehicles }
 parameters-none-yet = ще нічого не надійшло
 parameters-none-fit = жоден параметр не відповідає фільтру: { $key } показує всі
 parameters-none-differ-yet = поки що відмінностей немає
@@ -104,7 +104,7 @@ prompt-filter-advice = мають збігатися всі слова; { $submi
 prompt-parameter = { $name } на { $vehicles }
 prompt-parameter-advice = { $submit } встановлює, { $escape } лишає без змін
 prompt-save-parameters = зберегти параметри у файл
-prompt-save-advice = шлях; ~/ — домашня тека. Перед заміною файлу sortie запитає
+prompt-save-advice = шлях (`~/` — домашня тека); перед заміною файлу sortie запитає
 prompt-load-parameters = завантажити параметри з файлу
 prompt-load-advice = перш ніж щось установити, ви побачите відмінності
 prompt-compare-parameters = порівняти з

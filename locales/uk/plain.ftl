@@ -1,8 +1,8 @@
 # Консоль без екрана.
 
 plain-greeting = консоль без екрана: одна команда на рядок, `help` перелічує команди, `quit` — вихід
-plain-asks = { $question }: { $reason }; щоб виконати, введіть { $answer } і натисніть Enter, усе інше скасовує
-plain-unconfirmed = не підтверджено й не виконано: у вхідних рядках наступним має бути { $answer } або `no`
+plain-asks = { $question }: { $reason }; щоб виконати, введіть `{ $answer }` і натисніть Enter; усе інше скасовує
+plain-unconfirmed = не підтверджено й не виконано: у вхідних рядках наступним має бути `{ $answer }` або `no`
 plain-wait-in-vain = час очікування минув: { $line }
 plain-no-room = для цього потрібна консоль з екраном
 plain-critical = КРИТИЧНО
@@ -28,7 +28,7 @@ plain-battery = акумулятор { $percent } %
 plain-way-home = на повернення { $needed } %
 plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }
 plain-forward = пересилання { $name }: { $state }, станцій { $stations }, прийнято повідомлень { $received } ({ $bytes_in } B), надіслано { $sent } ({ $bytes_out } B), відкинуто { $dropped }, відфільтровано { $filtered }, затримано { $held }, повторів { $repeated }
-plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті допоможуть `objectives`, `contacts`, `hint`, `pause`, `continue`
+plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті діють `objectives`, `contacts`, `hint`, `pause` і `continue`
 plain-asked = ціль: { $title }, { $target }, балів { $points }
 plain-asked-required = обов'язкова ціль: { $title }, { $target }, балів { $points }
 plain-limits = щонайбільше { $seconds } s, норма { $par } s; золото від { $gold }, срібло від { $silver }, бронза від { $bronze }

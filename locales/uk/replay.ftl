@@ -28,11 +28,11 @@ bookmark-nothing = закладку ставити ніде: польоту не
 bookmark-not-recorded = цей політ не записується, тож закладку поставити не можна
 bookmark-set = закладку поставлено
 bookmark-renamed = закладку перейменовано
-seek-unreadable = потрібен час, наприклад 12:30, +30, -10, `end`, `mission 4:10` або `next refusal`
-loop-unreadable = потрібні два моменти часу, раніший — перший: 1:10 1:40, або вид моменту: `bookmark`
+seek-unreadable = потрібен час, наприклад `12:30`, `+30`, `-10`, `end`, `mission 4:10` або `next refusal`
+loop-unreadable = потрібні два моменти часу, раніший — перший: `1:10 1:40`, або вид моменту: `bookmark`
 loop-beyond = немає відрізка для повтору: запис закінчується на { $length }
 loop-none = нема чого повторювати: до показаного моменту або після нього немає моменту цього виду
-argument-seek = 12:30, +30, -10, `end`, `mission 4:10`, `next refusal`
+argument-seek = `12:30`, `+30`, `-10`, `end`, `mission 4:10`, `next refusal`
 argument-loop = початок і кінець відрізка; або вид моменту, щоб повторювати від попереднього до наступного
 hint-play = пуск
 hint-stop = стоп
@@ -79,7 +79,7 @@ records-total = { $count ->
     [few] { $count } записи
    *[other] { $count } записів
 }, { $size } MiB; зберігаються найновіші { $most }, разом щонайбільше { $space } MiB
-records-not-numbers = `{ $word }` — не запис: пишіть 3, 3-9 або 1,4-6
+records-not-numbers = `{ $word }` — не запис: пишіть `3`, `3-9` або `1,4-6`
 records-not-a-file = { $file } — не файл: вкажіть файл запису або tlog
 records-unknown = немає ні запису, ні файлу { $name }: записи показує `sortie records list`
 records-no-number = немає запису { $number }: номери показує `sortie records list`
@@ -95,7 +95,7 @@ records-mission-time = час завдання
 records-kind = вид
 records-vehicles = апарати
 records-what = подія
-records-in-use = { $name } ще записується
+records-in-use = { $name } ще записується: спершу завершіть політ
 records-confirm = { $count ->
     [one] буде видалено { $count } запис: додайте `--yes`
     [few] буде видалено { $count } записи: додайте `--yes`

@@ -20,7 +20,7 @@ scoring-all-met = { $count ->
    *[many] досягнуто всіх цілей: { $count }
 }
 scoring-missed = не досягнуто: { $objectives }
-scoring-missed-capped = не досягнуто обов'язкової цілі: { $objectives }; не більше ніж { $most }
+scoring-missed-capped = не досягнуто: { $objectives }; не більше ніж { $most } (обов'язкова ціль)
 scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh

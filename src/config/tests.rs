@@ -141,7 +141,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         (
             "alerts = true",
-            "c.toml:1:10: `alerts` is a section: write [alerts]",
+            "c.toml:1:10: `alerts` is a section: write `[alerts]`",
         ),
         (
             "fps = \"10\"",

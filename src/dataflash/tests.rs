@@ -121,7 +121,7 @@ fn a_log_tells_its_flight() {
             "10100 vibration up to 61 m/s²",
             "10100 accelerometers clipped 3 times",
             "11100 the EKF rejects the position: test ratio up to 1.70",
-            "13000 battery 1 lowest: 10.10 V at 22.0 A",
+            "13000 battery 1: lowest 10.10 V at 22.0 A",
             "15000 error FAILSAFE_BATT: OCCURRED",
             "15100 mode RTL (BATTERY_FAILSAFE)",
             "20000 event DISARMED",
@@ -243,7 +243,7 @@ fn readings_that_are_none_become_no_figures() {
     let flight = LoggedFlight::read(&log.0).expect("a log");
     let texts = texts(&flight).join("\n");
     assert!(!texts.contains("inf"), "{texts}");
-    assert!(texts.contains("battery 256 lowest"), "{texts}");
+    assert!(texts.contains("battery 256: lowest"), "{texts}");
     assert!(texts.contains("clipped 4294967295 times"), "{texts}");
     let alignment = Alignment::identity();
     let length = std::time::Duration::from_secs(60);

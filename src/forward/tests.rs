@@ -256,11 +256,11 @@ fn a_forward_reads_as_it_is_written_and_says_what_is_wrong() {
     assert!(spec.is_paced(24) && !spec.is_paced(22) && !spec.is_paced(0));
     for (faulty, words) in [
         ("", "the address is missing"),
-        ("udp:a:1 only", "after \"only\""),
+        ("udp:a:1 only", "after `only`"),
         ("udp:a:1 only NO_SUCH", "NO_SUCH"),
-        ("udp:a:1 rate 0", "\"0\" is not a rate"),
-        ("udp:a:1 rate nan", "\"nan\" is not a rate"),
-        ("udp:a:1 readonly", "\"readonly\""),
+        ("udp:a:1 rate 0", "`0` is not a rate"),
+        ("udp:a:1 rate nan", "`nan` is not a rate"),
+        ("udp:a:1 readonly", "`readonly`"),
     ] {
         let fault = faulty.parse::<ForwardSpec>().expect_err(faulty);
         assert!(fault.to_string().contains(words), "{faulty}: {fault}");
@@ -278,15 +278,15 @@ fn commands_are_named_and_questions_are_none() {
     let cases = [
         (
             command(3, MavCmd::MAV_CMD_DO_SET_MODE, 1.0, 6.0),
-            Some("GCS 254 set 3 to RTL"),
+            Some("GCS 254 set vehicle 3 to RTL"),
         ),
         (
             command(3, MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0),
-            Some("GCS 254 disarmed 3"),
+            Some("GCS 254 disarmed vehicle 3"),
         ),
         (
             command(3, MavCmd::MAV_CMD_NAV_TAKEOFF, 0.0, 0.0),
-            Some("GCS 254 sent NAV_TAKEOFF to 3"),
+            Some("GCS 254 sent NAV_TAKEOFF to vehicle 3"),
         ),
         (command(3, MavCmd::MAV_CMD_REQUEST_MESSAGE, 0.0, 0.0), None),
         (beat(), None),

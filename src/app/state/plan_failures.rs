@@ -240,7 +240,7 @@ mod tests {
         let reason = view.hazard(&order("plan start")).expect("it asks");
         let reason = reason.to_string();
         assert!(
-            reason.contains("too close: 1/3; `1 plan rehearse`"),
+            reason.contains("too close: 1/3; to rehearse only these plans: `1 plan rehearse`"),
             "{reason}"
         );
     }

@@ -170,7 +170,7 @@ fn an_argument_of_the_wrong_kind_is_named() {
         ("wait all altitude", "", "wait needs", ""),
         ("wait all altitude 19", "19", "not one of", ""),
         ("wait all speed > 5deg", "5deg", "use m/s", ""),
-        ("velocity for 5", "5", "which way?", ""),
+        ("velocity for 5", "5", "the direction is missing", ""),
     ]);
 }
 

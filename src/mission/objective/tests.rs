@@ -166,7 +166,7 @@ fn a_village_that_nobody_cares_for_burns() {
     assert!(!report.objectives[0].met, "{}", report.objectives[0].result);
     assert_eq!(
         report.objectives[1].result,
-        "100 % of what would have burnt"
+        "burnt: 100 % of an unfought fire"
     );
 }
 

@@ -191,7 +191,7 @@ mod tests {
         );
         assert_eq!(told(&mut lookout), []);
         lookout.end();
-        let smallest = "smallest distance of the flight: 7.8 m".to_owned();
+        let smallest = "smallest separation of the flight: 7.8 m".to_owned();
         assert_eq!(told(&mut lookout), [(50, vec![2, 3], smallest)]);
     }
 }

@@ -83,7 +83,7 @@ fn a_return_that_does_not_begin_has_no_effect() {
         scene.pass(ms(1000));
     }
     assert_eq!(last(&scene, 2), RowState::NoEffect);
-    assert_eq!(scene.explanation(2), "mode RTL not seen within 3 s");
+    assert_eq!(scene.explanation(2), "not seen within 3 s: mode RTL");
 }
 
 #[test]

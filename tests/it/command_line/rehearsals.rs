@@ -40,7 +40,7 @@ fn a_rehearsal_finds_the_vehicles_that_meet_and_a_proposal_keeps_them_apart() {
     ]);
     assert_eq!(apart.status.code(), Some(0), "{}", text(&apart.stdout));
     let said = text(&apart.stdout);
-    assert!(said.contains("even if a vehicle is 3 s late"), "{said}");
+    assert!(said.contains("even if one is 3 s late"), "{said}");
     // A complete set is written, which can be rehearsed as it is.
     let both = ["apart/one.waypoints", "apart/two.waypoints"];
     for file in both {

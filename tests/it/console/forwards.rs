@@ -67,7 +67,7 @@ fn a_line_opens_a_forward_and_another_closes_it() {
     assert!(
         faulty
             .expect_err("no such word")
-            .contains("unknown word \"readonly\"")
+            .contains("unknown word `readonly`")
     );
 }
 

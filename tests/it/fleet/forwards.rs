@@ -89,7 +89,7 @@ async fn a_station_commands_a_vehicle_over_a_forward_and_is_named() {
             console
                 .notices
                 .iter()
-                .any(|it| it == "GCS 254 set 1 to GUIDED")
+                .any(|it| it == "GCS 254 set vehicle 1 to GUIDED")
         })
         .await;
     let named = console.notices.iter().filter(|it| it.contains("GCS 254"));
@@ -138,7 +138,7 @@ async fn a_station_elsewhere_is_named_from_the_answers_to_it() {
             console
                 .notices
                 .iter()
-                .any(|it| it == "GCS 253 sent NAV_TAKEOFF to 7")
+                .any(|it| it == "GCS 253 sent NAV_TAKEOFF to vehicle 7")
         })
         .await;
     let named = console.notices.iter().filter(|it| it.contains("GCS"));

@@ -189,7 +189,7 @@ fn burnt_ground_is_edged_as_it_was_seen_and_explained() {
     console.press("z");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     assert!(
-        text.contains("fire: burnt to flames") && text.contains("%%%"),
+        text.contains("fire: burnt, flames") && text.contains("%%%"),
         "{text}"
     );
     insta::assert_snapshot!("burnt_map_120x40", text);

@@ -50,6 +50,7 @@ const RECORDED_VERBS: [&str; 54] = [
     "sample",
     "search",
     "servo",
+    "signing",
     "speed",
     "spray",
     "spread",

@@ -233,7 +233,7 @@ fn clocks_and_airframes_that_cannot_be_are_named() {
     );
     let refused = StoredInputs::read(&crowd).expect_err("there are too many");
     assert!(
-        refused.to_string().contains("more than 255 vehicles"),
+        refused.to_string().contains("at most 255"),
         "{refused}"
     );
     let own = INPUTS.replacen("\"starts\"", "\"airframes\":[{}],\"starts\"", 1);

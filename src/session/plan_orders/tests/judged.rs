@@ -56,7 +56,7 @@ fn a_list_that_is_not_known_yet_is_replaced_only_by_a_second_order() {
     rig.upload(ListKind::Plan, "b");
     assert_eq!(rig.ended(s(30)), RowState::Refused);
     let explanation = rig.explanation();
-    assert!(explanation.contains("was not known"), "{explanation}");
+    assert!(explanation.contains("had not read"), "{explanation}");
     rig.upload(ListKind::Plan, "b");
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
