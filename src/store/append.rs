@@ -49,6 +49,19 @@ impl AppendFile {
         Err(StoreError::Unwritable { path, error })
     }
 
+    /// Waits until its bytes are on the disk.
+    ///
+    /// # Errors
+    /// The disk is unavailable.
+    pub fn sync(&self) -> Result<(), StoreError> {
+        self.file
+            .sync_all()
+            .map_err(|error| StoreError::Unwritable {
+                path: self.path.clone(),
+                error,
+            })
+    }
+
     pub fn path(&self) -> &Path {
         &self.path
     }

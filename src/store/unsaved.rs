@@ -98,6 +98,8 @@ impl UnsavedDrafts {
             let path = folder.join(format!("{NAME}-{number}{ENDING}"));
             if let Some(mut file) = AppendFile::create(path)? {
                 file.append(text.as_bytes())?;
+                // The earlier file is removed next.
+                file.sync()?;
                 return Ok(file);
             }
             number += 1;

@@ -245,7 +245,7 @@ mod tests {
         );
     }
 
-    /// A later rehearsal of other vehicles leaves the pair known, one of either of the two replaces it.
+    /// A later rehearsal of other vehicles leaves the pair known; one of either of its vehicles replaces it.
     #[test]
     fn a_pair_stays_known_until_one_of_it_is_rehearsed_again() {
         let mut view = FlightView::default();

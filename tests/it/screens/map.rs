@@ -323,7 +323,10 @@ fn places_where_a_rehearsal_shows_a_conflict_are_on_the_map_until_the_next_one()
     console.press("i");
     let text = drawn(&console, Symbols::Braille, Language::Ukrainian, (120, 40));
     assert!(text.contains("випробуванні"), "{text}");
-    console.hear(VehicleEvent::Rehearsed(RehearsalFindings::default()));
+    console.hear(VehicleEvent::Rehearsed(RehearsalFindings {
+        passed: vec![1, 2],
+        ..RehearsalFindings::default()
+    }));
     let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
     assert!(!text.contains("!1/2"), "{text}");
 }

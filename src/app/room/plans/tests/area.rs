@@ -17,7 +17,7 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
         is_elsewhere(desk.app.state(), draft)
     };
     assert!(!is_safe(&desk));
-    let kept = desk.kept_at(100).flatten().expect("it is unsaved");
+    let kept = desk.kept_at(100).expect("it is unsaved");
     assert!(kept.contains("vehicle-1"), "{kept}");
     desk.vehicle(1, |vehicle| {
         read_empty(vehicle);
@@ -28,11 +28,11 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
         }));
     });
     assert!(is_safe(&desk));
-    let kept = desk.kept_at(200).flatten().expect("the field is unsaved");
+    let kept = desk.kept_at(200).expect("the field is unsaved");
     assert!(!kept.contains("vehicle-1"), "{kept}");
     desk.press("x");
     assert!(!is_safe(&desk));
-    let kept = desk.kept_at(300).flatten().expect("it has changed");
+    let kept = desk.kept_at(300).expect("it has changed");
     assert!(kept.contains("vehicle-1"), "{kept}");
 }
 

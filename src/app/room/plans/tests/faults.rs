@@ -13,14 +13,20 @@ impl Desk {
         span.and_then(|span| self.line().get(span)).unwrap_or("")
     }
 
-    /// The text of the unsaved drafts, if a tick at this time writes them.
-    pub(super) fn kept_at(&mut self, ms: u64) -> Option<Option<String>> {
+    /// What a tick at this time writes as unsaved drafts; `None` removes them.
+    fn writings_at(&mut self, ms: u64) -> Vec<Option<String>> {
         let now = Duration::from_millis(ms);
-        let effects = self.app.update(Event::Tick { now, wall: now });
-        effects.into_iter().find_map(|effect| match effect {
+        let effects = self.app.update(Event::Tick { now, wall: now }).into_iter();
+        let writings = effects.filter_map(|effect| match effect {
             Effect::File(FileEffect::KeepDrafts(text)) => Some(text),
             _ => None,
-        })
+        });
+        writings.collect()
+    }
+
+    /// The text of the unsaved drafts, if a tick at this time writes them.
+    pub(super) fn kept_at(&mut self, ms: u64) -> Option<String> {
+        self.writings_at(ms).into_iter().flatten().next()
     }
 }
 
@@ -147,23 +153,23 @@ fn lines_and_circles_are_divided_among_vehicles() {
 #[test]
 fn unsaved_drafts_outlive_the_program() {
     let mut desk = Desk::new();
-    assert_eq!(desk.kept_at(100), None);
+    assert!(desk.writings_at(100).is_empty());
     desk.press("ta");
-    let text = desk.kept_at(200).flatten().expect("it is written");
-    assert_eq!(desk.kept_at(300), None, "once");
+    let text = desk.kept_at(200).expect("it is written");
+    assert!(desk.writings_at(300).is_empty(), "once");
     let mut another = Desk::new();
     let _ = another.app.update(Event::from(FileEvent::Kept { text }));
     assert_eq!(another.plan(), [command::TAKEOFF, command::WAYPOINT]);
     assert!(another.said().contains("plan"), "{}", another.said());
     assert!(!is_kept(another.app.state()));
-    let own = another.kept_at(100).flatten();
+    let own = another.kept_at(100);
     assert!(own.is_some(), "the other console has a file of its own");
-    assert_eq!(another.kept_at(150), None, "once");
+    assert!(another.writings_at(150).is_empty(), "once");
     let saved = another.give("draft save field");
     assert_eq!(saved.len(), 1);
     let path = "field.plan".to_owned();
     let _ = another.app.update(Event::from(FileEvent::Written { path }));
-    assert_eq!(another.kept_at(200), Some(None), "the file is removed");
+    assert_eq!(another.writings_at(200), [None], "the file is removed");
 }
 
 /// Two consoles may have left drafts of the same name.
@@ -172,7 +178,7 @@ fn drafts_of_two_consoles_are_both_opened_again() {
     let left = |keys: &str| {
         let mut desk = Desk::new();
         desk.press(keys);
-        desk.kept_at(100).flatten().expect("it is written")
+        desk.kept_at(100).expect("it is written")
     };
     let mut desk = Desk::new();
     for text in [left("ta"), left("taa"), left("ta")] {
