@@ -97,7 +97,10 @@ fn a_vehicle_whose_process_is_killed_in_flight_is_started_again_and_flies() {
         .see("all takeoff 15  2 vehicles: 2 effect seen");
     kill(pids[1]);
     terminal.see("SITL DOWN").see("crashed");
-    terminal.press("G").see("CRASHED").see("r restarts the vehicle");
+    terminal
+        .press("G")
+        .see("CRASHED")
+        .see("r restarts the vehicle");
     terminal
         .press("r")
         .see("2 of 2 ready")

@@ -58,7 +58,10 @@ fn words_that_begin_as_written_come_first_and_everyday_ones_before_the_rest() {
 fn modes_that_listen_to_the_sticks_say_that_they_sink() {
     let hint = |line: &str| completions(line)[0].hint.clone();
     for line in ["loit", "all alt_h", "mode posh"] {
-        assert!(hint(line).contains("the vehicle sinks while the throttle stick is down"), "{line}");
+        assert!(
+            hint(line).contains("the vehicle sinks while the throttle stick is down"),
+            "{line}"
+        );
     }
     assert!(hint("stabil").contains("falls"));
     assert!(!hint("guided").contains("stick"));

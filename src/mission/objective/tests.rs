@@ -284,5 +284,8 @@ fn the_debrief_says_which_plan_had_which_fault() {
     let report = pilot.report();
     let mended = report.objectives.iter().find(|it| it.id == "mended");
     let result = mended.expect("it is there").result.to_string();
-    assert_eq!(result, "flown with a faulty plan: 1; 1: two places left out");
+    assert_eq!(
+        result,
+        "flown with a faulty plan: 1; 1: two places left out"
+    );
 }

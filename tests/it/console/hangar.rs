@@ -217,7 +217,10 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         &mut console,
         vec![instance(1, SitlStage::Ready), again(SitlStage::Process)],
     );
-    assert_eq!(last_notice(&console).2, "its process was restarted (restart 1)");
+    assert_eq!(
+        last_notice(&console).2,
+        "its process was restarted (restart 1)"
+    );
     hear(
         &mut console,
         vec![instance(1, SitlStage::Ready), again(SitlStage::Ready)],

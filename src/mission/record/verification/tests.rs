@@ -232,10 +232,7 @@ fn clocks_and_airframes_that_cannot_be_are_named() {
         1,
     );
     let refused = StoredInputs::read(&crowd).expect_err("there are too many");
-    assert!(
-        refused.to_string().contains("at most 255"),
-        "{refused}"
-    );
+    assert!(refused.to_string().contains("at most 255"), "{refused}");
     let own = INPUTS.replacen("\"starts\"", "\"airframes\":[{}],\"starts\"", 1);
     let graded = RUN.replacen("\"program\":", "\"stake\":\"graded\",\"program\":", 1);
     assert_named(&graded, &own, "airframes");
