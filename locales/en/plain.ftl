@@ -1,8 +1,8 @@
 # The console without a screen.
 
 plain-greeting = plain console: one command per line; `help` lists the commands, `quit` leaves
-plain-asks = { $question }: { $reason }; type `{ $answer }` and press Enter to do it; anything else cancels
-plain-unconfirmed = not confirmed, so nothing was done: from a pipe, the next line must be `{ $answer }` or `no`
+plain-asks = { $question }: { $reason }; type { $answer } and press Enter to do it; anything else cancels
+plain-unconfirmed = not confirmed, so nothing was done: from a pipe, the next line must be { $answer } or `no`
 plain-wait-in-vain = timed out: { $line }
 plain-no-room = this needs the console with a screen
 plain-critical = CRITICAL

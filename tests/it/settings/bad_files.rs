@@ -14,7 +14,7 @@ const REFUSALS: &[&str] = &[
     "bad_configs/macro-line.toml:2:26: unknown command `takeof` (did you mean `takeoff`?)",
     "bad_configs/macro-wait.toml:2:22: `wait` is for pilot scripts (in the console, give the next command",
     "bad_configs/mute.toml:2:10: unknown kind of alert: `gsp` (did you mean `gps`?)",
-    "bad_configs/no-section.toml:2:10: `alerts` is a section: write [alerts] on a line of its own and its settings below",
+    "bad_configs/no-section.toml:2:10: `alerts` is a section: write `[alerts]` on a line of its own and its settings below",
     "bad_configs/number-as-section.toml:1:2: `fps` must be a whole number from 1 to 60",
     "bad_configs/number.toml:1:7: `fps` must be a whole number from 1 to 60",
     "bad_configs/sort.toml:2:9: unknown column `batt` (did you mean `bat`?)",
