@@ -47,7 +47,10 @@ cargo run --quiet --locked --example third_party -- "$target" >"$stage/THIRD-PAR
 } >"$stage/BUILD"
 # What is in the program besides crates.
 cp "$(rustc --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$stage/licences/rust-std.html"
-cp contrib/licences/musl.txt "$stage/licences/"
+case $target in
+*-musl) cp contrib/licences/musl.txt "$stage/licences/" ;;
+*-gnu) cp /usr/share/doc/libc6/copyright "$stage/licences/glibc.txt" ;;
+esac
 
 # What a static program must not need.
 case $(ldd "$program" 2>&1 || true) in

@@ -77,7 +77,7 @@ fn main() -> anyhow::Result<()> {
         .filter(|package| package.source.is_some() && inside.contains(package.id.as_str()))
         .collect();
     foreign.sort_by_key(|package| (&package.name, &package.version));
-    print_document(&foreign)
+    print_document(&foreign, target.as_deref())
 }
 
 fn metadata(target: Option<&str>) -> anyhow::Result<Metadata> {
@@ -112,11 +112,11 @@ fn inside(resolve: &Resolve) -> BTreeSet<&str> {
 }
 
 /// Prints a list of the packages, and each licence text once, below the packages that have it.
-fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
+fn print_document(packages: &[&Package], target: Option<&str>) -> anyhow::Result<()> {
     println!("# Third-party software in sortie\n");
     println!(
-        "The program also contains Rust's standard library ([its notices](licences/rust-std.html)) and, where it is \
-         static, the C library musl ([its notices](licences/musl.txt)).\n"
+        "The program also contains Rust's standard library ([its notices](licences/rust-std.html)){}.\n",
+        c_library(target.unwrap_or_default())
     );
     println!("| package | version | licence | source |\n| --- | --- | --- | --- |");
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
@@ -139,7 +139,19 @@ fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The licence texts of a package; the names of its authors if it contains none.
+/// The C library in a static program for Linux.
+fn c_library(target: &str) -> &'static str {
+    if target.ends_with("-musl") {
+        " and the C library musl ([its notices](licences/musl.txt))"
+    } else if target.ends_with("-linux-gnu") {
+        ", and a static one the C library glibc (LGPL 2.1 or later, [its notices](licences/glibc.txt)), which can be \
+         replaced by building the commit named in `BUILD` with another version of it"
+    } else {
+        ""
+    }
+}
+
+/// The licence texts of a package. If it contains none, the text of the MIT licence with the names of its authors.
 fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
     let folder = Path::new(&package.manifest_path).parent();
     let folder = folder.context("a manifest is in a folder")?;
@@ -154,15 +166,33 @@ fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
     }
     paths.sort();
     if paths.is_empty() {
-        let authors = package.authors.join(", ");
-        let licence = package.license.as_deref().unwrap_or("unknown licence");
-        return Ok(vec![format!(
-            "{licence}\n\nThe package contains no licence text. Authors: {authors}"
-        )]);
+        return Ok(vec![usual_text(package)?]);
     }
     let texts = paths.into_iter().map(|path| {
         let bytes = fs::read(path)?;
         Ok(String::from_utf8_lossy(&bytes).replace("\r\n", "\n"))
     });
     texts.collect()
+}
+
+/// The text of the MIT licence, under which a package without a licence file can be used.
+fn usual_text(package: &Package) -> anyhow::Result<String> {
+    let licence = package.license.as_deref().unwrap_or_default();
+    ensure!(
+        licence.contains("MIT"),
+        "{} has no licence file, and its licence is not MIT: {licence}",
+        package.name
+    );
+    // That of this program, without its copyright line.
+    let own = include_str!("../LICENSE");
+    let terms = own.find("Permission is hereby granted");
+    let terms = terms.context("LICENSE is not that of MIT")?;
+    let authors = match package.authors.as_slice() {
+        [] => format!("the authors of {}", package.name),
+        named => named.join(", "),
+    };
+    let terms = &own[terms..];
+    Ok(format!(
+        "{licence}\n\nMIT License\n\nCopyright (c) {authors}\n\n{terms}"
+    ))
 }

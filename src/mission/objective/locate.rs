@@ -157,7 +157,11 @@ impl LocateTracker {
 
     fn words(found: &LocateReports) -> Text {
         let one = |distance: &Option<f64>| match distance {
-            Some(distance) => text!("locate-off", distance = format!("{distance:.0}")),
+            // Rounded up: a report that is too far away never looks close enough.
+            Some(distance) => {
+                let shown = (distance * 10.0).ceil() / 10.0;
+                text!("locate-off", distance = format!("{shown:.1}"))
+            }
             None => text!("locate-missed"),
         };
         let mut words: Vec<Text> = found.distances_m.iter().map(one).collect();

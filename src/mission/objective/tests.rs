@@ -51,7 +51,7 @@ fn how_near_a_report_is_comes_out_after_landing_only() {
     assert_eq!(first.detail, "reported: 1");
     pilot.land();
     assert_eq!(pilot.flight.outcome(), FlightOutcome::Passed);
-    assert_eq!(pilot.report().objectives[0].result, "5 m off");
+    assert_eq!(pilot.report().objectives[0].result, "5.0 m off");
 }
 
 #[test]

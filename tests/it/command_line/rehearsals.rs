@@ -102,7 +102,7 @@ fn rehearsals_fail_for_plans_that_do_not_land() {
     let (code, said) = rehearse("follows.waypoints");
     assert_eq!(code, Some(0), "{said}");
     assert!(
-        said.contains("level ground") && said.contains("--terrain"),
+        said.contains("ground is level") && said.contains("--terrain"),
         "{said}"
     );
     let checked = sortie_in(folder.path(), &["plan", "check", "low.waypoints"]);
