@@ -200,7 +200,8 @@ impl DebriefPage<'_> {
             FlownBy::BundledPilot => text!("debrief-by-bundled-pilot"),
         });
         let mission_file = report.mission_file.and_then(|file| match file {
-            MissionFile::Course | MissionFile::Own => None,
+            MissionFile::Course => None,
+            MissionFile::Own => Some(text!("debrief-own-mission", mission = &report.mission)),
             MissionFile::OtherRevision => Some(text!(
                 "debrief-other-revision",
                 mission = &report.mission,

@@ -59,7 +59,7 @@ pub use records::{
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, read, read_bytes, read_start};
+pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};
 pub use terrain::add_square;
 pub use unsaved::UnsavedDrafts;
 
@@ -70,6 +70,9 @@ mod shipped {
 }
 
 use shipped::{DESIGNS, MISSIONS, PILOTS};
+
+/// The name of the folder for missions.
+const MISSION_FOLDER: &str = "missions";
 
 /// A mission by path, by the id in its file, by name or by number, tried in this order: `missions/01-air-sample.toml`,
 /// `01-air-sample` and `01` are all valid.
@@ -142,18 +145,33 @@ pub fn designs() -> Vec<Source> {
 
 /// All missions by name: the embedded ones, with those of the folders added or replacing them.
 pub fn missions() -> Vec<Source> {
-    merged("file-mission", MISSIONS, "missions", "toml")
+    merged("file-mission", MISSIONS, MISSION_FOLDER, "toml")
 }
 
-/// The missions of the course, by name: the embedded ones, and those that the folders add. A file with the id of
-/// an embedded mission adds nothing; it is flown for practice. Files that cannot be read are left out.
+/// Why files of missions in the folders cannot be read.
+pub fn unreadable_missions() -> Vec<StoreError> {
+    let folders = Folders::find();
+    let layers = folders.iter().flat_map(Folders::layers);
+    let all = layers.flat_map(|layer| found(&layer.join(MISSION_FOLDER), "file-mission", "toml"));
+    all.filter_map(Result::err).collect()
+}
+
+/// The missions of the course, by name: the embedded ones, and those that the administrator's folders add. A file with
+/// the id of an embedded mission adds nothing, nor does a file in the user's own folders: they are flown for practice.
+/// Files that cannot be read are left out.
 fn course_missions() -> Vec<Mission> {
+    course_missions_with(Folders::find().as_ref())
+}
+
+fn course_missions_with(folders: Option<&Folders>) -> Vec<Mission> {
     let is_embedded = |id: &str| MISSIONS.iter().any(|(name, _)| *name == id);
     let mut sources: BTreeMap<String, Source> = MISSIONS
         .iter()
         .map(|&(name, text)| (name.to_owned(), embedded(name, "toml", text)))
         .collect();
-    for source in missions() {
+    let layers = folders.into_iter().flat_map(Folders::system_layers);
+    let added = layers.flat_map(|layer| files(&layer.join(MISSION_FOLDER), "file-mission", "toml"));
+    for source in added {
         if !is_embedded(source.stem()) {
             sources.insert(source.stem().to_owned(), source);
         }
@@ -221,6 +239,18 @@ pub fn themes() -> Vec<Source> {
 
 /// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
 pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
+    let mut sources = Vec::new();
+    for file in found(folder, kind, ending) {
+        match file {
+            Ok(source) => sources.push(source),
+            Err(error) => tracing::warn!(%error, "a file that cannot be read is left out"),
+        }
+    }
+    sources
+}
+
+/// The files in a folder with that ending, by name, or why each cannot be read.
+fn found(folder: &Path, kind: &'static str, ending: &str) -> Vec<Result<Source, StoreError>> {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
         .into_iter()
         .flatten()
@@ -229,14 +259,7 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
         .filter(|path| path.extension().is_some_and(|found| found == ending))
         .collect();
     paths.sort();
-    let mut sources = Vec::new();
-    for path in paths {
-        match read(&path, kind) {
-            Ok(source) => sources.push(source),
-            Err(error) => tracing::warn!(%error, "a file that cannot be read is left out"),
-        }
-    }
-    sources
+    paths.iter().map(|path| read_found(path, kind)).collect()
 }
 
 /// The paths in a folder and below it with these endings, by name. Links to folders are not followed.

@@ -41,6 +41,7 @@ debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
 debrief-other-revision = This flight used another revision of the mission (the course has r{ $revision } of { $mission }): the scores cannot be compared.
+debrief-own-mission = { $mission } is not part of the course, so its flights count as practice only.
 debrief-altered-mission = The mission file differs from { $mission } r{ $revision } of the course: the scores cannot be compared.
 debrief-try = Try { $attempt }, hints: { $count } (x{ $factor })
 debrief-predicted-right = You predicted { $predicted }: exactly right.

@@ -37,6 +37,7 @@ ask-exam-reason = a layout of your own, real time, no hints, no pause; the resul
 mission-career = for your career
 fact-stage = state
 fact-locked = locked: { $why }
+fact-practice = practice only: { $why }
 fact-new = open, not flown yet
 fact-practised = open, { $count ->
     [one] { $count } flight

@@ -41,6 +41,7 @@ debrief-by-hand = Політ виконано власноруч
 debrief-by-script = Політ виконав скрипт: тренування
 debrief-by-bundled-pilot = Політ виконав скрипт із комплекту sortie: тренування
 debrief-other-revision = У цьому польоті інша редакція завдання, ніж у курсі (r{ $revision } завдання { $mission }): бали порівнювати не можна.
+debrief-own-mission = { $mission } не належить до курсу, тож його польоти — лише тренування.
 debrief-altered-mission = Файл завдання відрізняється від { $mission } r{ $revision } з курсу: бали порівнювати не можна.
 debrief-try = Спроба { $attempt }, підказок: { $count } (x{ $factor })
 debrief-predicted-right = Ви передбачили { $predicted }: саме стільки й вийшло.

@@ -37,6 +37,7 @@ ask-exam-reason = власний варіант, реальний час, без
 mission-career = для вашої кар'єри
 fact-stage = стан
 fact-locked = закрито: { $why }
+fact-practice = лише тренування: { $why }
 fact-new = відкрито, ще не виконувалося
 fact-practised = відкрито, тренувальних польотів { $count }
 fact-exam = іспит

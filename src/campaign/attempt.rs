@@ -173,13 +173,7 @@ impl AttemptTerms<'_> {
             speedup,
         } = self.means;
         let is_slow = speedup < 1.0;
-        reasons.extend(match mission_file {
-            MissionFile::Course => None,
-            MissionFile::Own => Some(PracticeReason::OwnMission),
-            MissionFile::OtherRevision | MissionFile::Altered => {
-                Some(PracticeReason::AlteredMission)
-            }
-        });
+        reasons.extend(PracticeReason::of_file(mission_file));
         reasons.extend((!flown_by.is_by_hand()).then_some(PracticeReason::Script));
         reasons.extend(has_own_airframes.then_some(PracticeReason::OwnAirframes));
         reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));

@@ -107,7 +107,7 @@ pub(super) fn check(
 
 /// Prints the faults and notes of a file; returns whether it has a fault.
 fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool, Failure> {
-    let source = match store::read(path, "file-any") {
+    let source = match store::read_found(path, "file-any") {
         Ok(source) => source,
         Err(error) => {
             tell!("sortie: {error}");

@@ -4,7 +4,7 @@
 //! configuration folder does not prevent flying: the wrong part is left out, and the fault is reported.
 
 use std::env;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use tracing_subscriber::EnvFilter;
 
@@ -14,7 +14,7 @@ use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Readers};
 use crate::diagnostic::Diagnostic;
-use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source};
+use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source, StoreError};
 use crate::text;
 use crate::text::{Language, Locale, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
@@ -146,7 +146,7 @@ impl CliSettings {
             .filter(|path| path.exists())
             .collect();
         for path in files {
-            match store::read(&path, "file-configuration") {
+            match store::read_found(&path, "file-configuration") {
                 Ok(source) => {
                     let faults = self.lay_on(&source);
                     if !faults.is_empty() {
@@ -170,7 +170,7 @@ impl CliSettings {
         if !is_named && !path.exists() {
             return Ok(());
         }
-        let source = match store::read(&path, "file-configuration") {
+        let source = match read(&path, "file-configuration", is_named) {
             Ok(source) => source,
             Err(error) => return self.told(FileFault::from(&error), is_named),
         };
@@ -278,7 +278,7 @@ impl CliSettings {
         if !is_named && !path.exists() {
             return Ok(());
         }
-        let source = match store::read(&path, "file-keymap") {
+        let source = match read(&path, "file-keymap", is_named) {
             Ok(source) => source,
             Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
             Err(error) => return self.told(FileFault::from(&error), false),
@@ -346,6 +346,15 @@ pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnost
     let check = |setting: &str, word: &str| check(setting, word, &themes);
     let mut layers = Layers::default();
     layers.file(&source.name, &source.text, &check).err()
+}
+
+/// Reads a file that the user named, which may be a pipe, or one that was found in a folder.
+fn read(path: &Path, kind: &'static str, is_named: bool) -> Result<Source, StoreError> {
+    if is_named {
+        store::read(path, kind)
+    } else {
+        store::read_found(path, kind)
+    }
 }
 
 /// Checks a word of a setting whose type does not say enough: a macro, a theme, the log level.

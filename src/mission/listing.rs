@@ -7,7 +7,7 @@ use super::objective::{GateRoute, ObjectiveScene};
 use super::world::World;
 use super::{Area, Hint, KnownWire, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
-use crate::scoring::{Component, Medals};
+use crate::scoring::{Component, Medals, MissionFile};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -20,6 +20,8 @@ pub struct Listing {
     pub id: String,
     /// Its revision; results are comparable only within one revision.
     pub rev: u32,
+    /// How its text compares with that of the course: flights with another text are practice.
+    pub file: MissionFile,
     /// The title that is shown.
     pub title: Text,
     pub brief: Text,
@@ -113,7 +115,7 @@ pub struct ObjectiveListing {
 }
 
 impl Mission {
-    /// The information shown before the mission is flown.
+    /// The information shown before the mission is flown, as a mission of the course.
     pub fn listing(&self) -> Listing {
         let weight = |component: Component| {
             let weight = self.scoring.weights.of(component);
@@ -122,6 +124,7 @@ impl Mission {
         Listing {
             id: self.id.clone(),
             rev: self.rev,
+            file: MissionFile::Course,
             title: self.title.clone(),
             brief: self.summary.brief.clone(),
             drill_of: self.summary.drill_of.clone(),

@@ -33,6 +33,19 @@ pub fn stock() -> Vec<Design> {
 
 /// The available missions, the course that they form, and the faults of the others.
 pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
+    let (missions, warnings) = readable();
+    let files = store::mission_files(&missions);
+    let (listings, offers): (Vec<MissionListing>, Vec<Option<Offer>>) = missions
+        .iter()
+        .zip(files)
+        .map(|(mission, file)| (listed(mission, file), offered(mission, file)))
+        .unzip();
+    let course = MissionCourse::new(offers.into_iter().flatten());
+    (listings, course, warnings)
+}
+
+/// The missions without faults, each id once, and the faults of the others.
+fn readable() -> (Vec<Mission>, Vec<Text>) {
     let mut missions: Vec<Mission> = Vec::new();
     let mut names: Vec<String> = Vec::new();
     let mut warnings = Vec::new();
@@ -64,32 +77,38 @@ pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
             }
         }
     }
-    let files = store::mission_files(&missions);
-    let (listings, offers): (Vec<MissionListing>, Vec<Offer>) = missions
-        .iter()
-        .zip(files)
-        .map(|(mission, file)| offered(mission, file))
-        .unzip();
-    (listings, MissionCourse::new(offers), warnings)
+    let unreadable = store::unreadable_missions();
+    let unread = unreadable.iter().map(Text::from);
+    warnings.extend(unread.map(|fault| text!("config-faulty", fault = fault)));
+    (missions, warnings)
 }
 
-/// A mission as it is listed and offered. Flights with another file than that of the course are practice: they earn no
-/// credits and unlock nothing.
-fn offered(mission: &Mission, file: MissionFile) -> (MissionListing, Offer) {
-    let (listing, offer) = (mission.listing(), Offer::of(mission));
+/// A mission as it is listed. Flights with another file than that of the course are practice: they earn nothing.
+fn listed(mission: &Mission, file: MissionFile) -> MissionListing {
+    let listing = MissionListing {
+        file,
+        ..mission.listing()
+    };
     match file {
-        MissionFile::Course => (listing, offer),
-        MissionFile::Own | MissionFile::OtherRevision | MissionFile::Altered => (
-            MissionListing {
-                rewards: Rewards::default(),
-                ..listing
-            },
-            // The parts that the mission of the course unlocks stay locked.
-            Offer {
-                credits: 0,
-                ..offer
-            },
-        ),
+        MissionFile::Course => listing,
+        MissionFile::Own | MissionFile::OtherRevision | MissionFile::Altered => MissionListing {
+            rewards: Rewards::default(),
+            ..listing
+        },
+    }
+}
+
+/// A mission as the course offers it; `None` if it is not part of the course.
+fn offered(mission: &Mission, file: MissionFile) -> Option<Offer> {
+    let offer = Offer::of(mission);
+    match file {
+        MissionFile::Course => Some(offer),
+        MissionFile::Own => None,
+        // The parts that the mission of the course unlocks stay locked.
+        MissionFile::OtherRevision | MissionFile::Altered => Some(Offer {
+            credits: 0,
+            ..offer
+        }),
     }
 }
 
@@ -101,15 +120,19 @@ mod tests {
     fn a_mission_file_of_ones_own_offers_no_credits() {
         let source = include_str!("../../missions/01-air-sample.toml");
         let mission = Mission::parse(source).expect("no faults");
-        let (listing, offer) = offered(&mission, MissionFile::Course);
-        assert_eq!((listing.rewards.credits, offer.credits), (300, 300));
+        let credits = |file| offered(&mission, file).map(|offer| offer.credits);
+        let listing = listed(&mission, MissionFile::Course);
+        assert_eq!(listing.rewards.credits, 300);
+        assert_eq!(credits(MissionFile::Course), Some(300));
+        assert_eq!(credits(MissionFile::Altered), Some(0));
+        assert_eq!(credits(MissionFile::Own), None, "it is not in the course");
         for file in [
             MissionFile::Own,
             MissionFile::OtherRevision,
             MissionFile::Altered,
         ] {
-            let (listing, offer) = offered(&mission, file);
-            assert_eq!((listing.rewards.credits, offer.credits), (0, 0), "{file:?}");
+            let listing = listed(&mission, file);
+            assert_eq!((listing.rewards.credits, listing.file), (0, file));
             assert_eq!(listing.rewards.unlock, []);
         }
     }

@@ -45,9 +45,20 @@ impl Folders {
     /// The folders that hold missions, designs or themes. If several have a file of the same name, that of the last
     /// folder counts; the user's folder is the last.
     pub fn layers(&self) -> impl Iterator<Item = &PathBuf> {
-        let system = self.system_data.iter().rev();
-        let configured = system.chain(self.system_config.iter().rev());
-        configured.chain(iter::once(&self.config))
+        self.system().chain(iter::once(&self.config))
+    }
+
+    /// Those of [`Self::layers`] that belong to the administrator: the user's own folders are left out, even if a
+    /// variable also names them as system folders.
+    pub fn system_layers(&self) -> impl Iterator<Item = &PathBuf> {
+        let system = self.system();
+        system.filter(|folder| **folder != self.config && **folder != self.data)
+    }
+
+    /// The system folders, in ascending precedence.
+    fn system(&self) -> impl Iterator<Item = &PathBuf> {
+        let data = self.system_data.iter().rev();
+        data.chain(self.system_config.iter().rev())
     }
 
     /// The configuration files of the administrator. Later ones take precedence.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use super::names::unread;
+use super::regular::read_regular;
 use crate::diagnostic::{self, Diagnostic};
 use crate::text;
 use crate::text::Text;
@@ -97,7 +98,26 @@ impl From<&StoreError> for Text {
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
 pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
-    let bytes = read_bytes(path, kind)?;
+    as_text(path, read_bytes(path, kind)?)
+}
+
+/// As [`read`], for a file that was found in a folder instead of named by the user: a FIFO there is refused, since
+/// opening it would wait for a writer.
+///
+/// # Errors
+/// As [`read`], or it is not a regular file.
+pub fn read_found(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
+    let bytes = read_regular(path, LARGEST_FILE).map_err(|error| {
+        let path = path.to_owned();
+        match error.kind() {
+            io::ErrorKind::FileTooLarge => StoreError::TooLarge { path, kind },
+            _ => StoreError::Unreadable { path, error },
+        }
+    })?;
+    as_text(path, bytes)
+}
+
+fn as_text(path: &Path, bytes: Vec<u8>) -> Result<Source, StoreError> {
     let text = String::from_utf8(bytes).map_err(|error| StoreError::Unreadable {
         path: path.to_owned(),
         error: io::Error::new(io::ErrorKind::InvalidData, error),

@@ -84,3 +84,57 @@ fn a_faulty_mission_says_where() {
     let error = mission(path.to_str().expect("plain")).expect_err("it is faulty");
     assert!(error.to_string().contains("wrong.toml:2:"), "{error}");
 }
+
+/// The folders of a user and an administrator in a temporary one; the user's configuration is also a system folder.
+fn folders_in(home: &Path) -> Folders {
+    Folders {
+        config: home.join("config"),
+        data: home.join("data"),
+        state: home.join("state"),
+        system_config: vec![home.join("etc"), home.join("config")],
+        system_data: vec![home.join("share"), home.join("data")],
+    }
+}
+
+#[test]
+fn only_the_administrator_adds_missions_to_the_course() {
+    let home = tempfile::tempdir().expect("a folder");
+    let folders = folders_in(home.path());
+    let (_, shipped) = MISSIONS
+        .iter()
+        .find(|(name, _)| *name == "01-air-sample")
+        .expect("there");
+    let written = |folder: &str, id: &str, title: &str| {
+        let text = shipped
+            .replacen("id = \"01-air-sample\"", &format!("id = \"{id}\""), 1)
+            .replacen("Air sample", title, 1);
+        let folder = home.path().join(folder).join(MISSION_FOLDER);
+        fs::create_dir_all(&folder).expect("created");
+        fs::write(folder.join(format!("{id}.toml")), &text).expect("written");
+        Mission::parse(&text).expect("no faults")
+    };
+    let cases = [
+        (written("share", "60-lab", "Lab"), MissionFile::Course),
+        (written("etc", "61-lab", "Lab"), MissionFile::Course),
+        (written("config", "70-easy", "Easy"), MissionFile::Own),
+        (written("data", "71-easy", "Easy"), MissionFile::Own),
+        (written("config", "60-lab", "Easier"), MissionFile::Altered),
+    ];
+    let course = course_missions_with(Some(&folders));
+    for (mission, expected) in cases {
+        assert_eq!(compared(&mission, &course), expected, "{}", mission.id);
+    }
+}
+
+#[test]
+fn a_fifo_in_a_folder_is_left_out_with_the_reason() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wait.toml");
+    nix::unistd::mkfifo(&path, nix::sys::stat::Mode::S_IRWXU).expect("made");
+    fs::write(folder.path().join("good.toml"), "schema = 1").expect("written");
+    let all = files(folder.path(), "file-mission", "toml");
+    let names: Vec<&str> = all.iter().map(Source::stem).collect();
+    assert_eq!(names, ["good"]);
+    let error = read_found(&path, "file-mission").expect_err("it would wait for a writer");
+    assert!(error.to_string().contains("not a regular file"), "{error}");
+}

@@ -1,7 +1,7 @@
 //! Why an attempt counts only as practice, and why it may not be flown at all.
 
 use crate::campaign::{LockReason, PartState, Stake};
-use crate::scoring::FlownBy;
+use crate::scoring::{FlownBy, MissionFile};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Part;
@@ -13,7 +13,7 @@ pub enum PracticeReason {
     ChosenSeed,
     /// A pilot script, or a pipe, gives the commands.
     Script,
-    /// The course does not contain the mission.
+    /// The course does not contain the mission: it is neither shipped nor the administrator's.
     OwnMission,
     /// The mission's text differs from that of the course.
     AlteredMission,
@@ -35,6 +35,15 @@ pub enum PracticeReason {
 }
 
 impl PracticeReason {
+    /// Why flights with a mission file count only as practice; `None` for the course's own.
+    pub fn of_file(file: MissionFile) -> Option<Self> {
+        match file {
+            MissionFile::Course => None,
+            MissionFile::Own => Some(Self::OwnMission),
+            MissionFile::OtherRevision | MissionFile::Altered => Some(Self::AlteredMission),
+        }
+    }
+
     /// The reason in the words of the screens.
     pub fn text(&self) -> Text {
         match self {

@@ -5,12 +5,15 @@ use sortie::app::state::{Activity, Career};
 use sortie::campaign::Stake;
 use sortie::campaign::{CareerStanding, Reward};
 use sortie::config::Symbols;
+use sortie::scoring::MissionFile;
 use sortie::text::Language;
 
 use super::SIZES;
 use super::map::{drawn, resized};
 use crate::fixtures;
-use crate::fixtures::career::{campaign, career, flight, history, newcomer, nobody, trained_by};
+use crate::fixtures::career::{
+    campaign, career, flight, history, newcomer, nobody, opened, trained_by,
+};
 use crate::harness::Console;
 
 /// A function that makes a console for a snapshot.
@@ -23,7 +26,10 @@ fn at(console: Console, size: (u16, u16)) -> String {
 
 /// The home screen with the cursor on a mission.
 fn on_mission(career: Career, mission: &str) -> Console {
-    let mut console = trained_by(career);
+    moved_to(trained_by(career), mission)
+}
+
+fn moved_to(mut console: Console, mission: &str) -> Console {
     console.press("home");
     for _ in 0..20 {
         let shown = sortie::app::room::home::under_cursor(console.state());
@@ -33,6 +39,21 @@ fn on_mission(career: Career, mission: &str) -> Console {
         console.press("j");
     }
     panic!("{mission} is not on the home screen");
+}
+
+#[test]
+fn home_says_why_a_mission_of_ones_own_is_practice() {
+    let (mut missions, _) = campaign();
+    let own = missions.iter_mut().find(|it| it.id == "01-air-sample");
+    own.expect("it is one of the campaign").file = MissionFile::Own;
+    let console = Console::set_up(|setup| setup.missions = missions);
+    let console = moved_to(opened(console, career()), "01-air-sample");
+    let shown = at(console, (200, 50));
+    assert!(
+        shown.contains("practice only: the mission is not"),
+        "{shown}"
+    );
+    assert!(shown.contains("no credits"), "{shown}");
 }
 
 #[test]

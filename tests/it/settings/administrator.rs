@@ -63,6 +63,63 @@ fn the_administrator_sets_for_everybody_what_a_user_may_change() {
     assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
     let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("it is JSON");
     assert_eq!(report["mission"], "lab-one");
+    assert_eq!(report["mission_file"], "course");
+}
+
+#[test]
+fn a_mission_of_the_users_own_is_not_part_of_the_course() {
+    let mission = fs::read_to_string("missions/00-first-flight.toml").expect("it ships");
+    let own = mission.replace("00-first-flight", "70-easy");
+    let home = home(&[("missions/70-easy.toml", &own)]);
+    let arguments = ["run", "70-easy", "--pilot", "00-first-flight"];
+    let flown = sortie(home.path(), &[], &[&arguments[..], &["--json"]].concat());
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("it is JSON");
+    assert_eq!(report["mission_file"], "own");
+    let debrief = text(&sortie(home.path(), &[], &arguments).stdout);
+    assert!(
+        debrief.contains("70-easy is not part of the course"),
+        "{debrief}"
+    );
+}
+
+#[test]
+fn fifos_in_the_users_folder_are_reported_and_do_not_hang_the_program() {
+    let home = home(&[("missions/good.toml", "")]);
+    let config = home.path().join("config/sortie");
+    for name in [
+        "missions/a",
+        "missions/pilots/a",
+        "designs/a",
+        "themes/a",
+        "config",
+        "keymap",
+    ] {
+        let ending = if name.contains("pilots") {
+            "pilot"
+        } else {
+            "toml"
+        };
+        let path = config.join(format!("{name}.{ending}"));
+        fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+        nix::unistd::mkfifo(&path, nix::sys::stat::Mode::S_IRWXU).expect("made");
+    }
+    let arguments = ["run", "00-first-flight", "--pilot", "00-first-flight"];
+    let flown = sortie(home.path(), &[], &arguments);
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let told = text(&sortie(home.path(), &[], &["config"]).stderr);
+    for name in ["config.toml", "keymap.toml"] {
+        let line = told.lines().find(|line| line.contains(name));
+        let line = line.unwrap_or_else(|| panic!("{name}: {told}"));
+        assert!(line.contains("not a regular file"), "{line}");
+    }
+    let folder = config.join("missions");
+    let checked = sortie(home.path(), &[], &["check", &folder.to_string_lossy()]);
+    let told = text(&checked.stderr);
+    assert!(
+        told.contains("a.toml") && told.contains("not a regular file"),
+        "{told}"
+    );
 }
 
 #[test]

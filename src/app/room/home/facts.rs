@@ -3,7 +3,7 @@
 use crate::app::State;
 use crate::app::room::page::Tone;
 use crate::app::state::Career;
-use crate::campaign::{LockReason, Mastery, MissionStage, Offer, Skill};
+use crate::campaign::{LockReason, Mastery, MissionStage, Offer, PracticeReason, Skill};
 use crate::mission::{Listing, Unlock};
 use crate::scoring::Medal;
 use crate::text;
@@ -23,6 +23,9 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
     let Some(career) = &state.training.career else {
         return Vec::new();
     };
+    if let Some(reason) = PracticeReason::of_file(mission.file) {
+        return practice(&reason);
+    }
     let Some(offer) = career.course.offer(&mission.id) else {
         return Vec::new();
     };
@@ -53,6 +56,21 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
     let drones = text!("fact-drones-are", count = offer.vehicles, licence = licence);
     facts.push(plain(text!("fact-drones"), drones));
     facts
+}
+
+/// The facts of a mission that is flown only as practice.
+fn practice(reason: &PracticeReason) -> Vec<Fact> {
+    let stage = Fact {
+        name: text!("fact-stage"),
+        what: text!("fact-practice", why = reason.text()),
+        tone: Tone::Warning,
+    };
+    let pay = Fact {
+        name: text!("fact-pays"),
+        what: text!("fact-pays-nothing"),
+        tone: Tone::Plain,
+    };
+    vec![stage, pay]
 }
 
 /// The name of what a mission unlocks.
