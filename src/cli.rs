@@ -212,6 +212,36 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
     }
 }
 
+impl CliCommand {
+    /// Whether the command stores nothing in the data folder unless that exists.
+    fn only_reads(&self) -> bool {
+        match self {
+            Self::Profile(options) => options.only_reads(),
+            Self::Replay(_)
+            | Self::Records(_)
+            | Self::Verify(_)
+            | Self::Say(_)
+            | Self::Watch(_)
+            | Self::Mcp(_)
+            | Self::Debrief(_)
+            | Self::Doctor(_)
+            | Self::Check(_)
+            | Self::Report(_)
+            | Self::Config(_)
+            | Self::Completions { .. }
+            | Self::Man { .. } => true,
+            Self::Fly(_)
+            | Self::Connect { .. }
+            | Self::Run(_)
+            | Self::Plan(_)
+            | Self::Sim(_)
+            | Self::Hangar(_)
+            | Self::Workshop(_)
+            | Self::Bench(_) => false,
+        }
+    }
+}
+
 /// Prints faults of files on standard error, in the colours of their rendering.
 fn show(faults: &str) {
     drop(writeln!(io::stderr(), "{faults}"));
@@ -220,6 +250,11 @@ fn show(faults: &str) {
 /// Runs the program and returns its exit code.
 pub fn main(arguments: CliArguments) -> ExitCode {
     let outcome = settings::gather(&arguments.common).and_then(|settings| {
+        let only_reads = arguments
+            .command
+            .as_ref()
+            .is_some_and(CliCommand::only_reads);
+        settings.share_results(only_reads);
         start_log(&settings)?;
         dispatch(arguments.command, &arguments.home, settings)
     });

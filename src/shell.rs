@@ -261,7 +261,7 @@ impl Console {
             trial: None,
             drafts,
         };
-        console.open_careers(course);
+        console.open_careers(course, false);
         console
     }
 

@@ -40,13 +40,13 @@ mod unsaved;
 
 pub use folders::Folders;
 pub use history::History;
-pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
+pub use journal::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use keys::{KeyFile, KeyFileFault};
 pub use links::open_own;
 pub use logs::LogFolder;
 pub use names::{names_in, unread, user_path};
 pub use new_name::give_new_name;
-pub use output::{write, write_output};
+pub use output::{end_of_links, is_stream, open_stream, write, write_new_output, write_output};
 pub use plans::{PlanFiles, read_plan_text};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,

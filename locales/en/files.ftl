@@ -11,6 +11,7 @@ file-missing-in = { $path }: not found in { $folder }
 file-missing-folder = { $path }: no folder { $folder }
 file-missing-folder-near = { $path }: no folder { $folder }; did you mean `{ $name }`?
 file-is-folder = { $path } is a folder, not a file
+file-no-data = no data folder { $path }: check the path, or create a profile or fly first
 file-forbidden = no permission to read { $path }
 file-unwritable = cannot write { $path }: { $error }
 file-exists = { $path } already exists: choose another path

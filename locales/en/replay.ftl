@@ -71,6 +71,7 @@ action-previous-moment = go to the previous moment
 action-next-moment = go to the next moment
 action-show-moments = list the moments of the record
 export-exists = { $path } already exists: choose another path
+export-needs-folder = CSV is a folder of tables and cannot be written to { $path }: name a new folder
 export-unwritable = { $path } cannot be written: { $error }
 export-no-positions = the record has no positions (`GLOBAL_POSITION_INT`, or `LOCAL_POSITION_NED` with an origin): the file has no tracks
 export-done = written: { $path }

@@ -12,6 +12,7 @@ file-missing-in = { $path }: файлу немає в теці { $folder }
 file-missing-folder = { $path }: немає теки { $folder }
 file-missing-folder-near = { $path }: немає теки { $folder }; може, `{ $name }`?
 file-is-folder = { $path } — тека, а не файл
+file-no-data = теки даних { $path } немає: перевірте шлях або спершу створіть профіль чи політайте
 file-forbidden = немає дозволу читати { $path }
 file-unwritable = не вдається записати { $path }: { $error }
 file-exists = { $path } вже є: виберіть інший шлях

@@ -71,6 +71,7 @@ action-previous-moment = перейти до попереднього момен
 action-next-moment = перейти до наступного моменту
 action-show-moments = показати список моментів запису
 export-exists = { $path } уже існує: вкажіть інший шлях
+export-needs-folder = CSV — це тека з таблицями, її не можна записати в { $path }: вкажіть нову теку
 export-unwritable = не вдалося записати { $path }: { $error }
 export-no-positions = у записі немає позицій (`GLOBAL_POSITION_INT` або `LOCAL_POSITION_NED` з початком координат): у файлі немає треків
 export-done = записано: { $path }

@@ -102,10 +102,13 @@ fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
 fn file_of_run(run: &str, runs: Option<&Runs>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let locale = Locale::new(settings.language());
     match (run, runs) {
-        ("last", Some(runs)) => runs.newest().ok_or_else(|| {
-            let folder = runs.folder().display().to_string();
-            invalid(&text!("record-no-runs", folder = folder), &locale)
-        }),
+        ("last", Some(runs)) => {
+            settings.require_records(&locale)?;
+            runs.newest().ok_or_else(|| {
+                let folder = runs.folder().display().to_string();
+                invalid(&text!("record-no-runs", folder = folder), &locale)
+            })
+        }
         (path, _) if Path::new(path).is_file() => {
             let path = PathBuf::from(path);
             Ok(RecordFiles::beside(&path).run.unwrap_or(path))

@@ -9,6 +9,7 @@ use super::programs::ProgramOptions;
 use super::settings::CliSettings;
 use super::{Failure, runtime};
 
+mod folder;
 mod host;
 mod mount;
 mod sitl;

@@ -93,14 +93,34 @@ enum ProfileCommand {
     },
 }
 
+impl ProfileArguments {
+    /// Whether the command changes no profile.
+    pub(super) fn only_reads(&self) -> bool {
+        match self.command {
+            ProfileCommand::List { .. }
+            | ProfileCommand::Show { .. }
+            | ProfileCommand::Export { .. } => true,
+            ProfileCommand::Create { .. }
+            | ProfileCommand::Import { .. }
+            | ProfileCommand::Delete { .. }
+            | ProfileCommand::Buy { .. } => false,
+        }
+    }
+}
+
 /// Carries out the command.
 pub(super) fn profile(
     options: &ProfileArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
+    let profiles = if options.only_reads() {
+        trainee::open_to_read(settings, &locale)?
+    } else {
+        trainee::open(settings, &locale)?
+    };
     let mut commands = ProfileCommands {
-        profiles: trainee::open(settings, &locale)?,
+        profiles,
         settings,
         locale,
     };

@@ -10,7 +10,6 @@ use serde::Serialize;
 use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
-use crate::config::Config;
 use crate::record::{Head, JournalFit, JournalNeighbours};
 use crate::replay::{Replay, TlogSpan};
 use crate::scoring::Medal;
@@ -67,7 +66,7 @@ enum RecordsCommand {
         /// (the review).
         #[arg(long, value_enum)]
         format: RecordFormat,
-        /// Write to this file or folder, which must not exist yet.
+        /// Write to this file or folder, which must not exist yet, a device or a FIFO; `-` is standard output.
         #[arg(long, value_name = "PATH")]
         output: PathBuf,
     },
@@ -141,7 +140,7 @@ pub(super) fn records(
         .ok_or_else(|| Failure::Failed(anyhow::anyhow!("no folder for records: use --data")))?;
     let commands = RecordsCommands {
         locale: Locale::new(settings.language()),
-        config: settings.config.clone(),
+        settings,
         records,
     };
     match &arguments.command {
@@ -160,14 +159,14 @@ pub(super) fn records(
     Ok(ExitCode::SUCCESS)
 }
 
-pub(super) struct RecordsCommands {
+pub(super) struct RecordsCommands<'a> {
     pub(super) records: Records,
     pub(super) locale: Locale,
-    /// The user's configuration, which decides for example which alerts a replay raises.
-    pub(super) config: Config,
+    /// The user's settings, which decide for example which alerts a replay raises.
+    settings: &'a CliSettings,
 }
 
-impl RecordsCommands {
+impl RecordsCommands<'_> {
     fn invalid(&self, fault: &Text) -> Failure {
         Failure::Invalid(format!("sortie: {}", self.locale.text(fault)))
     }
@@ -179,7 +178,7 @@ impl RecordsCommands {
 
     /// The record with a number in the list, or of a file.
     pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
-        Records::find(Some(&self.records), named).map_err(|fault| self.invalid(&fault))
+        self.settings.find_record(named)
     }
 
     /// A record for the list, with its number there; `None` for a file from elsewhere.
@@ -221,6 +220,7 @@ impl RecordsCommands {
     }
 
     fn list(&self, json: bool) -> Result<(), Failure> {
+        self.settings.require_records(&self.locale)?;
         let all: Vec<ListedRecord> = self
             .numbered()
             .map(|(number, files)| self.listed(Some(number), &files))
@@ -283,7 +283,7 @@ impl RecordsCommands {
             let text = text!("replay-no-frames", file = files.stem.as_str());
             return Err(self.invalid(&text));
         };
-        Replay::read_through(frames, &self.config).map_err(|fault| self.invalid(&fault))
+        Replay::read_through(frames, &self.settings.config).map_err(|fault| self.invalid(&fault))
     }
 
     fn delete(&self, listed: &[String], yes: bool) -> Result<(), Failure> {
@@ -295,6 +295,7 @@ impl RecordsCommands {
             }
             numbers.extend(parse_ranges(ranges).map_err(wrong)?);
         }
+        self.settings.require_records(&self.locale)?;
         let found = numbers
             .into_iter()
             .map(|number| {

@@ -68,7 +68,7 @@ pub(super) fn report(
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let profiles = trainee::open(settings, &locale)?;
+    let profiles = trainee::open_to_read(settings, &locale)?;
     let profile = trainee::choose(&profiles, None, settings, &locale)?;
     let refused = |error| trainee::refused(&error, &locale);
     let history = profiles.history(&profile).map_err(refused)?;

@@ -49,6 +49,8 @@ pub(super) struct CliSettings {
     pub folders: Option<Folders>,
     /// The folder of profiles and recorded runs; `None` without one.
     pub data: Option<PathBuf>,
+    /// Whether the user named the folder of the data: the default one need not exist.
+    pub is_data_named: bool,
     /// The faults of the files.
     pub faults: Vec<FileFault>,
 }
@@ -60,11 +62,9 @@ pub(super) struct CliSettings {
 pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
     let named = variable(DATA_VARIABLE).map(PathBuf::from);
-    let data = common
-        .data
-        .clone()
-        .or(named)
-        .or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
+    let named = common.data.clone().or(named);
+    let is_data_named = named.is_some();
+    let data = named.or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
     if let (Some(folders), Some(data)) = (&mut folders, &data) {
         folders.data.clone_from(data);
     }
@@ -82,6 +82,7 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
         theme: Theme::default(),
         folders,
         data,
+        is_data_named,
         faults: Vec::new(),
     };
     settings.read_system_files();
@@ -92,8 +93,11 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     settings.check_log()?;
     settings.place_hangar_files();
     settings.read_keymap()?;
-    settings.share_results();
     Ok(settings)
+}
+
+fn failed(text: &Text, locale: &Locale) -> Failure {
+    Failure::Failed(anyhow::anyhow!(locale.text(text)))
 }
 
 /// The available themes: the embedded ones and the user's.
@@ -131,9 +135,35 @@ impl CliSettings {
 
     /// Finds a record by its number in the list, its name, or one of its files.
     pub fn find_record(&self, named: &str) -> Result<RecordFiles, Failure> {
-        Records::find(self.records().as_ref(), named).map_err(|fault| {
-            let locale = Locale::new(self.language());
-            Failure::Invalid(format!("sortie: {}", locale.text(&fault)))
+        let locale = Locale::new(self.language());
+        if !store::user_path(named).is_file() {
+            self.require_records(&locale)?;
+        }
+        Records::find(self.records().as_ref(), named)
+            .map_err(|fault| Failure::Invalid(format!("sortie: {}", locale.text(&fault))))
+    }
+
+    /// Checks that the records can be listed.
+    ///
+    /// # Errors
+    /// A data folder that the user named does not exist, or the folder of the records cannot be read.
+    pub fn require_records(&self, locale: &Locale) -> Result<(), Failure> {
+        self.require_data(locale)?;
+        let checked = self.records().map_or(Ok(()), |records| records.check());
+        checked.map_err(|error| failed(&Text::from(&error), locale))
+    }
+
+    /// Checks that the data folder exists, if the user named it.
+    ///
+    /// # Errors
+    /// It does not exist.
+    pub fn require_data(&self, locale: &Locale) -> Result<(), Failure> {
+        let named = self.data.as_ref().filter(|_| self.is_data_named);
+        // Without permission to look, the reading reports the reason.
+        let missing = named.filter(|data| data.try_exists().is_ok_and(|exists| !exists));
+        missing.map_or(Ok(()), |data| {
+            let text = text!("file-no-data", path = data.display().to_string());
+            Err(failed(&text, locale))
         })
     }
 
@@ -263,9 +293,12 @@ impl CliSettings {
         }
     }
 
-    /// Lets the group read results, if that is set. The folder of another user is not changed.
-    fn share_results(&self) {
-        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
+    /// Lets the group read results, if that is set. The folder of another user is not changed. A missing folder is
+    /// created for a command that writes.
+    pub fn share_results(&self, only_reads: bool) {
+        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data)
+            && (!only_reads || data.is_dir())
+        {
             drop(store::share_with_group(data));
         }
     }

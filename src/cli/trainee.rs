@@ -1,10 +1,11 @@
 //! Profiles for commands: opened, and found by name, with explained faults.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use super::Failure;
 use super::settings::CliSettings;
-use crate::store::{Profile, ProfileError, Profiles, open_profiles};
+use crate::store::{Profile, ProfileError, Profiles, open_profiles, open_profiles_to_read};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -13,10 +14,29 @@ use crate::text::{Locale, Text};
 /// # Errors
 /// The data folder is missing, or its profiles cannot be opened.
 pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
+    opened_by(open_profiles, settings, locale)
+}
+
+/// The same for a command that only reads.
+///
+/// # Errors
+/// A data folder that the user named does not exist, or its profiles cannot be read.
+pub(super) fn open_to_read(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
+    settings.require_data(locale)?;
+    opened_by(open_profiles_to_read, settings, locale)
+}
+
+type OpenProfiles = fn(&Path) -> Result<(Profiles, Vec<Text>), ProfileError>;
+
+fn opened_by(
+    open: OpenProfiles,
+    settings: &CliSettings,
+    locale: &Locale,
+) -> Result<Profiles, Failure> {
     let Some(data) = &settings.data else {
         return Err(invalid(&text!("career-nowhere"), locale));
     };
-    let (profiles, told) = open_profiles(data).map_err(|error| refused(&error, locale))?;
+    let (profiles, told) = open(data).map_err(|error| refused(&error, locale))?;
     for text in told {
         tell!("sortie: {}", locale.text(&text));
     }
@@ -57,6 +77,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::Name
         | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
         ProfileError::Unusable { .. }
+        | ProfileError::Unreadable { .. }
         | ProfileError::Newer { .. }
         | ProfileError::Older { .. }
         | ProfileError::Database { .. }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use super::Film;
 use crate::link::{TlogPiece, TlogRecord};
 use crate::moment::Moment;
+use crate::store;
 use crate::text;
 use crate::text::Text;
 
@@ -32,55 +33,68 @@ pub enum ExportFormat {
 }
 
 /// Writes a recording completely or not at all, as a file or as a folder of tables. Existing files are not replaced.
-/// Returns a warning if the file has no content to show.
+/// A stream is written to: standard output (`-`), a device, a FIFO. Returns a warning if the file has no content to
+/// show.
 ///
 /// # Errors
-/// The recording cannot be read or the file cannot be written, or the path exists already.
+/// The recording cannot be read or the file cannot be written, or the path exists already, or is a stream although
+/// the format needs a folder.
 pub fn export(
     film: &Film,
     moments: &[Moment],
     format: ExportFormat,
     to: &Path,
 ) -> Result<Option<Text>, Text> {
-    let unwritable = |error: &dyn std::fmt::Display| {
-        let (path, error) = (to.display().to_string(), error.to_string());
-        text!("export-unwritable", path = path, error = error)
+    let shown = || to.display().to_string();
+    let unwritable = |error: io::Error| {
+        let error = error.to_string();
+        text!("export-unwritable", path = shown(), error = error)
     };
-    if to.exists() {
-        return Err(text!("export-exists", path = to.display().to_string()));
+    let is_stream = store::is_stream(to);
+    if to.exists() && !is_stream {
+        return Err(text!("export-exists", path = shown()));
     }
-    match format {
-        ExportFormat::Csv => {
-            whole(to, |part| tables::write(film, part)).map_err(|error| unwritable(&error))?;
+    let written = match format {
+        ExportFormat::Csv if is_stream => {
+            return Err(text!("export-needs-folder", path = shown()));
         }
-        ExportFormat::Mcap => {
-            whole(to, |part| mcap::write(film, part)).map_err(|error| unwritable(&error))?;
+        ExportFormat::Csv => whole(to, |part| tables::write(film, part)),
+        ExportFormat::Mcap => match store::open_stream(to).map_err(|error| Text::from(&error))? {
+            Some(stream) => mcap::stream(film, stream),
+            None => whole(to, |part| mcap::write(film, part)),
+        },
+        ExportFormat::Kml => return write_tracks(film, to, |all| tracks::kml(film, all, moments)),
+        ExportFormat::Gpx => return write_tracks(film, to, |all| tracks::gpx(film, all, moments)),
+        ExportFormat::GeoJson => {
+            return write_tracks(film, to, |all| Ok(tracks::geo_json(film, all, moments)));
         }
-        ExportFormat::Kml | ExportFormat::Gpx | ExportFormat::GeoJson => {
-            let tracks = track::tracks(film)?;
-            let written = match format {
-                ExportFormat::Kml => tracks::kml(film, &tracks, moments),
-                ExportFormat::Gpx => tracks::gpx(film, &tracks, moments),
-                ExportFormat::GeoJson | ExportFormat::Csv | ExportFormat::Mcap => {
-                    Ok(tracks::geo_json(film, &tracks, moments))
-                }
-            };
-            let text = written.map_err(|error| unwritable(&error))?;
-            crate::store::write(to, &text, false).map_err(|error| Text::from(&error))?;
-            if tracks.is_empty() {
-                return Ok(Some(text!("export-no-positions")));
-            }
-        }
-    }
-    Ok(None)
+    };
+    written.map(|()| None).map_err(unwritable)
 }
 
-/// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete.
+/// Writes the tracks of a recording; returns a warning if there are none.
+fn write_tracks(
+    film: &Film,
+    to: &Path,
+    format: impl FnOnce(&track::Tracks) -> io::Result<String>,
+) -> Result<Option<Text>, Text> {
+    let tracks = track::tracks(film)?;
+    let text = format(&tracks).map_err(|error| {
+        let (path, error) = (to.display().to_string(), error.to_string());
+        text!("export-unwritable", path = path, error = error)
+    })?;
+    store::write_new_output(to, &text).map_err(|error| Text::from(&error))?;
+    Ok(tracks.is_empty().then(|| text!("export-no-positions")))
+}
+
+/// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete. A link
+/// stays a link.
 fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
-    let last = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    let target = store::end_of_links(to)?;
+    let last = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
     let name = last.to_string_lossy();
-    let part = to.with_file_name(format!(".{name}.{}.part", std::process::id()));
-    let written = write(&part).and_then(|()| fs::rename(&part, to));
+    let part = target.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let written = write(&part).and_then(|()| fs::rename(&part, &target));
     if written.is_err() {
         // If the partial file cannot be removed either, its disk is gone.
         drop(if part.is_dir() {

@@ -6,14 +6,14 @@ use std::time::SystemTime;
 
 pub(super) use careers::Careers;
 
-use super::Console;
 use super::missions::{self, Tries};
 use super::session::{Finished, SessionPlan};
+use super::{Console, Opening};
 use crate::app::effect::CareerEffect;
 use crate::app::event::{CareerEvent, Event};
 use crate::campaign::MissionCourse;
 use crate::scoring::TryReport;
-use crate::store::{Landing, RunEntry, day_of};
+use crate::store::{self, Landing, RunEntry, day_of};
 use crate::text;
 
 /// Days since 1970 in UTC.
@@ -23,11 +23,15 @@ pub(super) fn today() -> i64 {
 
 impl Console {
     /// Opens the profiles and chooses the requested one, or the only one.
-    pub(super) fn open_careers(&mut self, course: MissionCourse) {
+    pub(super) fn open_careers(&mut self, course: MissionCourse, changes: bool) {
         let preferences = &self.options.preferences;
         let Some(data) = &preferences.data else {
             return;
         };
+        // A replay creates no data folder; the first change of a career does.
+        if matches!(self.options.opening, Opening::Replay(_)) && !data.exists() && !changes {
+            return;
+        }
         let wanted = preferences.profile.clone();
         let mut careers = match Careers::open(data, course) {
             Ok((careers, told)) => {
@@ -49,6 +53,9 @@ impl Console {
 
     /// Changes the profile's data, and shows the result.
     pub(super) fn change_career(&mut self, change: CareerEffect) {
+        if self.careers.is_none() {
+            self.open_careers(store::course(), true);
+        }
         let Some(careers) = &mut self.careers else {
             return self.post(Event::Failed(text!("career-nowhere")));
         };

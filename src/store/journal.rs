@@ -15,7 +15,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::append::is_written;
 use super::runs::{ENDING, outline, run_id};
-use super::{Profile, ProfileError, Profiles, RecordFiles, RunEntry, Runs, read_run, utc};
+use super::{Profile, ProfileError, Profiles, RecordFiles, Rescue, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
     AttemptTrainee, CareerFlight, CareerStanding, FlightClaim, PracticeReason, SettledFlight,
     Stake, is_practice, without_end,
@@ -128,8 +128,26 @@ impl Recovery {
 /// # Errors
 /// The profiles cannot be opened; see [`Profiles::open`].
 pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
-    let (mut profiles, rescue) = Profiles::open(data)?;
-    let mut told: Vec<Text> = rescue.iter().map(super::Rescue::text).collect();
+    let (profiles, rescue) = Profiles::open(data)?;
+    completed(data, profiles, rescue)
+}
+
+/// The same for commands that only read: a missing folder is not created.
+///
+/// # Errors
+/// The profiles cannot be opened; see [`Profiles::open_to_read`].
+pub fn open_profiles_to_read(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
+    let (profiles, rescue) = Profiles::open_to_read(data)?;
+    completed(data, profiles, rescue)
+}
+
+/// Recovers unfinished work, if the profiles can be written.
+fn completed(
+    data: &Path,
+    mut profiles: Profiles,
+    rescue: Option<Rescue>,
+) -> Result<(Profiles, Vec<Text>), ProfileError> {
+    let mut told: Vec<Text> = rescue.iter().map(Rescue::text).collect();
     if profiles.is_read_only() {
         return Ok((profiles, told));
     }

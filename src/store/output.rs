@@ -31,7 +31,9 @@ pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
 fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<(), StoreError> {
     let written = match present(path) {
         Ok(Some(found)) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        Ok(Some(found)) if !found.is_file() || links::is_open_file(path) => append(path, text),
+        Ok(Some(found)) if leads_on(path, &found) => {
+            appending(path).and_then(|mut target| target.write_all(text.as_bytes()))
+        }
         Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
         Ok(Some(found)) => replace_file(path, text, &found),
         Ok(None) if replace => put_file(path, text, mode),
@@ -42,10 +44,7 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
         io::ErrorKind::AlreadyExists => StoreError::Exists {
             path: path.to_owned(),
         },
-        _ => StoreError::Unwritable {
-            path: path.to_owned(),
-            error,
-        },
+        _ => unwritable(path, error),
     })
 }
 
@@ -54,21 +53,70 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
 /// # Errors
 /// It cannot be written.
 pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), StoreError> {
-    if path != Path::new(STANDARD_OUTPUT) {
+    if !is_standard_output(path) {
         let mode = match readers {
             Readers::Owner => 0o600,
             Readers::Group => 0o640,
         };
         return write_with_mode(path, text, true, mode);
     }
+    print(text).map_err(|error| unwritable(path, error))
+}
+
+/// Writes a text to an output that must not exist yet: `-` is standard output, and a device or a FIFO is written to.
+///
+/// # Errors
+/// It cannot be written, or it exists already.
+pub fn write_new_output(path: &Path, text: &str) -> Result<(), StoreError> {
+    if is_standard_output(path) {
+        return print(text).map_err(|error| unwritable(path, error));
+    }
+    write(path, text, false)
+}
+
+/// Whether a path stands for a stream: standard output (`-`), a device, a FIFO or an open file.
+pub fn is_stream(path: &Path) -> bool {
+    let is_other = |found: &Metadata| leads_on(path, found) && !found.is_dir();
+    is_standard_output(path) || matches!(present(path), Ok(Some(found)) if is_other(&found))
+}
+
+/// Opens the stream that a path stands for; `None` if it stands for none.
+///
+/// # Errors
+/// It cannot be opened, such as a FIFO without a reader.
+pub fn open_stream(path: &Path) -> Result<Option<Box<dyn io::Write>>, StoreError> {
+    if is_standard_output(path) {
+        return Ok(Some(Box::new(io::stdout())));
+    }
+    if !is_stream(path) {
+        return Ok(None);
+    }
+    match appending(path) {
+        Ok(target) => Ok(Some(Box::new(target))),
+        Err(error) => Err(unwritable(path, error)),
+    }
+}
+
+fn is_standard_output(path: &Path) -> bool {
+    path == Path::new(STANDARD_OUTPUT)
+}
+
+/// Whether a path that exists is no regular file, or the name of an open one.
+fn leads_on(path: &Path, found: &Metadata) -> bool {
+    !found.is_file() || links::is_open_file(path)
+}
+
+fn print(text: &str) -> io::Result<()> {
     let mut output = io::stdout().lock();
-    let written = output.write_all(text.as_bytes());
-    written
-        .and_then(|()| output.flush())
-        .map_err(|error| StoreError::Unwritable {
-            path: path.to_owned(),
-            error,
-        })
+    output.write_all(text.as_bytes())?;
+    output.flush()
+}
+
+fn unwritable(path: &Path, error: io::Error) -> StoreError {
+    StoreError::Unwritable {
+        path: path.to_owned(),
+        error,
+    }
 }
 
 /// The metadata of a path, with links followed.
@@ -81,7 +129,7 @@ fn present(path: &Path) -> io::Result<Option<Metadata>> {
 }
 
 #[cfg(unix)]
-fn append(path: &Path, text: &str) -> io::Result<()> {
+fn appending(path: &Path) -> io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt as _;
 
     // A FIFO without a reader is an error here; otherwise it would block the console.
@@ -96,13 +144,12 @@ fn append(path: &Path, text: &str) -> io::Result<()> {
     )?);
     flags.remove(nix::fcntl::OFlag::O_NONBLOCK);
     nix::fcntl::fcntl(&target, nix::fcntl::FcntlArg::F_SETFL(flags))?;
-    (&target).write_all(text.as_bytes())
+    Ok(target)
 }
 
 #[cfg(not(unix))]
-fn append(path: &Path, text: &str) -> io::Result<()> {
-    let mut target = OpenOptions::new().append(true).open(path)?;
-    target.write_all(text.as_bytes())
+fn appending(path: &Path) -> io::Result<File> {
+    OpenOptions::new().append(true).open(path)
 }
 
 fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
@@ -126,7 +173,10 @@ fn create_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
 }
 
 /// The target of a dangling link; any other path unchanged.
-fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+///
+/// # Errors
+/// Too many links follow one another.
+pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut end = path.to_owned();
     for _ in 0..MOST_LINKS {
         match fs::read_link(&end) {
@@ -202,151 +252,4 @@ fn new_file(path: &Path, _: PartMode<'_>) -> io::Result<File> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn folder() -> tempfile::TempDir {
-        tempfile::tempdir().expect("a folder")
-    }
-
-    fn names(folder: &Path) -> Vec<String> {
-        let entries = fs::read_dir(folder).expect("readable").flatten();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.file_name().to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    }
-
-    #[cfg(unix)]
-    mod unix {
-        use std::os::unix::fs::{PermissionsExt as _, symlink};
-        use std::process::Command;
-        use std::thread;
-
-        use super::*;
-
-        #[test]
-        fn a_link_stays_and_its_target_keeps_its_mode() {
-            let folder = folder();
-            let (target, link) = (folder.path().join("target"), folder.path().join("link"));
-            fs::write(&target, "old").expect("written");
-            fs::set_permissions(&target, fs::Permissions::from_mode(0o640)).expect("ours");
-            symlink("target", &link).expect("made");
-            write(&link, "new", true).expect("written");
-            assert!(link.is_symlink());
-            assert_eq!(fs::read_to_string(&target).expect("readable"), "new");
-            let mode = fs::metadata(&target).expect("there").permissions().mode();
-            assert_eq!(mode & 0o777, 0o640);
-            assert_eq!(names(folder.path()), ["link", "target"]);
-        }
-
-        #[test]
-        fn results_are_for_their_trainee_alone_unless_a_group_may_read_them() {
-            let folder = folder();
-            for (readers, expected) in [(Readers::Owner, 0o600), (Readers::Group, 0o640)] {
-                let path = folder.path().join(format!("{readers:?}"));
-                write_output(&path, "text", readers).expect("written");
-                let mode = fs::metadata(&path).expect("there").permissions().mode();
-                assert_eq!(mode & 0o777, expected);
-            }
-        }
-
-        /// Only the superuser can give a file away.
-        #[test]
-        fn a_file_that_is_replaced_keeps_its_owner() {
-            use std::os::unix::fs::{MetadataExt as _, chown};
-
-            let folder = folder();
-            let path = folder.path().join("report");
-            write(&path, "old", true).expect("written");
-            if chown(&path, Some(12_345), Some(12_346)).is_err() {
-                return;
-            }
-            write_output(&path, "new", Readers::Owner).expect("written");
-            let found = fs::metadata(&path).expect("there");
-            assert_eq!((found.uid(), found.gid()), (12_345, 12_346));
-            assert_eq!(fs::read_to_string(&path).expect("readable"), "new");
-        }
-
-        #[test]
-        fn a_link_to_a_file_that_is_not_there_yet_makes_it() {
-            let folder = folder();
-            let link = folder.path().join("link");
-            symlink("target", &link).expect("made");
-            write(&link, "new", false).expect("written");
-            assert!(link.is_symlink());
-            assert_eq!(fs::read_to_string(&link).expect("readable"), "new");
-        }
-
-        #[test]
-        fn a_device_is_written_into() {
-            let folder = folder();
-            let link = folder.path().join("null");
-            symlink("/dev/null", &link).expect("made");
-            write(&link, "text", true).expect("it takes everything");
-            assert!(link.is_symlink());
-            assert_eq!(names(folder.path()), ["null"]);
-        }
-
-        #[test]
-        #[cfg(target_os = "linux")]
-        fn a_device_that_is_full_is_an_error() {
-            let folder = folder();
-            let full = folder.path().join("full");
-            symlink("/dev/full", &full).expect("made");
-            let error = write(&full, "text", true).expect_err("it takes nothing");
-            assert!(matches!(error, StoreError::Unwritable { .. }));
-            assert_eq!(names(folder.path()), ["full"]);
-        }
-
-        #[test]
-        #[cfg(target_os = "linux")]
-        fn a_file_in_memory_is_a_file() {
-            let Ok(folder) = tempfile::tempdir_in("/dev/shm") else {
-                return;
-            };
-            let path = folder.path().join("report");
-            write(&path, "first", true).expect("written");
-            write(&path, "again", true).expect("written");
-            assert_eq!(fs::read_to_string(&path).expect("readable"), "again");
-            write(&path, "not", false).expect_err("it is there");
-        }
-
-        #[test]
-        fn a_link_to_a_link_leads_to_the_new_file() {
-            let folder = folder();
-            let (one, two) = (folder.path().join("one"), folder.path().join("two"));
-            symlink("two", &one).expect("made");
-            symlink("three", &two).expect("made");
-            write(&one, "text", false).expect("written");
-            assert_eq!(names(folder.path()), ["one", "three", "two"]);
-        }
-
-        #[test]
-        fn a_fifo_without_a_reader_holds_up_nothing() {
-            let folder = folder();
-            let fifo = folder.path().join("fifo");
-            let made = Command::new("mkfifo").arg(&fifo).status().expect("it runs");
-            assert!(made.success());
-            write(&fifo, "text", true).expect_err("nothing reads it");
-        }
-
-        #[test]
-        fn the_reader_of_a_fifo_gets_the_text() {
-            let folder = folder();
-            let fifo = folder.path().join("fifo");
-            let made = Command::new("mkfifo").arg(&fifo).status().expect("it runs");
-            assert!(made.success());
-            let reader = {
-                let fifo = fifo.clone();
-                thread::spawn(move || fs::read_to_string(fifo).expect("readable"))
-            };
-            // Without a reader, writing fails.
-            while write(&fifo, "text", true).is_err() {
-                thread::yield_now();
-            }
-            assert_eq!(reader.join().expect("it ends"), "text");
-        }
-    }
-}
+mod tests;

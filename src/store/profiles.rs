@@ -8,6 +8,7 @@
 mod error;
 mod flights;
 mod mend;
+mod opening;
 mod possessions;
 mod rescue;
 mod schema;
@@ -15,24 +16,19 @@ mod schema;
 mod tests;
 mod transfer;
 
-use std::cmp::Ordering;
-use std::fs::{File, OpenOptions};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use rusqlite::{
-    Connection, OpenFlags, OptionalExtension as _, Transaction, TransactionBehavior, params,
-};
+use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehavior, params};
 use serde::{Deserialize, Serialize};
 
 use crate::campaign::{Aids, ExamKey};
 use crate::notice::sanitised;
-use crate::store::sharing;
 
 pub use error::ProfileError;
 pub use flights::{PastRun, RunEntry};
 pub use mend::MendedRows;
+use opening::private;
 pub use rescue::Rescue;
 pub use transfer::ProfileFile;
 
@@ -88,71 +84,6 @@ impl Profile {
 }
 
 impl Profiles {
-    /// Opens the profiles of a data folder; creates folder and file if needed. A damaged file is set aside and
-    /// replaced by the last good copy, which the [`Rescue`] reports.
-    ///
-    /// # Errors
-    /// The folder is not writable, or a newer version of the program wrote the file. Neither is changed then.
-    pub fn open(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
-        let path = data.join(FILE);
-        let unusable = |error| ProfileError::Unusable {
-            path: path.clone(),
-            error,
-        };
-        match sharing::private_folder(data).and_then(|()| private(&path)) {
-            Ok(_) => {}
-            // The results belong to another user, or the folder is read-only.
-            Err(error) if is_forbidden(&error) && path.is_file() => {
-                return Ok((Self::read_only(path)?, None));
-            }
-            Err(error) => return Err(unusable(error)),
-        }
-        let rescue = rescue::rescue(&path).map_err(unusable)?;
-        let connection = Self::connect(&path)?;
-        let profiles = Self {
-            connection,
-            path,
-            is_read_only: false,
-        };
-        Ok((profiles, rescue))
-    }
-
-    /// Opens a file read-only. In a read-only folder without a log beside the file, it is read without the locks that
-    /// `SQLite` would have to write.
-    fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
-        let database = |error| ProfileError::Database {
-            path: path.clone(),
-            error,
-        };
-        let log = PathBuf::from(format!("{}-wal", path.display()));
-        let quiet = if log.exists() { "" } else { "?immutable=1" };
-        let shown = path.display().to_string();
-        let name = shown
-            .replace('%', "%25")
-            .replace('?', "%3f")
-            .replace('#', "%23");
-        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY
-            | OpenFlags::SQLITE_OPEN_NO_MUTEX
-            | OpenFlags::SQLITE_OPEN_URI;
-        let connection =
-            Connection::open_with_flags(format!("file:{name}{quiet}"), flags).map_err(database)?;
-        connection.busy_timeout(PATIENCE).map_err(database)?;
-        let found = schema::version(&connection).map_err(database)?;
-        match found.cmp(&schema::VERSION) {
-            Ordering::Equal => Ok(Self {
-                connection,
-                path,
-                is_read_only: true,
-            }),
-            Ordering::Greater => Err(ProfileError::Newer {
-                path,
-                found,
-                known: schema::VERSION,
-            }),
-            Ordering::Less => Err(ProfileError::Older { path }),
-        }
-    }
-
     /// Whether it was opened read-only.
     pub fn is_read_only(&self) -> bool {
         self.is_read_only
@@ -164,30 +95,6 @@ impl Profiles {
     /// The database cannot be read or written.
     pub fn mend(&mut self) -> Result<MendedRows, ProfileError> {
         mend::mend_rows(&mut self.connection, &self.path).map_err(|error| self.fault(error))
-    }
-
-    fn connect(path: &Path) -> Result<Connection, ProfileError> {
-        let database = |error| ProfileError::Database {
-            path: path.to_owned(),
-            error,
-        };
-        let mut connection = Connection::open(path).map_err(database)?;
-        connection.busy_timeout(PATIENCE).map_err(database)?;
-        // Data reported as stored is on the disk, even if the machine loses power.
-        connection
-            .execute_batch(
-                "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;",
-            )
-            .map_err(database)?;
-        let found = schema::migrate(&mut connection).map_err(database)?;
-        if found > schema::VERSION {
-            return Err(ProfileError::Newer {
-                path: path.to_owned(),
-                found,
-                known: schema::VERSION,
-            });
-        }
-        Ok(connection)
     }
 
     /// A number that changes when another program has written.
@@ -348,18 +255,4 @@ fn profile(row: &rusqlite::Row<'_>) -> rusqlite::Result<Profile> {
 /// The JSON of a plain structure, which can always be serialised.
 fn json<T: serde::Serialize>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
-}
-
-/// Creates a file that is private, or readable for its folder's readers, before `SQLite` would create a public one.
-fn private(path: &Path) -> io::Result<File> {
-    let mut file = OpenOptions::new();
-    sharing::open(file.create(true).truncate(false).write(true), path)
-}
-
-/// Whether the file exists and must not be written.
-fn is_forbidden(error: &io::Error) -> bool {
-    matches!(
-        error.kind(),
-        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem
-    )
 }

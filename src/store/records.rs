@@ -110,6 +110,20 @@ impl Records {
         self.limits
     }
 
+    /// Checks that the records can be listed. A missing folder of records in an existing data folder is an empty one.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
+    pub fn check(&self) -> Result<(), StoreError> {
+        match fs::read_dir(&self.folder) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(StoreError::Unreadable {
+                path: self.folder.clone(),
+                error,
+            }),
+            Ok(_) | Err(_) => Ok(()),
+        }
+    }
+
     /// All records, oldest first.
     pub fn list(&self) -> Vec<RecordFiles> {
         let mut found: BTreeMap<String, RecordFiles> = BTreeMap::new();

@@ -8,6 +8,7 @@ use nix::sys::resource::{Resource, getrlimit};
 
 use super::super::settings::CliSettings;
 use super::HostFinding;
+use super::folder::{FolderUse, folder};
 use super::mount::network_file_system;
 use crate::store::{KeyFile, KeyFileFault};
 use crate::text::Text;
@@ -16,8 +17,6 @@ use crate::text::Text;
 /// memory in kibibytes.
 const CORE_PERCENT: f64 = 3.1;
 const MEMORY_KIB: u64 = 8 * 1024;
-/// With less free space than this, logs soon fill a disk: a flying instance writes about a megabyte a minute.
-const LEAST_FREE_MIB: u64 = 512;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
 const FILES_EACH: u64 = 4;
 /// Files that this program keeps open without instances.
@@ -34,58 +33,19 @@ pub(super) fn folders(settings: &CliSettings) -> Vec<HostFinding> {
     };
     let state = hangar_folder(settings).unwrap_or_else(|| folders.state.clone());
     let mut all = Vec::from([
-        ("config", folders.config.as_path()),
-        ("data", &folders.data),
-        ("state", &folders.state),
+        folder("config", &folders.config, FolderUse::Files),
+        folder("data", &folders.data, FolderUse::Results),
+        folder("state", &folders.state, FolderUse::Files),
     ]);
     if !state.starts_with(&folders.state) {
-        all.push(("hangar folder", &state));
+        all.push(folder("hangar folder", &state, FolderUse::Files));
     }
-    all.into_iter()
-        .map(|(about, path)| folder(about, path))
-        .collect()
+    all
 }
 
 pub(super) fn hangar_folder(settings: &CliSettings) -> Option<PathBuf> {
     let set = settings.config.hangar.folder.as_ref().map(PathBuf::from);
     set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar")))
-}
-
-fn folder(about: &str, path: &Path) -> HostFinding {
-    // A missing folder is created when it is needed, so its nearest existing parent is checked.
-    let there = path
-        .ancestors()
-        .find(|folder| folder.exists())
-        .unwrap_or(Path::new("/"));
-    let name = path.display();
-    let made = if there == path {
-        ""
-    } else {
-        " (created when needed)"
-    };
-    if !there.is_dir() {
-        let mend = format!("move {} away: it is not a folder", there.display());
-        return HostFinding::fault(about, format!("{name} cannot be created"), mend);
-    }
-    if let Err(error) = nix::unistd::access(
-        there,
-        nix::unistd::AccessFlags::W_OK | nix::unistd::AccessFlags::X_OK,
-    ) {
-        let mend = format!(
-            "chmod u+wx {}, or set another folder with the XDG variables",
-            there.display()
-        );
-        return HostFinding::fault(about, format!("{name} cannot be written: {error}"), mend);
-    }
-    match free_mib(there) {
-        Some(free) if free < LEAST_FREE_MIB => HostFinding::note(
-            about,
-            format!("{name}{made}, {free} MiB free"),
-            "free some space: the logs of SITL will soon fill it",
-        ),
-        Some(free) => HostFinding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
-        None => HostFinding::ok(about, format!("{name}{made}")),
-    }
 }
 
 /// Whether the folder of the profiles is safe for a database: on this machine, and not writable by other users.
@@ -124,11 +84,6 @@ fn open_to_others(data: &Path) -> Option<HostFinding> {
             format!("chmod go-w {name}"),
         )
     })
-}
-
-fn free_mib(path: &Path) -> Option<u64> {
-    let facts = nix::sys::statvfs::statvfs(path).ok()?;
-    Some(facts.blocks_available() * facts.fragment_size() / 1024 / 1024)
 }
 
 /// Processors, memory and limits, and the number of instances that fit.
@@ -276,20 +231,5 @@ mod tests {
         fs::set_permissions(data.path(), open).expect("ours");
         let found = open_to_others(data.path()).expect("noticed");
         assert_eq!(found.verdict, CheckResult::Fault);
-    }
-
-    #[test]
-    fn a_folder_is_judged_by_what_is_there_of_it() {
-        let home = tempfile::tempdir().expect("a temporary folder");
-        let within = home.path().join("a/b");
-        let finding = folder("state", &within);
-        assert_ne!(finding.verdict, CheckResult::Fault);
-        assert!(
-            finding.found.contains("created when needed"),
-            "{}",
-            finding.found
-        );
-        fs::write(home.path().join("a"), "").expect("it is written");
-        assert_eq!(folder("state", &within).verdict, CheckResult::Fault);
     }
 }

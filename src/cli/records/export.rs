@@ -8,7 +8,7 @@ use super::RecordsCommands;
 use crate::cli::Failure;
 use crate::replay::{ExportFormat, Replay, export};
 use crate::review::{ReviewedFlight, markdown};
-use crate::store::write;
+use crate::store::{is_stream, write_new_output};
 use crate::text;
 use crate::text::utc_of;
 
@@ -36,7 +36,7 @@ impl RecordFormat {
     }
 }
 
-impl RecordsCommands {
+impl RecordsCommands<'_> {
     pub(super) fn export(
         &self,
         named: &str,
@@ -47,14 +47,17 @@ impl RecordsCommands {
         let replay = self.read(&files)?;
         let written = match format.of_recording() {
             Some(format) => export(replay.film(), replay.moments(), format, output),
-            None => write(output, &self.review(&replay), false)
+            None => write_new_output(output, &self.review(&replay))
                 .map(|()| None)
                 .map_err(|error| (&error).into()),
         };
         let warning =
             written.map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
-        let text = text!("export-done", path = output.display().to_string());
-        say!("{}", self.locale.text(&text))?;
+        // The reader of a stream gets the recording alone.
+        if !is_stream(output) {
+            let text = text!("export-done", path = output.display().to_string());
+            say!("{}", self.locale.text(&text))?;
+        }
         if let Some(warning) = warning {
             tell!("{}", self.locale.text(&warning));
         }

@@ -28,7 +28,7 @@ pub(super) struct JoinArguments {
     json: bool,
 }
 
-impl RecordsCommands {
+impl RecordsCommands<'_> {
     /// Joins a log to a record, and prints the added moments.
     pub(super) fn join(&self, arguments: &JoinArguments) -> Result<(), Failure> {
         let invalid =

@@ -50,7 +50,7 @@ impl ShownMoment {
     }
 }
 
-impl RecordsCommands {
+impl RecordsCommands<'_> {
     pub(super) fn show(&self, named: &str, json: bool) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;

@@ -36,7 +36,7 @@ pub(super) struct SignArguments {
     key: Option<PathBuf>,
 }
 
-impl RecordsCommands {
+impl RecordsCommands<'_> {
     pub(super) fn make_key(&self, arguments: &KeyArguments) -> Result<(), Failure> {
         let folder = arguments.output.clone().map_or_else(key_folder, Ok)?;
         let made = RecordKey::create(&folder, !arguments.no_password);

@@ -5,6 +5,7 @@ use std::io;
 use std::path::Path;
 
 use ::mcap::records::MessageHeader;
+use ::mcap::write::NoSeek;
 use ::mcap::{McapError, WriteOptions, Writer};
 use mavlink::dialects::ardupilotmega::MavMessage;
 use serde_json::{Map, Value, json};
@@ -29,11 +30,25 @@ fn failed(error: McapError) -> io::Error {
     }
 }
 
-/// Writes all messages that can be verified.
+/// Writes all messages that can be verified to a new file.
 pub(super) fn write(film: &Film, to: &Path) -> io::Result<()> {
+    let file = create(to.to_owned())?;
+    fill(film, options().create(file).map_err(failed)?)
+}
+
+/// The same to a stream.
+pub(super) fn stream(film: &Film, mut to: impl io::Write) -> io::Result<()> {
+    let options = options().disable_seeking(true);
+    fill(film, options.create(NoSeek::new(&mut to)).map_err(failed)?)?;
+    to.flush()
+}
+
+fn options() -> WriteOptions {
+    WriteOptions::new().compression(None).profile("")
+}
+
+fn fill(film: &Film, writer: Writer<impl io::Write + io::Seek>) -> io::Result<()> {
     let records = records(film).map_err(|fault| io::Error::other(fault.to_string()))?;
-    let options = WriteOptions::new().compression(None).profile("");
-    let writer = options.create(create(to.to_owned())?).map_err(failed)?;
     let mut file = McapFile {
         writer,
         channels: BTreeMap::new(),

@@ -11,8 +11,10 @@ use crate::text::Text;
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.text())]
 pub enum ProfileError {
-    /// The folder or the file cannot be read or written.
+    /// The folder or the file cannot be written.
     Unusable { path: PathBuf, error: io::Error },
+    /// The folder or the file cannot be read.
+    Unreadable { path: PathBuf, error: io::Error },
     /// A newer version of the program wrote it.
     Newer {
         path: PathBuf,
@@ -49,6 +51,13 @@ impl ProfileError {
             Self::Unusable { path, error } => {
                 text!(
                     "profiles-unusable",
+                    path = shown(path),
+                    error = error.to_string()
+                )
+            }
+            Self::Unreadable { path, error } => {
+                text!(
+                    "profiles-unreadable",
                     path = shown(path),
                     error = error.to_string()
                 )

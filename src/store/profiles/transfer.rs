@@ -77,6 +77,7 @@ impl ProfileFile {
                 fault: format!("{shown}: {fault}"),
             },
             other @ (ProfileError::Unusable { .. }
+            | ProfileError::Unreadable { .. }
             | ProfileError::Newer { .. }
             | ProfileError::Older { .. }
             | ProfileError::Database { .. }

@@ -1,0 +1,165 @@
+//! Opening the database: to write, or only to read if folder or file must not be written.
+
+use std::cmp::Ordering;
+use std::fs::{self, File, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use nix::errno::Errno;
+use nix::unistd::{AccessFlags, access};
+use rusqlite::{Connection, OpenFlags};
+
+use super::{FILE, PATIENCE, ProfileError, Profiles, Rescue, rescue, schema};
+use crate::store::sharing;
+
+impl Profiles {
+    /// Opens the profiles of a data folder; creates folder and file if needed. A damaged file is set aside and
+    /// replaced by the last good copy, which the [`Rescue`] reports.
+    ///
+    /// # Errors
+    /// The folder is not writable, or a newer version of the program wrote the file. Neither is changed then.
+    pub fn open(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
+        let path = data.join(FILE);
+        let unusable = |error| ProfileError::Unusable {
+            path: path.clone(),
+            error,
+        };
+        match sharing::private_folder(data).and_then(|()| private(&path)) {
+            // `SQLite` keeps its log beside the file.
+            Ok(_) if is_closed(data) => return Ok((Self::read_only(path)?, None)),
+            Ok(_) => {}
+            // The results belong to another user, or the folder is read-only.
+            Err(error) if is_forbidden(&error) && path.is_file() => {
+                return Ok((Self::read_only(path)?, None));
+            }
+            Err(error) => return Err(unusable(error)),
+        }
+        let rescue = rescue::rescue(&path).map_err(unusable)?;
+        let connection = connect(&path)?;
+        let profiles = Self {
+            connection,
+            path,
+            is_read_only: false,
+        };
+        Ok((profiles, rescue))
+    }
+
+    /// Opens the profiles of a data folder to read them: a missing folder is not created and has no profiles. As with
+    /// [`open`](Self::open), a damaged file is replaced.
+    ///
+    /// # Errors
+    /// The profiles cannot be read, or a newer version of the program wrote the file.
+    pub fn open_to_read(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
+        let path = data.join(FILE);
+        let found = fs::metadata(data);
+        if found.is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
+            return Ok((Self::none(path)?, None));
+        }
+        Self::open(data).map_err(|error| match error {
+            ProfileError::Unusable { path, error } => {
+                // Without permission to create it, the file is only missing for a reader.
+                let error = fs::metadata(&path).err().unwrap_or(error);
+                ProfileError::Unreadable { path, error }
+            }
+            other => other,
+        })
+    }
+
+    /// No profiles, without any file.
+    fn none(path: PathBuf) -> Result<Self, ProfileError> {
+        let empty = || {
+            let mut connection = Connection::open_in_memory()?;
+            schema::migrate(&mut connection)?;
+            connection.pragma_update(None, "query_only", true)?;
+            Ok(connection)
+        };
+        match empty() {
+            Ok(connection) => Ok(Self {
+                connection,
+                path,
+                is_read_only: true,
+            }),
+            Err(error) => Err(ProfileError::Database { path, error }),
+        }
+    }
+
+    /// Opens a file read-only. In a read-only folder without a log beside the file, it is read without the locks that
+    /// `SQLite` would have to write.
+    pub(super) fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
+        let database = |error| ProfileError::Database {
+            path: path.clone(),
+            error,
+        };
+        let log = PathBuf::from(format!("{}-wal", path.display()));
+        let quiet = if log.exists() { "" } else { "?immutable=1" };
+        let shown = path.display().to_string();
+        let name = shown
+            .replace('%', "%25")
+            .replace('?', "%3f")
+            .replace('#', "%23");
+        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY
+            | OpenFlags::SQLITE_OPEN_NO_MUTEX
+            | OpenFlags::SQLITE_OPEN_URI;
+        let connection =
+            Connection::open_with_flags(format!("file:{name}{quiet}"), flags).map_err(database)?;
+        connection.busy_timeout(PATIENCE).map_err(database)?;
+        let found = schema::version(&connection).map_err(database)?;
+        match found.cmp(&schema::VERSION) {
+            Ordering::Equal => Ok(Self {
+                connection,
+                path,
+                is_read_only: true,
+            }),
+            Ordering::Greater => Err(ProfileError::Newer {
+                path,
+                found,
+                known: schema::VERSION,
+            }),
+            Ordering::Less => Err(ProfileError::Older { path }),
+        }
+    }
+}
+
+fn connect(path: &Path) -> Result<Connection, ProfileError> {
+    let database = |error| ProfileError::Database {
+        path: path.to_owned(),
+        error,
+    };
+    let mut connection = Connection::open(path).map_err(database)?;
+    connection.busy_timeout(PATIENCE).map_err(database)?;
+    // Data reported as stored is on the disk, even if the machine loses power.
+    connection
+        .execute_batch(
+            "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;",
+        )
+        .map_err(database)?;
+    let found = schema::migrate(&mut connection).map_err(database)?;
+    if found > schema::VERSION {
+        return Err(ProfileError::Newer {
+            path: path.to_owned(),
+            found,
+            known: schema::VERSION,
+        });
+    }
+    Ok(connection)
+}
+
+/// Creates a file that is private, or readable for its folder's readers, before `SQLite` would create a public one.
+pub(super) fn private(path: &Path) -> io::Result<File> {
+    let mut file = OpenOptions::new();
+    sharing::open(file.create(true).truncate(false).write(true), path)
+}
+
+/// Whether the file exists and must not be written.
+fn is_forbidden(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem
+    )
+}
+
+/// Whether files can neither be created in the folder nor removed from it.
+fn is_closed(folder: &Path) -> bool {
+    let found = access(folder, AccessFlags::W_OK | AccessFlags::X_OK);
+    matches!(found, Err(Errno::EACCES | Errno::EROFS))
+}
