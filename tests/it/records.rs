@@ -11,6 +11,7 @@ use sortie::link::TlogReader;
 use crate::terminal::program;
 
 mod endings;
+mod folders;
 mod free_flights;
 mod journals;
 mod verified;
