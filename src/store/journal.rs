@@ -129,7 +129,7 @@ impl Recovery {
 /// The profiles cannot be opened; see [`Profiles::open`].
 pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
     let (profiles, rescue) = Profiles::open(data)?;
-    completed(data, profiles, rescue)
+    completed(data, profiles, rescue.as_ref())
 }
 
 /// The same for commands that only read: a missing folder is not created.
@@ -138,16 +138,16 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
 /// The profiles cannot be opened; see [`Profiles::open_to_read`].
 pub fn open_profiles_to_read(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
     let (profiles, rescue) = Profiles::open_to_read(data)?;
-    completed(data, profiles, rescue)
+    completed(data, profiles, rescue.as_ref())
 }
 
 /// Recovers unfinished work, if the profiles can be written.
 fn completed(
     data: &Path,
     mut profiles: Profiles,
-    rescue: Option<Rescue>,
+    rescue: Option<&Rescue>,
 ) -> Result<(Profiles, Vec<Text>), ProfileError> {
-    let mut told: Vec<Text> = rescue.iter().map(Rescue::text).collect();
+    let mut told: Vec<Text> = rescue.into_iter().map(Rescue::text).collect();
     if profiles.is_read_only() {
         return Ok((profiles, told));
     }
