@@ -183,6 +183,11 @@ fn a_mission_that_was_suspended_and_stopped_stood_still_and_can_be_verified() {
     let sortie = program().join(" ");
     terminal.see("shell>").press(&format!("{sortie} fly 00\r"));
     terminal.see("MISSION").press("\r").see("STABILIZE");
+    // Before that, the mission would end without a question.
+    terminal.wait("the mission's clock", |screen| {
+        let head = screen.lines().find(|line| line.contains("First flight"));
+        head.is_some_and(|head| !head.trim_end().ends_with("00:00"))
+    });
     // Longer than a vehicle may be silent.
     terminal.press("\u{1a}").see("Stopped");
     terminal
