@@ -30,7 +30,9 @@ use crate::operator::Operator;
 use crate::record::InputsHead;
 use crate::scoring::TryReport;
 use crate::session::{GuardedShelf, LogKeeper, PlanShelf};
+use crate::shell::missions::listed;
 use crate::sim::{Start, World, WorldConfig};
+use crate::store;
 use crate::store::{LogFolder, PlanFiles, Records, Runs};
 use crate::swarm::Rules;
 use crate::text;
@@ -226,8 +228,9 @@ impl RunningSession {
             mission_run.record(runs, backend.occasion.clone(), backend.earlier.clone());
         }
         self.mission_run = Some(mission_run);
+        let file = store::mission_file(&mission);
         Ok(Started {
-            mission: Some(Box::new(mission.listing())),
+            mission: Some(Box::new(listed(&mission, file))),
             places: mission.places(),
             areas: mission.areas(),
             ..started(Activity::Mission {
