@@ -47,6 +47,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = cannot store profiles in { $path }: { $error }
 profiles-unreadable = cannot read the profiles in { $path }: { $error }
+profiles-read-only = { $path } can only be read: nothing is stored in its profiles; use a folder of your own with `--data`
 profiles-newer = { $path } was made by a newer version of sortie (schema { $found }; this version reads { $known }); nothing was changed. Use that version, or another folder with `--data`
 profiles-older = { $path } was made by an older version of sortie and is read-only here; its owner must start this version once to convert it
 profiles-database = { $path }: { $error }

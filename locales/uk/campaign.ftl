@@ -51,6 +51,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = не вдається зберігати профілі в { $path }: { $error }
 profiles-unreadable = не вдається прочитати профілі в { $path }: { $error }
+profiles-read-only = { $path } можна лише читати: у його профілях нічого не зберігається; вкажіть власну теку через `--data`
 profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через `--data`
 profiles-older = { $path } створено старішою версією sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
 profiles-database = { $path }: { $error }

@@ -12,9 +12,12 @@ use crate::text::{Locale, Text};
 /// The profiles of the data folder; with warnings about repaired files and recovered flights.
 ///
 /// # Errors
-/// The data folder is missing, or its profiles cannot be opened.
+/// The data folder is missing, or its profiles cannot be opened or written.
 pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
-    opened_by(open_profiles, settings, locale)
+    let profiles = opened_by(open_profiles, settings, locale)?;
+    let written = profiles.require_writable();
+    written.map_err(|error| refused(&error, locale))?;
+    Ok(profiles)
 }
 
 /// The same for a command that only reads.
@@ -78,6 +81,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
         ProfileError::Unusable { .. }
         | ProfileError::Unreadable { .. }
+        | ProfileError::ReadOnly { .. }
         | ProfileError::Newer { .. }
         | ProfileError::Older { .. }
         | ProfileError::Database { .. }

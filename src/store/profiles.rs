@@ -89,6 +89,18 @@ impl Profiles {
         self.is_read_only
     }
 
+    /// Checks that changes can be stored.
+    ///
+    /// # Errors
+    /// It was opened read-only.
+    pub fn require_writable(&self) -> Result<(), ProfileError> {
+        if self.is_read_only {
+            let path = self.path.clone();
+            return Err(ProfileError::ReadOnly { path });
+        }
+        Ok(())
+    }
+
     /// Restores damaged rows from the copies, as far as these have them.
     ///
     /// # Errors

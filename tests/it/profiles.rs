@@ -236,6 +236,14 @@ fn a_folder_that_cannot_be_written_is_named_and_nothing_is_flown() {
         fs::set_permissions(data.path(), fs::Permissions::from_mode(0o500)).expect("ours");
         let refusal = refused(data.path(), &["profile", "list"], 1);
         assert!(refusal.contains("profiles.sqlite"), "{refusal}");
+        // Profiles in such a folder are read, and nothing is flown that could not be stored.
+        let data = folder_of_anna();
+        let mode = |mode| fs::set_permissions(data.path(), fs::Permissions::from_mode(mode));
+        mode(0o500).expect("ours");
+        assert!(said(data.path(), &["profile", "list"]).contains("Anna"));
+        let refusal = refused(data.path(), &with(&SHORT, &["--profile", "Anna"]), 1);
+        assert!(refusal.contains("can only be read"), "{refusal}");
+        mode(0o700).expect("ours");
     }
 }
 

@@ -26,13 +26,15 @@ pub(in crate::shell) struct Careers {
 }
 
 impl Careers {
-    /// Opens the profiles of a data folder, with none chosen. Returns warnings about repaired files and recovered
-    /// flights.
+    /// Opens the profiles of a data folder, with none chosen. Returns warnings about repaired files, recovered
+    /// flights, and profiles that can only be read.
     ///
     /// # Errors
     /// The profiles are not available; the console works without them.
     pub fn open(data: &Path, course: MissionCourse) -> Result<(Self, Vec<Text>), ProfileError> {
-        let (profiles, told) = store::open_profiles(data)?;
+        let (profiles, mut told) = store::open_profiles(data)?;
+        let read_only = profiles.require_writable().err();
+        told.extend(read_only.map(|error| error.text()));
         let careers = Self {
             profiles,
             course,

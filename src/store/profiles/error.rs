@@ -15,6 +15,8 @@ pub enum ProfileError {
     Unusable { path: PathBuf, error: io::Error },
     /// The folder or the file cannot be read.
     Unreadable { path: PathBuf, error: io::Error },
+    /// It can be read, but must not be written.
+    ReadOnly { path: PathBuf },
     /// A newer version of the program wrote it.
     Newer {
         path: PathBuf,
@@ -62,6 +64,7 @@ impl ProfileError {
                     error = error.to_string()
                 )
             }
+            Self::ReadOnly { path } => text!("profiles-read-only", path = shown(path)),
             Self::Newer { path, found, known } => {
                 text!(
                     "profiles-newer",
