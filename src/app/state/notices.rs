@@ -90,7 +90,7 @@ impl NoticeLog {
         }
     }
 
-    /// Whether a kind of alert of a vehicle has been reported since `since`. A line accepts notices for [`FOLD_TIME`], so
+    /// Whether a kind of alert of a vehicle has been reported since `since`. A line accepts notices for `FOLD_TIME`, so
     /// earlier lines cannot contain any since then.
     pub fn reports(&self, kind: AlertKind, vehicle: VehicleId, since: Duration) -> bool {
         let may_report = |line: &&NoticeLine| line.notice.at.saturating_add(FOLD_TIME) >= since;

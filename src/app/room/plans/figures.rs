@@ -65,7 +65,7 @@ impl Drawing {
         }
     }
 
-    /// The [pilots](Self::pilot) of all drafts of a trial, in their order.
+    /// The names of all drafts of a trial, in their order.
     pub fn pilots(&self) -> Vec<String> {
         let count = self.flight().map_or(0, |flight| flight.pilots.len());
         (0..count).map(|index| self.pilot(index)).collect()
