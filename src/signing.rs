@@ -53,7 +53,7 @@ impl fmt::Debug for SecretKey {
 pub enum SigningChange {
     /// Give it a key.
     SetUp,
-    /// Replace its key.
+    /// Replace the key that it has.
     Rotate,
     /// Let it accept and send unsigned frames again.
     Remove,
@@ -62,7 +62,7 @@ pub enum SigningChange {
 /// The key that a vehicle is sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SentKey {
-    /// The new one.
+    /// The new key of a change that is not proved yet.
     Next,
     /// The one that it had before a change.
     Current,

@@ -5,8 +5,11 @@ use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
 use crate::geo::maths;
-use crate::signing::SECOND;
 use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
+
+mod signatures;
+
+use signatures::{last_keyed, signing};
 
 /// The time before a first diagnosis: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
@@ -308,31 +311,6 @@ fn answering(chart: &Chart, sender: &Sender, queries: u32) -> Option<Cause> {
     } else {
         Cause::OneWay(system)
     })
-}
-
-fn last_keyed(chart: &Chart) -> &[SystemId] {
-    chart.last().map_or(&[], |last| &last.keyed)
-}
-
-/// The findings about a vehicle's signatures.
-fn signing(chart: &Chart, sender: &Sender) -> Vec<Cause> {
-    let system = sender.source.system;
-    let seals = chart.numbered(sender).seals;
-    let is_keyed = chart.is_keyed(system);
-    let is_expected = is_keyed || chart.last().is_some_and(|last| last.is_signing_required);
-    let behind_s = seals.behind / SECOND;
-    let mut causes = Vec::new();
-    if is_expected && seals.unsigned > 0 {
-        causes.push(Cause::Unsigned(system));
-    }
-    if is_keyed && seals.foreign > 0 {
-        causes.push(Cause::WrongKey(system));
-    }
-    // Datagrams that overtake each other are milliseconds behind.
-    if seals.old > 0 && behind_s > 0 {
-        causes.push(Cause::OldStamps(system, behind_s));
-    }
-    causes
 }
 
 /// The share of the vehicles' frames that are missing. Other ground stations are not counted, since vehicles forward

@@ -102,8 +102,8 @@ fn frames_are_told_apart_by_their_signatures() {
         ring.hear(LINK, &sent(Some(OLD), 1, late - MARGIN)),
         Seal::Right
     );
-    let nobody = Keyring::default().hear(LINK, &good);
-    assert_eq!(nobody, Seal::Foreign, "without a key");
+    let keyless = Keyring::default().hear(LINK, &good);
+    assert_eq!(keyless, Seal::Foreign, "without a key");
 }
 
 #[test]

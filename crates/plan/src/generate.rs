@@ -171,7 +171,7 @@ pub enum Idle {
 }
 
 impl Idle {
-    /// All reasons.
+    /// All reasons, in the order in which they are listed.
     pub const ALL: [Self; 3] = [Self::NoWay, Self::Far, Self::Spare];
 }
 

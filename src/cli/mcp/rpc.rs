@@ -35,7 +35,7 @@ pub struct RpcRequest {
     pub params: Params,
 }
 
-/// Reads a line.
+/// Reads a line of JSON-RPC.
 ///
 /// # Errors
 /// The line is not a valid message; the error is its answer.

@@ -323,7 +323,7 @@ async fn forged_and_replayed_commands_change_nothing_on_the_vehicle() {
     assert!(mode.is_some_and(|mode| mode.is("LOITER")), "{mode:?}");
 }
 
-/// A vehicle's heartbeat.
+/// The heartbeat of a copter in STABILIZE.
 fn beat(is_armed: bool) -> MavMessage {
     let armed = if is_armed {
         MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED
